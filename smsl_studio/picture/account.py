@@ -1,7 +1,8 @@
-"""An account of a run in one HTML file: what was believed, sensed, done and decided, by whom.
+"""An account of a run as one HTML file: what was believed, sensed, done and decided, and by whom.
 
-It is made of the log alone. Equal logs give equal bytes. The page loads nothing and runs nothing:
-no script, no picture, no font, no link; its policy (CSP) forbids them, whatever a name says.
+It is made from the log alone, and equal logs give equal bytes. The page loads nothing and runs
+nothing: it has no script, image, font or link. Its policy (CSP) forbids them, whatever text a log
+contains.
 """
 
 from __future__ import annotations
@@ -25,9 +26,11 @@ from smsl_studio.runlog.names import HeaderNames
 
 Json = Any
 DEEP = 2
-"""A value of the header is told with so many maps in each other: it may say anything."""
+"""The largest depth of maps in a value of the header that is shown. A header may contain
+anything.
+"""
 MOST = 100_000
-"""At most so many events are listed one by one: browsers do not open a longer page."""
+"""The largest number of events that are listed. Browsers do not open a longer page."""
 
 _OUTCOMES = {
     "goal_reached": "The goal was reached",
@@ -59,7 +62,7 @@ _HEADER = (
 
 
 def account(run: LoggedRun, commands: CommandWords) -> str:
-    """The page of a run as its log has it; ``commands`` are those that may stand in it."""
+    """Return the page of a run. ``commands`` are the commands that the log may contain."""
     return "\n".join(_page(run, commands)) + "\n"
 
 
@@ -179,7 +182,7 @@ def _pairs(title: str, pairs: Iterator[tuple[str, str]], code: bool = False) -> 
 
 
 def _said(value: Json, deep: int = DEEP) -> str:
-    """A value of the header, which says what it likes, in one line that ends."""
+    """Return a value of the header in one line. The value may be anything."""
     if value is None or value in ([], {}, ""):
         return "none"
     if isinstance(value, bool):

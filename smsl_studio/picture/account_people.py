@@ -1,4 +1,4 @@
-"""What people were asked and said in a run, in the words of an account."""
+"""The words of an account for questions to people and their answers."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from smsl_studio.runlog.names import HeaderNames
 
 
 def worded(event: Event, asked: Mapping[str, run.TaskOpened], names: HeaderNames) -> Event:
-    """The same event with the question beside the name of its task, and values in words; ``asked``
-    are the tasks of the run (see ``RunMoment``)."""
+    """Return the event with the question beside the name of its task, and with values in words.
+
+    ``asked`` has the tasks of the run (see ``RunMoment``).
+    """
     if isinstance(event, run.TaskOpened):
         options = tuple(_value(event, one, names) for one in event.options)
         return replace(event, options=options)

@@ -1,6 +1,6 @@
-"""Events of regulation in the words of an account: commands, tasks, disturbances, faults.
+"""The words of an account for commands, tasks, disturbances and faults.
 
-What a command is called stands in its row, which is handed in from above.
+The words of a command stand in its row of the table, which the caller passes.
 """
 
 from __future__ import annotations
@@ -14,21 +14,23 @@ from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
 
 LONGEST = 40
-"""So many names of a route or prices stand in a line; the log has all of them."""
+"""The largest number of operations or prices in one line. The log has all of them."""
 
 
 def states(configuration: Mapping[str, str]) -> str:
-    """A configuration in a line."""
+    """Return a configuration as one line."""
     return ", ".join(f"{branch}/{state}" for branch, state in configuration.items())
 
 
 def listed(words: str, details: tuple[str, ...]) -> str:
-    """A sentence, and behind a colon what belongs to it."""
+    """Return a sentence, with its details after a colon."""
     return f"{words}: {'; '.join(details)}" if details else words
 
 
 def commanded(event: run.Commanded, commands: CommandWords) -> str:
-    """A command as its row has it; of one that has none, how it is called."""
+    """Return the sentence of a command from its row. A command without a row is told by its
+    name.
+    """
     known = commands.get(event.command)
     address = event.address or "the next operation"
     said = known.told(address, event.value) if known is not None else ""

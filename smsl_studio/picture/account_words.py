@@ -1,4 +1,4 @@
-"""Run events in the words of an account: of which kind they are, what they say, who did it."""
+"""The words of an account: the kind of each event, its sentence, and who caused it."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
         run.GivenBack: BELIEVED,
     }
 )
-"""Events that are not listed here are decisions."""
+"""An event that is not listed here is a decision."""
 BY_HAND = "done by "
-"""How the end of an operation begins that a person carried out."""
+"""The first words of the message if a person carried out an operation."""
 NOBODY = "nobody has answered yet"
-"""Why a fact is unknown that only a person can say: no sensor said anything."""
+"""The reason of an unknown fact that only a person can tell. No sensor has reported anything."""
 
 _BAD = (
     run.Mismatch,
@@ -70,10 +70,10 @@ def told(
     cause: str = "",
     names: HeaderNames = NAMELESS,
 ) -> AccountLine:
-    """An event as the account has it; an event without words of its own is told by its fields.
+    """Return the line of an event. An event without a sentence of its own is told by its fields.
 
-    ``commands`` are those that may stand in it. ``cause`` names whose command it answers (see
-    ``Causes``), ``names`` what people call things.
+    ``commands`` are the commands that the log may contain. ``cause`` names who gave the command
+    that the event answers (see ``Causes``). ``names`` has the names that people use.
     """
     kind = _KINDS.get(type(event), DECIDED)
     named = event if isinstance(event, run.FactChanged) else names.told_in(event)
@@ -87,14 +87,16 @@ def told(
 
 
 def vanished(more: int, what: str) -> str:
-    """A line for what is not told one by one; empty where nothing was left out."""
+    """Return a line with the number of events that are left out, or the empty text if there are
+    none.
+    """
     if more <= 0:
         return ""
     return f"<p>And {more:,} more {what}{'' if more == 1 else 's'}, which the log has.</p>"
 
 
 def _by(event: Event, kind: str, world: str) -> str:
-    """Who: as the event says it; where it names nobody, what part of the run tells it."""
+    """Return who caused an event: the name in the event, or else the part of the program."""
     if isinstance(event, run.TaskClosed):
         return ", ".join(event.answers) or "dispatcher"
     by = getattr(event, "by", "")

@@ -1,4 +1,6 @@
-"""Where both sides of a difference are drawn: a state that is on both stands at one place."""
+"""The places of states on both sides of a difference. A state that is on both sides has one
+place.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,9 @@ TENTH = 0.1
 
 
 def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:
-    """Every SB by its names before and after; the empty text where it is not there."""
+    """Yield the names of every SB before and after. A name is empty if the SB is not on that
+    side.
+    """
     old = {new: name for name, new in difference.branches.items()}
     for name in difference.after.branches:
         before = old.get(name, name)
@@ -25,7 +29,7 @@ def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:
 
 
 def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
-    """Those of the SBs about which the difference says something."""
+    """Return the name pairs of the SBs that have a change."""
     told = (*difference.changes, *difference.fields)
     before = {change.before.branch for change in told if change.before}
     after = {change.after.branch for change in told if change.after}
@@ -34,10 +38,10 @@ def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
 
 
 def as_drawn(difference: Difference) -> Difference:
-    """The difference with those states alone as moved that are drawn elsewhere.
+    """Return the difference in which only those states have moved that are drawn at another place.
 
-    The first state that is placed by hand has all places of its SB written: the others stand where
-    they stood before, without a place that was written.
+    If a state is placed by hand for the first time, the file gets the places of all states of its
+    SB. The other states are still drawn where they were, so they have not moved.
     """
     if not difference.moved:
         return difference
@@ -64,7 +68,9 @@ def as_drawn(difference: Difference) -> Difference:
 def places_of(
     difference: Difference, before: str, after: str
 ) -> tuple[Mapping[str, Point], Mapping[str, Point]]:
-    """The places of the states of an SB on both sides; what the files say comes first."""
+    """Return the places of an SB's states before and after (pixels). Places in the files count
+    first.
+    """
     later = place_states(difference.after[after]) if after else {}
     if not before:
         return {}, later

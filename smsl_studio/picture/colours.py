@@ -1,4 +1,6 @@
-"""The colours of both themes by name, as ``#RRGGBB``; the window and the pictures share them."""
+"""The colours of the light and the dark theme by name, as ``#RRGGBB``, for the window and for
+files.
+"""
 
 from __future__ import annotations
 
@@ -29,4 +31,4 @@ def _named(colours: str) -> Colours:
 
 
 LIGHT, DARK = _named(_LIGHT), _named(_DARK)
-"""docs/window.md says what each colour is for."""
+"""docs/window.md explains what each colour is for."""

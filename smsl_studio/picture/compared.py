@@ -1,4 +1,4 @@
-"""A difference as a picture: what changed in words, then both sides of every SB that did."""
+"""A difference as pictures: the changes in words, then both sides of every SB that has changed."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ BETWEEN = 12.0
 
 
 def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[SvgPanel]:
-    """The words first, then a panel for each SB that changed."""
+    """Return a panel with the words, then one for each SB that has changed. UsageError for too many
+    SBs.
+    """
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
     pairs = changed_pairs(difference)
@@ -93,7 +95,7 @@ def _in_words(difference: Difference, colours: Colours) -> SvgPanel:
 def _rows(
     changes: Sequence[Change], y: float, colours: Colours, ink: str
 ) -> tuple[list[str], float]:
-    """A sentence a row, from a height on; and the height below them."""
+    """Return the SVG of the changes, one row each from height ``y``, and the height below them."""
     parts: list[str] = []
     for change in changes[:MOST_ROWS]:
         sign = sign_of(change.kind)

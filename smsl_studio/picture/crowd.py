@@ -1,4 +1,4 @@
-"""How much stands in one picture of several SBs, and how carefully it is drawn then."""
+"""The size of a picture of several SBs, and the limits that follow from it."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
 
 MOST_PANELS = 500
-"""So many SBs are drawn in one picture at most."""
+"""The largest number of SBs in one picture."""
 
 MOST_CAREFUL = 2_000
-"""In a picture of more operations than these no line is led around nodes, no label has its place
-sought: that takes the square of what stands in an SB."""
+"""With more operations than this in one picture, no line is led around nodes and no place is sought
+for a label. The time for both grows with the square of an SB's size.
+"""
 
 
 def crowd_of(blueprint: Blueprint, branches: Sequence[str]) -> int:
-    """How many states, or operations where they are more, these SBs have together."""
+    """Return the number of states of these SBs, or of their operations if that is larger."""
     chosen = [blueprint[name] for name in branches]
     return max(
         sum(len(branch.table) for branch in chosen), sum(branch.edge_count for branch in chosen)
@@ -24,7 +25,7 @@ def crowd_of(blueprint: Blueprint, branches: Sequence[str]) -> int:
 
 
 def refuse_too_many(blueprint: Blueprint, branches: Sequence[str], advice: str) -> None:
-    """UsageError for more SBs than one picture can show, at the first that is too many."""
+    """Raise UsageError if there are more SBs than one picture can show."""
     if len(branches) > MOST_PANELS:
         name = branches[MOST_PANELS]
         raise UsageError(

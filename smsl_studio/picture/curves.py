@@ -1,4 +1,6 @@
-"""Lines between two states: straight in a row, gently curved otherwise. Pure geometry."""
+"""Lines between two states: straight in a row or column, slightly curved otherwise. Pure
+geometry.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,7 @@ OPPOSITE, PARALLEL = 16.0, 18.0
 
 @dataclass(frozen=True, slots=True)
 class Between:
-    """What joins two states: edges by number, in order, from ``a`` to ``b`` and back."""
+    """The edges between two states, by number and in order: from ``a`` to ``b``, and back."""
 
     a: int
     b: int
@@ -50,10 +52,11 @@ def joined(
     outward: Point | None,
     only: int | None = None,
 ) -> dict[int, EdgeShape]:
-    """The lines of all edges between two states, side by side; or that of the ``only`` one.
+    """Return the lines of all edges between two states, side by side, or only that of the edge
+    ``only``.
 
-    ``outward`` is the direction away from the middle of the picture: a lone curve bends there. None
-    says that the straight way is not free of other nodes.
+    ``outward`` is the direction away from the middle of the picture; a single curve bends that way.
+    None means that other nodes are in the straight way.
     """
     strands = strands_of(pair, source, target, style, outward, only)
     return dict(zip(strands, drawn(list(strands.values()), style), strict=True))
@@ -67,7 +70,7 @@ def strands_of(
     outward: Point | None,
     only: int | None = None,
 ) -> dict[int, Strand]:
-    """What those lines are to be, not drawn yet."""
+    """Return the descriptions of these lines, which ``drawn`` turns into points."""
     straight = outward is not None and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     strands: dict[int, Strand] = {}
@@ -81,25 +84,27 @@ def strands_of(
 
 
 def is_forward(source: NodeBox, target: NodeBox) -> bool:
-    """Whether the way runs to the right, or straight down."""
+    """Return whether a line from source to target runs to the right, or straight down."""
     dx, dy = target.x - source.x, target.y - source.y
     return dx > 1.0 or (abs(dx) <= 1.0 and dy > 0.0)
 
 
 def is_outward(source: NodeBox, target: NodeBox, middle: Point) -> bool:
-    """Whether the direction in which offsets count leads away from the middle of the picture."""
+    """Return whether positive offsets lead away from the middle of the picture."""
     nx, ny = _normal(source, target)
     x, y = (source.x + target.x) / 2 - middle[0], (source.y + target.y) / 2 - middle[1]
     return nx * x + ny * y >= 0.0
 
 
 def in_row(source: NodeBox, target: NodeBox) -> bool:
-    """Whether two nodes stand in one row or one column."""
+    """Return whether two nodes stand in one row or one column."""
     return abs(source.y - target.y) <= 1.0 or abs(source.x - target.x) <= 1.0
 
 
 def _normal(source: NodeBox, target: NodeBox) -> Point:
-    """The direction across the way in which offsets count: down, or right for columns."""
+    """Return the direction of positive offsets, across the line: downwards, or right for vertical
+    lines.
+    """
     dx, dy = target.x - source.x, target.y - source.y
     size = math.hypot(dx, dy) or 1.0
     nx, ny = -dy / size, dx / size
@@ -110,10 +115,11 @@ def _normal(source: NodeBox, target: NodeBox) -> Point:
 def _side_by_side(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, only: int | None = None
 ) -> Iterator[tuple[int, bool, float]]:
-    """Each edge, or the ``only`` one, whether it leads there, and how far beside the middle.
+    """Yield for each edge (or only ``only``): its number, whether it leads from ``pair.a`` to
+    ``pair.b``, and its offset from the middle.
 
-    In full, what runs forward is on top and at the left. Compact edges keep to the right, as
-    traffic does.
+    Between full nodes, forward edges are on top or at the left. Between compact nodes, edges keep
+    to the right, as traffic does.
     """
     ways = [(pair.there, True), (pair.back, False)]
     if is_forward(source, target) == style.compact:
@@ -131,7 +137,9 @@ def _side_by_side(
 
 
 def _step(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> float:
-    """How far the lines of a pair lie apart; all of them begin at their node."""
+    """Return the distance between the lines of a pair. It is so small that all lines begin at their
+    node.
+    """
     step = OPPOSITE if len(pair.there) == len(pair.back) == 1 else PARALLEL
     if not style.compact:
         share = 1.0 if in_row(source, target) else NEAR
@@ -141,7 +149,7 @@ def _step(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> 
 
 
 def _reach(source: NodeBox, target: NodeBox) -> float:
-    """How far beside the middle a line may begin across the way, at both nodes."""
+    """Return the largest offset with which a line still begins at both nodes."""
     nx, ny = (max(abs(part), 1e-6) for part in _normal(source, target))
     if in_row(source, target):
         return min(source.h, target.h) - 6.0
@@ -149,7 +157,9 @@ def _reach(source: NodeBox, target: NodeBox) -> float:
 
 
 def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> float:
-    """The bend of a lone edge that is in no row: slight, away from the middle of the picture."""
+    """Return the bend of a single edge: 0 in a row or column, else slight and away from the
+    middle.
+    """
     if in_row(source, target):
         return 0.0
     length = math.hypot(target.x - source.x, target.y - source.y)
@@ -160,16 +170,18 @@ def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> 
 def is_clear(
     source: NodeBox, target: NodeBox, boxes: Floats, skip: Sequence[int], gap: float
 ) -> bool:
-    """Whether the straight way between two nodes meets no other node.
+    """Return whether the straight line between two nodes meets no other node.
 
-    ``boxes`` is an (n, 4) array of centres and half sizes; ``skip`` are rows left out.
+    ``boxes`` is an (n, 4) array of centres and half sizes. ``skip`` has the rows to leave out.
     """
     line = np.array([[source.x, source.y], [target.x, target.y]])
     return not meets(line, boxes, skip, gap)
 
 
 def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
-    """Whether a line of points runs through one of the boxes."""
+    """Return whether a line of points, (n, 2), runs through one of the boxes or nearer than
+    ``gap``.
+    """
     low = line.min(axis=0) - gap
     high = line.max(axis=0) + gap
     reach_low, reach_high = boxes[:, :2] - boxes[:, 2:], boxes[:, :2] + boxes[:, 2:]
@@ -191,9 +203,9 @@ def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
 def around(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, boxes: Floats, outward: Point
 ) -> dict[int, EdgeShape]:
-    """Curves that bend around the nodes in the way, the slightest bend that is free.
+    """Return curves that bend around other nodes, with the slightest bend that meets none.
 
-    Where none is free the edges run straight, as if nothing stood there.
+    If every bend meets a node, the lines are those of ``joined``.
     """
     normal = _normal(source, target)
     length = math.hypot(target.x - source.x, target.y - source.y)

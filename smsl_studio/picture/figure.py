@@ -1,7 +1,8 @@
-"""Figure: one SB laid out for paper. Positions, sizes of nodes, lines and labels, level of detail.
+"""Figure: one SB laid out for a file, with places and sizes of nodes, lines, labels and level of
+detail.
 
-On paper there is no zoom and nothing to point at: a small SB is enlarged until every node has room
-and every label a place; a large one keeps its layout and shows less of each element.
+A file cannot be zoomed or pointed at. So a small SB is enlarged until every node has room and every
+label has a place. A large SB keeps its layout and shows less of each element.
 """
 
 from __future__ import annotations
@@ -23,7 +24,9 @@ NAME, LABEL, CHIP_TEXT, SHORT = 12.0, 11.0, 12.0, 12.0
 CHIP, GAP = 18.0, 4.0
 WIDEST, LONGEST_LABEL = 320.0, 260.0
 MOST_LINES, MOST_LABELS = 3000, 1500
-"""More operations than these are straight lines, or have no labels; more states are dots."""
+"""With more operations than these, lines are straight or labels are left out. With more states than
+MOST_LINES, states are dots.
+"""
 DOT_PITCH = 26.0
 _LARGER = 1.2
 _STEPS = 6
@@ -31,7 +34,7 @@ MARK = 13.0
 
 
 class Figure:
-    """One SB as it is drawn; ``signed`` are operations whose label carries a sign."""
+    """One SB as it is drawn. ``signed`` has the operations whose label carries a sign."""
 
     def __init__(
         self, picture: Picture, positions: Mapping[str, Point], signed: frozenset[int] = frozenset()
@@ -48,7 +51,7 @@ class Figure:
 
     @property
     def shows_nodes(self) -> bool:
-        """Whether states are boxes with words in them; else they are dots."""
+        """Whether states are boxes with words. Otherwise they are dots."""
         return self.level in (Level.FULL, Level.COMPACT)
 
     @property
@@ -70,9 +73,9 @@ class Figure:
         return np.full(len(self.picture), 6.0)
 
     def _draw_out(self) -> None:
-        """Enlarge the layout until nodes are apart and, in a small SB, each label has a place."""
+        """Enlarge the layout until nodes are apart and each label of a small SB has a place."""
         if not self.shows_nodes:
-            # Dots need less room than the boxes that the layout was made for.
+            # The layout was made for boxes, and dots need less room.
             self.at = self.at * (DOT_PITCH / max(self._pitch(), 1.0))
         elif len(self.at) > 1:
             for _ in range(_STEPS):
@@ -105,23 +108,25 @@ class Figure:
 
     @property
     def height(self) -> float:
-        """The height of every node, in pixels."""
+        """The height of every node (pixels)."""
         sizes = {Level.FULL: FULL_SIZE[1], Level.COMPACT: COMPACT_SIZE[1]}
         return sizes.get(self.level, 6.0)
 
     @cached_property
     def named(self) -> dict[int, float]:
-        """Among dots, the states that have their name beside them, and how wide it is."""
+        """The states that have their name beside their dot, each with the width of the name
+        (pixels).
+        """
         branch, index = self.picture.branch, self.picture.index
         chosen = [name for name in (branch.initial, branch.activating) if name in index]
         return {index[n]: width(elided(n, NAME, LONGEST_LABEL), NAME) + 8.0 for n in chosen}
 
     def label(self, edge: int) -> str:
-        """The label of an operation, cut where it is very long."""
+        """Return the label of an operation, shortened if it is very long."""
         return elided(self.picture.label(edge), LABEL, LONGEST_LABEL)
 
     def label_size(self, edge: int) -> tuple[float, float]:
-        """Width and height of the label of an operation, in pixels; (0, 0) where it has none."""
+        """Return the width and height of an operation's label (pixels), (0, 0) if it has none."""
         if not self.shows_labels:
             return 0.0, 0.0
         picture = self.picture
@@ -129,7 +134,7 @@ class Figure:
         return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 
     def bounds(self) -> Rect:
-        """left, top, right, bottom of everything that is drawn."""
+        """Return the left, top, right and bottom of everything that is drawn (pixels)."""
         if not len(self.at):
             return 0.0, 0.0, 160.0, 20.0
         half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
@@ -156,12 +161,12 @@ class Figure:
 
 
 def chip_width(chip: Chip) -> float:
-    """The width of one fact on a node, in pixels."""
+    """Return the width of one fact on a node (pixels)."""
     return max(CHIP, mono_width(chip.text, CHIP_TEXT) + 8.0)
 
 
 def full_width(face: Face) -> float:
-    """The width of a node with its name and facts: 108 pixels or more."""
+    """Return the width of a node with its name and facts (pixels), 108 or more."""
     chips = sum(chip_width(chip) + GAP for chip in face.chips) - GAP
     words = face.title if face.title and not face.chips else ""
     wanted = max(width(face.name, NAME), width(words, LABEL)) + 24.0
@@ -169,14 +174,15 @@ def full_width(face: Face) -> float:
 
 
 def compact_width(face: Face) -> float:
-    """The width of a node with its facts only: 46 pixels or more."""
+    """Return the width of a node that shows only its facts (pixels), 46 or more."""
     return min(max(mono_width(face.short, SHORT) + 18.0, COMPACT_SIZE[0]), WIDEST / 2)
 
 
 def chip_places(face: Face, room: float) -> list[tuple[float, float]]:
-    """Left and width of each chip about the middle of its node, from the first digit on.
+    """Return the left side, from the middle of the node, and the width of each chip, in order of
+    digits.
 
-    Where not all fit there is room behind the last for a mark that counts the rest.
+    If not all chips fit, there is room after the last one for a mark with the number of the others.
     """
     widths = [chip_width(chip) + GAP for chip in face.chips]
     shown = len(widths)
@@ -191,7 +197,7 @@ def chip_places(face: Face, room: float) -> list[tuple[float, float]]:
 
 
 def _row(widths: list[float], shown: int) -> float:
-    """The width of the first chips, and of the mark that counts the rest."""
+    """Return the width of the first ``shown`` chips and of the mark for the others."""
     rest = len(widths) - shown
     mark = mono_width(rest_mark(rest), CHIP_TEXT) + GAP if rest else 0.0
     return sum(widths[:shown]) + mark - GAP

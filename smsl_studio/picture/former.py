@@ -1,7 +1,8 @@
-"""FormerLines: which lines and labels of a small picture still hold after an edit.
+"""FormerLines: the lines and labels of a small picture that an edit does not change.
 
-A line depends on the nodes at its ends and near it, a label on what else stands near its line. What
-no change comes near is taken over, so that the picture is the same as one that is routed whole.
+A line depends on the nodes at its ends and near it. A label depends on everything near its line. If
+no change is near, the line or label is kept. The picture is then the same as one that is routed as
+a whole.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 
 REACH = 0.5
-"""A way around nodes stays within this share of its length beside the straight way."""
+"""The largest distance of a line around nodes from the straight line, as a share of its length."""
 NEAR = 16.0
-"""Pixels around a line or a label in which something else can move it."""
+"""A change within so many pixels of a line or label can move it."""
 
 
 @dataclass
 class Routing:
-    """What came of routing a picture, as it was before anybody dragged a state."""
+    """The routing of a picture, before any state was dragged."""
 
     picture: Picture
     boxes: Floats
@@ -31,18 +32,18 @@ class Routing:
     shapes: dict[int, EdgeShape] = field(default_factory=dict)
     labels: dict[int, Rect | None] = field(default_factory=dict)
     sizes: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """The sizes that the labels were placed with."""
+    """The sizes of labels for which the places were chosen."""
     clear: dict[tuple[int, int], bool] = field(default_factory=dict)
-    """By pair of states whether the straight way between them meets no other node."""
+    """For each pair of states whether the straight line between them meets no other node."""
     bent: set[tuple[int, int]] = field(default_factory=set)
-    """The pairs whose lines lead around other nodes, or would if there were room."""
+    """The pairs whose lines lead around other nodes, or would if there was room."""
 
 
 class FormerLines:
-    """A routing before an edit, asked in the numbers of the picture after it.
+    """The routing before an edit, for questions with the numbers of the picture after the edit.
 
-    ``now`` is the routing that is being made. It is of use where the order of states and operations
-    is the same (``fits``). Whatever turns out to be elsewhere than before is told by ``moved``.
+    ``now`` is the new routing. The old one is useful only if states and operations have kept their
+    order (``fits``). ``moved`` notes each place at which something has changed.
     """
 
     def __init__(self, former: Routing, now: Routing) -> None:
@@ -51,7 +52,7 @@ class FormerLines:
         self._state = [before.index.get(name, -1) for name in after.names]
         self._edges = _matched(before, after)
         self._far: list[Rect] = []
-        """Where something changed, with a margin."""
+        """The places at which something changed, each with a margin."""
         self._same = [
             old >= 0 and bool((now.boxes[state] == former.boxes[old]).all())
             for state, old in enumerate(self._state)
@@ -62,7 +63,9 @@ class FormerLines:
 
     @property
     def fits(self) -> bool:
-        """Whether what stands in both pictures stands in one order, at one size of marks."""
+        """Whether the states and edges of both pictures have the same order, and marks have the
+        same size.
+        """
         if self._former.style != self._now.style:
             return False
         states = [old for old in self._state if old >= 0]
@@ -70,14 +73,16 @@ class FormerLines:
         return states == sorted(states) and edges == sorted(edges)
 
     def moved(self, rects: Iterable[Rect | None]) -> None:
-        """Something stands here now, or stands here no longer."""
+        """Note that something has appeared or disappeared at these places."""
         m = NEAR * self._now.style.unit
         self._far += [(r[0] - m, r[1] - m, r[2] + m, r[3] + m) for r in rects if r is not None]
 
-    # Lines.
+    # Lines
 
     def clear(self, pair: Between, source: NodeBox, target: NodeBox) -> bool | None:
-        """Whether the straight way of a pair is clear; None where that has to be looked at."""
+        """Return whether the straight line of a pair meets no other node, or None if this is not
+        known.
+        """
         if not self._untouched(pair, source, target, 0.0):
             return None
         return self._former.clear.get((self._state[pair.a], self._state[pair.b]))
@@ -85,7 +90,9 @@ class FormerLines:
     def pair(
         self, pair: Between, source: NodeBox, target: NodeBox
     ) -> tuple[dict[int, EdgeShape], bool] | None:
-        """The lines of a pair, and whether they lead around nodes; None where they may change."""
+        """Return the lines of a pair, and whether they lead around nodes. None if they may
+        change.
+        """
         a, b = self._state[pair.a], self._state[pair.b]
         straight = self._former.clear.get((a, b), False)
         if not self._untouched(pair, source, target, 0.0 if straight else REACH):
@@ -108,12 +115,12 @@ class FormerLines:
         return {e: shapes[edges[e]] for e in both}, (a, b) in self._former.bent
 
     def shape(self, edge: int, shape: EdgeShape) -> EdgeShape:
-        """The former line of an edge where it is the same, else the one that was made now."""
+        """Return the old line of an edge if it equals the new one ``shape``, else ``shape``."""
         found = self._former.shapes.get(self._edges[edge])
         return found if found is not None and found.is_like(shape) else shape
 
     def lines_known(self, shapes: dict[int, EdgeShape]) -> None:
-        """All lines but loops are there: what is another than it was has moved."""
+        """Note where lines have changed. ``shapes`` has all new lines except loops."""
         former, kept = self._former, set()
         for edge, shape in shapes.items():
             old = self._edges[edge]
@@ -135,12 +142,12 @@ class FormerLines:
             max(source.x, target.x) + aside, max(source.y, target.y) + aside,
         ))  # fmt: skip
 
-    # Loops and labels.
+    # Loops and labels
 
     def has_loops(
         self, state: int, own: list[int], sizes: list[tuple[float, float]], box: NodeBox
     ) -> bool:
-        """Whether the loops of a state and their labels stand where they stood."""
+        """Return whether the loops of a state and their labels keep their places."""
         former, old = self._former, [self._edges[e] for e in own]
         if not self._same[state] or -1 in old or len(own) != self._loop_count(state):
             return False
@@ -155,11 +162,11 @@ class FormerLines:
         )  # fmt: skip
 
     def loop(self, edge: int) -> tuple[EdgeShape, Rect | None]:
-        """A loop that stands where it stood, and the place of its label."""
+        """Return the old line of a loop and the place of its label."""
         return self._former.shapes[self._edges[edge]], self.label(edge)
 
     def loops_moved(self, state: int, own: dict[int, tuple[EdgeShape, Rect | None]]) -> None:
-        """The loops of a state were drawn anew: they stand elsewhere, or others do."""
+        """Note that the loops of a state were drawn anew."""
         former = self._former
         old = {self._edges[edge] for edge in own}
         if self._state[state] >= 0:
@@ -170,11 +177,11 @@ class FormerLines:
             self.moved([shape.bounds, rect])
 
     def label(self, edge: int) -> Rect | None:
-        """Where the label of an edge stood; None where it hid."""
+        """Return the old place of an edge's label, None if it was hidden."""
         return self._former.labels[self._edges[edge]]
 
     def has_label(self, edge: int, shape: EdgeShape, size: tuple[float, float]) -> bool:
-        """Whether the label of an edge stands where it stood."""
+        """Return whether the label of an edge keeps its place."""
         old = self._edges[edge]
         if self._former.shapes.get(old) is not shape or self._former.sizes.get(old) != size:
             return False
@@ -183,7 +190,7 @@ class FormerLines:
         return self._is_quiet((left - wide, top - high, right + wide, bottom + high))
 
     def label_moved(self, edge: int, rect: Rect | None) -> None:
-        """The label of an edge was placed anew."""
+        """Note the new place of an edge's label."""
         before = self._former.labels.get(self._edges[edge])
         if before != rect:
             self.moved([before, rect])
@@ -196,7 +203,7 @@ class FormerLines:
 
 
 def _matched(before: Picture, after: Picture) -> list[int]:
-    """By edge the number it had: the same operation of the same state to the same state."""
+    """Return the old number of each edge, -1 if its operation, source or target is not the same."""
     names, sources = after.names, after.source.tolist()
     found = []
     for operation, source, target in zip(

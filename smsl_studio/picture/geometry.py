@@ -1,7 +1,7 @@
-"""Geometry: where every edge and label of a picture lies, for one layout at one size of marks.
+"""Geometry: the place of every edge and label of a picture, for one layout and one size of marks.
 
-Small pictures are routed whole (lanes, ways around nodes, labels with regard to all lines). Large
-ones are routed edge by edge when one comes into view.
+Small pictures are routed as a whole: lanes, lines around nodes, labels that avoid all lines. In
+large pictures each edge is routed when it comes into view.
 """
 
 from __future__ import annotations
@@ -20,18 +20,23 @@ from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 from smsl_studio.picture.strands import Strand, drawn
 
 MOST_AROUND = 60
-"""At most so many pairs of states get a way around nodes; in a denser picture it shows nothing."""
+"""The largest number of pairs of states whose lines lead around nodes. In a denser picture it would
+not help.
+"""
 MOST_AT_ONCE = 20
-"""In a large picture, where two states share more edges than this, each is routed when needed."""
+"""If two states of a large picture share more edges than this, each edge is routed when it is
+needed.
+"""
 LabelSize = Callable[[int], tuple[float, float]]
-"""The size of an edge's label in scene units; (0, 0) for none."""
+"""Returns the size of an edge's label in scene units, (0, 0) for none."""
 
 
 class Geometry:
-    """Shapes and label places by edge number; ``boxes`` is an (n, 4) array of centre, half size.
+    """The lines and label places of a picture, by edge number.
 
-    ``former`` is the routing of a small picture before an edit: what the edit does not touch is
-    taken over from it, and everything lies as if it had been routed whole.
+    ``boxes`` is an (n, 4) array of centres and half sizes. ``former`` is the routing of a small
+    picture before an edit. What the edit does not touch is copied from it, and the result is the
+    same as without it.
     """
 
     def __init__(
@@ -48,7 +53,7 @@ class Geometry:
         self._strands: dict[int, Strand] = {}
         self._labels: dict[int, labels.Rect | None] = {}
         self.routing: Routing | None = None
-        """How the edges of a small picture were routed, for the picture after the next edit."""
+        """The routing of a small picture, for the picture after the next edit."""
         self._work: Routing | None = None
         self._former: FormerLines | None = None
         self._box: dict[int, NodeBox] = {}
@@ -61,7 +66,7 @@ class Geometry:
             self._route_small(former)
 
     def shape(self, edge: int) -> EdgeShape:
-        """The line of an edge."""
+        """Return the line of an edge."""
         found = self._shapes.get(edge)
         if found is None:
             self._route(edge)
@@ -69,33 +74,40 @@ class Geometry:
         return found
 
     def prepare(self, edges: Iterable[int]) -> None:
-        """Route the edges that were not asked for yet, all at once."""
+        """Route all of these edges that are not routed yet, together."""
         for edge in edges:
             if edge not in self._shapes and edge not in self._strands:
                 self._plan(edge)
         self._draw()
 
     def label(self, edge: int) -> labels.Rect | None:
-        """The place of an edge's label (left, top, right, bottom); None while it hides."""
+        """Return the place of an edge's label (left, top, right, bottom), None while it is
+        hidden.
+        """
         if edge not in self._labels:
             self._place(edge)
         return self._labels[edge]
 
     def fallback(self, edge: int) -> labels.Rect:
-        """Where a hidden label is shown while its edge is hovered or lit: on its middle."""
+        """Return the place where a hidden label appears while its edge is hovered or lit: the
+        edge's middle.
+        """
         shape = self.shape(edge)
         w, h = self._label_size(edge)
         x, y = shape.at(shape.length / 2)
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
 
     def covered(self, edge: int, rects: Sequence[labels.Rect]) -> list[int]:
-        """How many pieces of other lines each rectangle covers; 0 in a large picture."""
+        """Return for each rectangle how many pieces of other lines it covers, always 0 in a large
+        picture.
+        """
         return self._lines.covered(edge, rects)
 
     def forget(self, states: Iterable[int]) -> list[int]:
-        """Drop the lines at states that moved; returns the edges concerned.
+        """Drop the lines of states that have moved, and return their edges.
 
-        Used while states are dragged: all else stays as it is until they are let go.
+        It is used while states are dragged. Everything else keeps its place until they are
+        released.
         """
         concerned: dict[int, None] = {}
         if self._work is not None:
@@ -109,7 +121,7 @@ class Geometry:
         return list(concerned)
 
     def box(self, state: int) -> NodeBox:
-        """The box of a state, with its rounded corners."""
+        """Return the box of a state, with its rounded corners."""
         found = self._box.get(state)
         if found is None:
             x, y, w, h = self.boxes[state].tolist()
@@ -135,7 +147,9 @@ class Geometry:
         self._draw()
 
     def _plan(self, edge: int) -> None:
-        """Find out how an edge is to run; what is a line of its pair is drawn by ``_draw``."""
+        """Plan the line of an edge. ``_draw`` draws the planned lines between two states; others
+        are drawn here.
+        """
         a, b = int(self.picture.source[edge]), int(self.picture.target[edge])
         if b < 0:
             self._shapes[edge] = self._stub(a, edge)
@@ -147,7 +161,7 @@ class Geometry:
             self._plan_pair(pair, only)
 
     def _draw(self) -> None:
-        """Draw all lines that wait for it."""
+        """Draw all planned lines together."""
         if self._strands:
             lines = drawn(list(self._strands.values()), self.style)
             self._shapes |= zip(self._strands, lines, strict=True)
@@ -179,7 +193,9 @@ class Geometry:
             work.bent.add((pair.a, pair.b))
 
     def _clear(self, pair: Between, work: Routing) -> bool:
-        """Whether the straight way between two states of a small picture meets no other node."""
+        """Return whether the straight line between two states of a small picture meets no other
+        node.
+        """
         ends = (pair.a, pair.b)
         found = work.clear.get(ends)
         if found is None:
@@ -192,7 +208,7 @@ class Geometry:
         return found
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
-        """The line of an edge whose target is missing: a short arrow to nowhere."""
+        """Return the line of an edge whose target is missing: a short arrow down."""
         box, unit = self.box(state), self.style.unit
         own = [e for e in self.picture.edges_of(state) if self.picture.target[e] < 0]
         x = box.x + (own.index(edge) - (len(own) - 1) / 2) * 18.0 * unit
@@ -208,7 +224,8 @@ class Geometry:
             self._former = held if held.fits else None
         self._route_all(work)
         if self._former is not None and len(work.bent) >= MOST_AROUND:
-            # Which lines lead around nodes depends on their order now.
+            # With so many lines around nodes, it depends on their order which ones get one. So all
+            # are routed anew.
             self._shapes, self._labels = {}, {}
             self._route_small(None)
             return
@@ -260,7 +277,7 @@ class Geometry:
             self._place(edge)
 
     def _label_order(self, edge: int) -> tuple[int, float, int]:
-        """Lines with the least choice come first."""
+        """Return the sort key of an edge. Labels with the fewest possible places come first."""
         shape = self._shapes[edge]
         ways = {"loop": 0, "line": 1, "curve": 2, "stub": 3, "lane": 4}
         return ways[shape.way], round(shape.length), edge
@@ -297,7 +314,7 @@ class Geometry:
         return places
 
     def _route_loops(self, state: int) -> None:
-        """The self loops of a state, at the corner where they and their labels cover least."""
+        """Draw the loops of a state at the corner where they and their labels cover least."""
         picture, unit = self.picture, self.style.unit
         at_state = picture.edges_of(state)
         own = [e for e in at_state if picture.source[e] == picture.target[e] == state]

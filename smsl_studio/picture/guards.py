@@ -1,4 +1,4 @@
-"""Guards: the facts an operation requires before it starts, as a picture names them."""
+"""Guards: the facts that an operation requires before it starts, with their names."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 MEANING = "needs other facts first"
-"""What the mark of a guard means, in legends."""
+"""The meaning of the guard's mark in legends."""
 
 
 @dataclass(frozen=True)
 class Guard:
-    """A fact of any SB that must have a value; a ``digit`` of -1 is no fact that exists."""
+    """A fact of any SB that must have a value. A ``digit`` of -1 means that there is no such
+    fact.
+    """
 
     branch: str
     digit: int
@@ -23,14 +25,14 @@ class Guard:
 
 
 def has_guards(branch: StateBranch) -> bool:
-    """Whether any operation of an SB requires anything."""
+    """Return whether any operation of an SB requires a fact."""
     if "_operations" not in branch.fields:
         return False
     return any(note.requires for note in branch.notes.operations.values())
 
 
 def guarded_edges(branch: StateBranch) -> Iterator[Address]:
-    """The edges of an SB that may require something, found by the names that stand in its notes."""
+    """Yield the edges of an SB that may require a fact, found by their names in the SB's notes."""
     if not has_guards(branch):
         return
     notes = branch.notes.operations
@@ -43,13 +45,13 @@ def guarded_edges(branch: StateBranch) -> Iterator[Address]:
 def guards_of(
     blueprint: Blueprint, branch: StateBranch, state: str, operation: str
 ) -> tuple[Guard, ...]:
-    """What one edge requires, in written order."""
+    """Return the facts that one edge requires, in written order."""
     requires = branch.operation_note(state, operation).requires
     return tuple(_guard(blueprint, key, value) for key, value in requires.items())
 
 
 def needs_words(guards: tuple[Guard, ...]) -> str:
-    """``needs Registered of REGISTRATION to be 1``."""
+    """Return the guards in words, such as ``needs Registered of REGISTRATION to be 1``."""
     return f"needs {', '.join(guard.words for guard in guards)}" if guards else ""
 
 

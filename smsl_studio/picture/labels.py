@@ -1,7 +1,7 @@
-"""Labels: a place for each on its line, so that none covers a node or another label.
+"""Labels: the place of each label on its line, so that it covers no node and no other label.
 
-One that meets another slides along its edge; where no place is left it hides until the edge is
-hovered, selected or lit. Pure geometry; laid out once per layout.
+A label slides along its edge to a free place. Without one it is hidden until the edge is hovered,
+selected or lit. Pure geometry.
 """
 
 from __future__ import annotations
@@ -14,24 +14,24 @@ import numpy as np
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
-"""left, top, right, bottom"""
+"""Left, top, right, bottom."""
 SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
 EARLY_SHARES = (0.4, 0.34, 0.46, 0.28, 0.52, 0.58, 0.22, 0.64, 0.7)
-"""Compact edges come in opposite pairs: labels near the start do not meet."""
+"""Compact edges come in opposite pairs, so labels near the start do not meet."""
 LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
 
 
 def meet(a: Rect, b: Rect) -> bool:
-    """Whether two rectangles overlap."""
+    """Return whether two rectangles overlap."""
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 class LabelPlaces:
-    """The places taken so far, in a grid of cells; nodes and labels are never covered.
+    """The places that are taken, in a grid of cells. No label covers a node or another label.
 
-    ``boxes`` are the nodes, an (n, 4) array of centres and half sizes. They are sorted into cells
-    at once, so that a picture of thousands of states costs no loop.
+    ``boxes`` has the nodes, an (n, 4) array of centres and half sizes. They are sorted into cells
+    with numpy, because a loop over thousands of nodes is slow.
     """
 
     def __init__(self, boxes: Floats, unit: float) -> None:
@@ -61,14 +61,16 @@ class LabelPlaces:
             self._cells.setdefault(cell, []).append(wide)
 
     def is_free(self, rect: Rect) -> bool:
-        """Whether a rectangle covers no node and no place that is taken."""
+        """Return whether a rectangle covers no node and no taken place."""
         for cell in self._over(rect):
             if any(meet(rect, other) for other in self._cells.get(cell, ())):
                 return False
         return not self._covers_node(rect)
 
     def _covers_node(self, rect: Rect) -> bool:
-        """A node reaches at most half a cell beyond the cell its centre lies in."""
+        """Return whether a rectangle covers a node. A node reaches at most half a cell beyond the
+        cell of its centre, so only near cells are searched.
+        """
         left, top, right, bottom = rect
         half = self._cell / 2
         for x, y in self._over((left - half, top - half, right + half, bottom + half)):
@@ -85,7 +87,7 @@ class LabelPlaces:
 
 
 class LinePieces:
-    """Every line's pieces in one array, to count the lines a label would cover."""
+    """The straight pieces of all lines in one array, to count the lines that a label covers."""
 
     def __init__(self, shapes: dict[int, EdgeShape]) -> None:
         pieces = [shape.pieces for shape in shapes.values()]
@@ -93,7 +95,7 @@ class LinePieces:
         self._owners = np.repeat(np.array(list(shapes), dtype=int), [len(p) for p in pieces])
 
     def covered(self, edge: int, rects: Sequence[Rect]) -> list[int]:
-        """How many pieces of other lines each rectangle would cover."""
+        """Return for each rectangle how many pieces of other lines than ``edge`` it covers."""
         if not len(self._pieces):
             return [0] * len(rects)
         box = np.array(rects)
@@ -128,7 +130,7 @@ def place(
     lines: LinePieces,
     compact: bool,
 ) -> Rect | None:
-    """The best free place of one label, taken; None where there is none."""
+    """Take and return the best free place of one label, or None if there is none."""
     best: tuple[float, Rect] | None = None
     unit = places.unit
     for cost, make in _candidates(shape, size, unit, compact):
@@ -157,9 +159,10 @@ Candidate = tuple[float, Callable[[], "Rect | None"]]
 def _candidates(
     shape: EdgeShape, size: tuple[float, float], unit: float, compact: bool
 ) -> list[Candidate]:
-    """Places by their cost: on the line from its middle outwards, beside it where it is steep.
+    """Return possible places with their costs: on the line, from its middle outwards, and beside a
+    steep line.
 
-    Each is worked out only when it is asked for: mostly the first one is free.
+    Each place is a function that computes it, because usually the first one is free.
     """
     found: list[Candidate] = []
     low, high = 0.0, shape.length
@@ -169,7 +172,9 @@ def _candidates(
     shares = LANE_SHARES if shape.way == "lane" else EARLY_SHARES if compact else SHARES
 
     def on_line(along: float) -> Rect | None:
-        """The rectangle of the label on the line; None where it would hide too much of the line."""
+        """Return the rectangle of the label on the line, or None if it would hide too much of the
+        line.
+        """
         fits = _fits(shape, along, size, unit)
         return _centred(shape.at(along), size) if fits else None
 
@@ -182,16 +187,16 @@ def _candidates(
         if shape.way == "curve":
             found.append((cost + 2.2, partial(outside, shape, along, size, unit)))
     if shape.way in ("line", "curve"):
-        # What hardly fits stands in the middle of what the arrowhead leaves.
+        # A label that hardly fits stands in the middle of the line without its arrowhead.
         found.append((0.3, partial(on_line, (shape.length - 8.0 * unit) / 2)))
     found.sort(key=lambda candidate: candidate[0])
     return found
 
 
 def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> bool:
-    """Whether enough of the line stays to be seen, and all of its arrowhead."""
+    """Return whether enough of the line stays visible, and all of its arrowhead."""
     dx, dy = shape.direction(along)
-    # The words themselves are 4 pixels narrower on either side.
+    # The words are narrower than the label, by 4 pixels on each side.
     half = size[0] / 2 - 3.0 * unit
     reach = min(half / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
     return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
@@ -200,7 +205,9 @@ def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float
 def outside(
     shape: EdgeShape, along: float, size: tuple[float, float], gap: float, side: int = 1
 ) -> Rect:
-    """Beside a line with a gap to it, on its outer side; ``side`` -1 is its inner one."""
+    """Return a rectangle beside a line, with a gap, on its outer side (``side`` 1) or inner side
+    (-1).
+    """
     x, y = shape.at(along)
     dx, dy = shape.direction(along)
     nx, ny = -dy * shape.out * side, dx * shape.out * side
@@ -215,10 +222,10 @@ def _centred(point: Point, size: tuple[float, float]) -> Rect:
 
 
 def _beside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
-    """Beside a steep line, on the side that is turned away from its neighbour."""
+    """Return a rectangle beside a steep line, on the side away from the next line."""
     x, y = shape.at(along)
     _, dy = shape.direction(along)
-    # Right of the way as it runs is (-dy, dx), y down.
+    # With y down, (-dy, dx) points to the right of the direction (dx, dy).
     to_right = (-dy if shape.side > 0 else dy) > 0
     gap = BESIDE_GAP * unit - 4.0 * unit
     left = x + gap if to_right else x - gap - size[0]
@@ -226,7 +233,7 @@ def _beside(shape: EdgeShape, along: float, size: tuple[float, float], unit: flo
 
 
 def _long_side(shape: EdgeShape) -> tuple[float, float]:
-    """The middle stretch of a lane, between its corners."""
+    """Return the lengths between which the middle stretch of a lane runs, without its corners."""
     steps = np.diff(shape.lengths)
     i = int(steps.argmax())
     inner = steps[1:-1]

@@ -1,4 +1,6 @@
-"""Lanes: rounded ways outside a row, for edges that would cross a node of it. Pure geometry."""
+"""Lanes: rounded lines outside a row of nodes, for edges that would cross a node of it. Pure
+geometry.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +13,16 @@ from smsl_studio.picture.curves import TIP_GAP
 from smsl_studio.picture.shape import EdgeShape, NodeBox, Point, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
-"""From the row's border to the first lane; between lanes; between ends on one node; corners."""
+"""Distances: from the row's border to the first lane, between lanes, between ends at one node, and
+the radius of corners.
+"""
 LEAST = 6.0
-"""Where there is less room than this before the next row, there are no lanes."""
+"""With less room than this before the next row, there are no lanes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Passing:
-    """An edge that passes by other nodes of its row: its number and its two states."""
+    """An edge that passes other nodes of its row: its number and its two states."""
 
     edge: int
     source: int
@@ -32,11 +36,11 @@ def in_lanes(
     unit: float,
     taken: Sequence[NodeBox] = (),
 ) -> dict[int, EdgeShape]:
-    """The lines of edges that pass by: level by level outside their row.
+    """Return the lines of edges that pass other nodes, in lanes outside their row.
 
-    Rows above ``middle`` of the picture pass above, the others below; columns left and right
-    alike. Short ones run inside, so that lines nest and do not cross. Edges of a row that has no
-    room for lanes are left out.
+    Lanes of rows above ``middle`` run above, those of the others below; columns use left and right
+    in the same way. Short edges get inner lanes, so that lanes do not cross. Edges of a row without
+    room for lanes are not in the result.
     """
     shapes: dict[int, EdgeShape] = {}
     for key in sorted({_row(p, boxes) for p in passing}):
@@ -53,7 +57,7 @@ def _row(p: Passing, boxes: Sequence[NodeBox]) -> tuple[str, float]:
 def _row_lanes(
     row: Sequence[Passing], boxes: Sequence[NodeBox], middle: Point, unit: float, column: bool
 ) -> dict[int, EdgeShape]:
-    """Lanes of one row; a column is a row with x and y exchanged."""
+    """Return the lanes of one row. A column is a row with x and y exchanged."""
     box = {i: _turned(boxes[i], column) for p in row for i in (p.source, p.target)}
     centre = middle[0] if column else middle[1]
     line = next(iter(box.values())).y
@@ -61,7 +65,7 @@ def _row_lanes(
     levels = _levels(row, box)
     slots = _slots(row, box, levels, unit)
     half = max(b.h for b in box.values())
-    # In a layout of several rows the lanes must keep clear of the next row.
+    # In a layout of several rows the lanes must not reach the next row.
     room = _room(line, half, outward, boxes, column)
     step = STEP * unit
     first = FIRST * unit
@@ -94,7 +98,9 @@ def _turned(box: NodeBox, column: bool) -> NodeBox:
 def _room(
     line: float, half: float, outward: float, boxes: Sequence[NodeBox], column: bool
 ) -> float | None:
-    """The free depth outside a row before the next row's nodes, None where nothing follows."""
+    """Return the free depth between a row and the nodes of the next row, None if there is no next
+    row.
+    """
     at = np.array([(b.x, b.w) if column else (b.y, b.h) for b in boxes])
     beyond = (at[:, 0] - line) * outward
     others = beyond[beyond > half] - at[beyond > half, 1]
@@ -102,12 +108,12 @@ def _room(
 
 
 def _levels(row: Sequence[Passing], box: dict[int, NodeBox]) -> dict[int, int]:
-    """The lane of each edge: the nearest one that is free, short edges first."""
+    """Return the lane number of each edge: the nearest free lane, for short edges first."""
     spans: list[list[tuple[float, float]]] = []
     levels: dict[int, int] = {}
 
     def order(p: Passing) -> tuple[float, bool, int]:
-        """Short edges first; of equally long ones those that run to the right, then by number."""
+        """Return the sort key: short edges first, then edges to the right, then by number."""
         a, b = box[p.source].x, box[p.target].x
         return round(abs(a - b)), a > b, p.edge
 
@@ -126,13 +132,15 @@ def _levels(row: Sequence[Passing], box: dict[int, NodeBox]) -> dict[int, int]:
 def _slots(
     row: Sequence[Passing], box: dict[int, NodeBox], levels: dict[int, int], unit: float
 ) -> dict[int, tuple[float, float]]:
-    """Where each edge leaves and reaches its nodes: side by side, so that lanes nest."""
+    """Return where each edge leaves its source and reaches its target, side by side so that lanes
+    nest.
+    """
     ends: dict[int, list[tuple[float, int, bool]]] = {}
     for p in row:
         right = box[p.target].x > box[p.source].x
         for state, leaves, goes_right in ((p.source, True, right), (p.target, False, not right)):
             rank = float(levels[p.edge] + 1)
-            # What goes to the right and runs inside stands nearest to the right border.
+            # An edge to the right in an inner lane is nearest to the right border.
             ends.setdefault(state, []).append(
                 (1 / rank if goes_right else -1 / rank, p.edge, leaves)
             )

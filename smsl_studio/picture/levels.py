@@ -1,4 +1,4 @@
-"""Levels of detail: what a node looks like at a zoom, and how large a mark's pixel then is."""
+"""Levels of detail: how a node looks at a zoom, and how large one pixel of a mark is."""
 
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ Ints = NDArray[np.int64]
 FULL_SIZE, COMPACT_SIZE, BOX_SIZE, DOT_SIZE = (108.0, 54.0), (46.0, 24.0), (28.0, 16.0), (6.0, 6.0)
 FULL_MAX, COMPACT_MAX = 200.0, 132.0
 ROOM = (36.0, 24.0)
-"""What full nodes need between them, across and down, for an arrow to be read (pixels)."""
+"""The room between full nodes, across and down (pixels), that an arrow needs."""
 MANY = 5_000
-"""So many nodes are looked at closely; of more, only the nearest neighbours are."""
+"""Up to so many nodes, each is compared with the next 12 in its row and column. Of more nodes, each
+is compared with the next 3."""
 
 
 class Level(IntEnum):
-    """How much a node shows; the order is the order of detail."""
+    """How much a node shows, in order of detail."""
 
     DOT = 0
     BOX = 1
@@ -29,9 +30,10 @@ class Level(IntEnum):
 
 @dataclass(frozen=True)
 class Spacing:
-    """How much room a layout gives: the zooms from which compact nodes and boxes keep apart.
+    """The room between the nodes of a layout: the zooms from which compact nodes and boxes do not
+    overlap.
 
-    ``roomy`` says whether full nodes do at 100 %; ``pitch`` is the usual distance between
+    ``roomy`` means that full nodes have room at 100 %. ``pitch`` is the usual distance between
     neighbours (scene units).
     """
 
@@ -42,10 +44,10 @@ class Spacing:
 
 
 def level_at(zoom: float, spacing: Spacing) -> Level:
-    """The level at a zoom, coarser where a layout is too dense for it.
+    """Return the level at a zoom. It is coarser if the layout is too dense.
 
-    A layout without room for full nodes stays compact when near; from 100 % on compact nodes
-    grow with the picture, so that a coarser level would help nobody.
+    A layout without room for full nodes stays compact at high zoom. From 100 % on, compact nodes
+    grow with the picture, so a coarser level would not help.
     """
     if spacing.roomy and zoom >= 0.70 - 1e-9:
         return Level.FULL
@@ -55,24 +57,24 @@ def level_at(zoom: float, spacing: Spacing) -> Level:
 
 
 def readable_zoom(spacing: Spacing) -> float:
-    """The zoom from which a layout says which state is which: boxes and dots are all alike."""
+    """Return the zoom from which states can be told apart. Boxes and dots all look the same."""
     near = 0.70 if spacing.roomy else 1.0
     return min(max(0.35, spacing.compact_zoom), near)
 
 
 def unit_at(zoom: float, level: Level) -> float:
-    """Scene units in one pixel of a mark.
+    """Return the number of scene units in one pixel of a mark.
 
-    Full nodes are drawn in the scene's own measure. Below that marks keep their size on the
-    screen; above 100 % they grow with the picture.
+    Full nodes are drawn in scene units. At other levels marks keep their size on the screen, but
+    above 100 % they grow with the picture.
     """
     return 1.0 if level is Level.FULL or zoom >= 1.0 else 1.0 / zoom
 
 
 def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
-    """The room a layout gives, from the widths of full and compact nodes.
+    """Return the spacing of a layout, from the centres and the widths of full and compact nodes.
 
-    A few near neighbours are allowed (somebody moved them): it is the layout that decides.
+    A few nodes that are too near to others do not count, because somebody may have moved them.
     """
     if len(at) < 2:
         return Spacing()
@@ -97,7 +99,7 @@ def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
 
 
 def _zoom_apart(count: int, a: Ints, b: Ints, across: Floats, down: Floats) -> float:
-    """The zoom from which three quarters of the nodes keep apart from all their neighbours."""
+    """Return the zoom from which three quarters of the nodes do not overlap any neighbour."""
     needed = np.zeros(count)
     each = np.minimum(across, down)
     np.maximum.at(needed, a, each)
@@ -106,15 +108,15 @@ def _zoom_apart(count: int, a: Ints, b: Ints, across: Floats, down: Floats) -> f
 
 
 def _median(values: Floats) -> float:
-    """The value in the middle, as ``np.median`` gives it; that loads numpy's masked arrays."""
+    """Return the same as ``np.median``, which would load numpy's masked arrays."""
     ordered = np.sort(values)
     return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2
 
 
 def _quartile(values: Floats) -> float:
-    """What three quarters of the values do not exceed, between two of them where it falls there.
+    """Return the value that three quarters of the values do not exceed, interpolated.
 
-    ``np.quantile`` gives the same, and loads them too.
+    It is the same as ``np.quantile``, which would load numpy's masked arrays.
     """
     at = 0.75 * (len(values) - 1)
     low = int(at)
@@ -124,7 +126,7 @@ def _quartile(values: Floats) -> float:
 
 
 def _near_pairs(at: Floats) -> tuple[Ints, Ints]:
-    """Pairs of neighbours: those next to each other by rows and by columns."""
+    """Return pairs of neighbours, in order of rows and in order of columns."""
     first: list[Ints] = []
     second: list[Ints] = []
     rows = np.lexsort((at[:, 0], np.round(at[:, 1])))
@@ -137,5 +139,7 @@ def _near_pairs(at: Floats) -> tuple[Ints, Ints]:
 
 
 def rest_mark(rest: int) -> str:
-    """The text behind the last fact of a node that has no room for all: how many more there are."""
+    """Return the text after the last fact of a node without room for all: the number of the
+    others.
+    """
     return f"+{rest}"

@@ -1,4 +1,4 @@
-"""How an operation looks in a picture: its line, its arrowhead, its label."""
+"""The drawing of an operation as SVG: its line, its arrowhead and its label."""
 
 from __future__ import annotations
 
@@ -20,10 +20,12 @@ NO_SIGNS: Mapping[int, str] = {}
 def draw_lines(
     figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
 ) -> Iterator[str]:
-    """All lines; where there are very many, each sign's in one stroke from middle to middle."""
+    """Yield all lines. If states are dots, all lines with the same sign are one path between
+    centres.
+    """
     edges = range(len(figure.picture.operations))
     if figure.shows_nodes:
-        # What has a sign lies on top of the others.
+        # Lines with a sign lie on top of the others.
         for edge in sorted(edges, key=lambda one: one in signs):
             yield from _line(figure, edge, colours, signs.get(edge, ""))
         return
@@ -35,11 +37,11 @@ def draw_lines(
 def draw_labels(
     figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
 ) -> Iterator[str]:
-    """The labels that have a place."""
+    """Yield the labels that have a place."""
     if not figure.shows_labels:
         return
     places = {e: figure.geometry.label(e) for e in range(len(figure.picture.operations))}
-    # Every ground lies below every label: labels of lines side by side stand close together.
+    # All grounds lie below all labels, because labels of neighbouring lines may overlap.
     for left, top, right, bottom in filter(None, places.values()):
         yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
     for edge, place in places.items():
@@ -116,7 +118,7 @@ def _label(
 
 
 def sub_mark_at(at: Point, kind: str, colours: Colours) -> Iterator[str]:
-    """Rise, fall or mixed, 9 wide."""
+    """Yield the mark of a rise, a fall or a mixed change, 9 pixels wide."""
     x, y = at
     ink = colours["acc"]
     if kind == "mixed":
@@ -129,7 +131,7 @@ def sub_mark_at(at: Point, kind: str, colours: Colours) -> Iterator[str]:
 
 
 def guard_at(at: Point, colours: Colours) -> Iterator[str]:
-    """A lock, 9 wide: the operation needs other facts first."""
+    """Yield a lock, 9 pixels wide: the operation needs other facts first."""
     x, y = at
     yield arch((x, y - 0.8), 2.4, 3.4, colours["tx2"], 1.3)
     yield box((x - 4.0, y - 0.8, 8.0, 5.6), 1.4, colours["tx2"])

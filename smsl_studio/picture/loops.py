@@ -1,4 +1,4 @@
-"""Self loops: concentric arcs at a corner of their node, their labels stacked beside them."""
+"""Self loops: concentric arcs at a corner of their node, with their labels stacked beside them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom
 
 @dataclass(frozen=True, slots=True)
 class Corner:
-    """Where the loops of a node stand: the middle of the arcs, and the side labels go to."""
+    """The place of a node's loops: the centre of the arcs, and the side of the labels."""
 
     name: str
     x: float
@@ -27,7 +27,7 @@ class Corner:
 
 
 def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
-    """The place of ``count`` loops at a named corner of a node."""
+    """Return the place of ``count`` loops at a named corner of a node."""
     radius = (INNER + STEP * (count - 1)) * unit
     first, second = name.split()
     if first == "right":
@@ -50,7 +50,7 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
 
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:
-    """The ``rank``-th arc at a corner, from border to border, the innermost first."""
+    """Return the arc number ``rank`` at a corner, from border to border. 0 is the innermost."""
     radius = (INNER + STEP * rank) * unit
     if corner.name.startswith("right"):
         gap = corner.x - (box.x + box.w)
@@ -61,7 +61,7 @@ def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:
         return EdgeShape(points, "loop")
     away = -1.0 if corner.up else 1.0
     gap = abs(corner.y - (box.y + box.h * away))
-    # From the inner side around to the corner's side; the arrow comes down on the border.
+    # The arc runs from the inner side to the side of the corner, and its arrow ends on the border.
     angles = np.linspace(-_half(gap, radius), _half(gap - 2.0 * unit, radius), 22)
     inner = 1.0 if corner.left else -1.0
     points = np.column_stack(
@@ -74,14 +74,14 @@ def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:
 
 
 def _half(gap: float, radius: float) -> float:
-    """Half the angle of an arc that begins at a line ``gap`` from its middle."""
+    """Return half the angle (rad) of an arc that begins at a line ``gap`` from its centre."""
     return float(np.pi - np.arccos(min(gap / radius, 1.0)))
 
 
 def label_boxes(
     corner: Corner, sizes: list[tuple[float, float]], unit: float
 ) -> list[tuple[float, float, float, float]]:
-    """Where the labels stand (left, top, right, bottom), outermost loop on top, else below."""
+    """Return the places of the labels (left, top, right, bottom), stacked away from the node."""
     pitch = 17.0 * unit
     boxes = []
     for i, (width, height) in enumerate(sizes):

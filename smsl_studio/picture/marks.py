@@ -1,4 +1,4 @@
-"""Marks: what is lit on the canvas, as one frozen value."""
+"""Marks: what is highlighted on the canvas, as one frozen value."""
 
 from __future__ import annotations
 
@@ -11,15 +11,16 @@ from smsl_studio.blueprint.address import Address
 
 @dataclass(frozen=True)
 class Marks:
-    """What the canvas shows about states and operations besides what they are.
+    """What the canvas shows about states and operations besides the blueprint itself.
 
-    ``running`` is an operation and its share of time in 0..1, None where that is not known;
-    ``running_words`` stands beside it ("2.9 of 4.9 s"). ``findings`` give the worst severity
-    letter (E, W, I) of an address. ``facts`` give what was sensed of a state's digit: ``agrees``,
-    ``differs``, ``unknown`` or ``transit``. ``goals`` are named below their node. ``dimmed`` says
-    that everything no mark speaks of steps back, as in a run. ``changes`` give the sign of what a
-    comparison tells of an address: ``+`` added, ``-`` removed, ``~`` changed. ``guards`` say how
-    what an operation requires stands: ``true``, ``false`` or ``unknown``, and in words.
+    ``running`` is an operation and the share of its time that has passed (0 to 1), None if this is
+    not known. ``running_words`` stand beside it ("2.9 of 4.9 s"). ``findings`` has the worst
+    severity (E, W or I) for each address. ``facts`` says how a state's digit and the sensed fact
+    compare: ``agrees``, ``differs``, ``unknown`` or ``transit``. The names of ``goals`` stand below
+    their nodes. If ``dimmed``, everything without a mark is pale, as in a run. ``changes`` has the
+    sign of a comparison for each address: ``+`` added, ``-`` removed, ``~`` changed. ``guards``
+    says whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why
+    in words.
     """
 
     selection: tuple[Address, ...] = ()
@@ -34,7 +35,7 @@ class Marks:
     risky: frozenset[Address] = frozenset()
     held_back: frozenset[Address] = frozenset()
     possible: frozenset[Address] = frozenset()
-    """Operations that can be asked for now: they keep their colour where the rest is dimmed."""
+    """Operations that can be asked for now. They keep their colour if the rest is dimmed."""
     findings: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     facts: Mapping[tuple[str, int], str] = field(default_factory=lambda: MappingProxyType({}))
     changes: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))

@@ -1,4 +1,4 @@
-"""How a state looks in a picture: the marks of the canvas, as SVG."""
+"""The drawing of a state as SVG, with the marks of the canvas."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from smsl_studio.picture.words import elided, mono_width
 
 
 def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> Iterator[str]:
-    """One state; ``sign`` is +, -, ~ or empty."""
+    """Yield one state. ``sign`` is ``+``, ``-``, ``~`` or empty."""
     x, y = map(float, figure.at[state])
     if not figure.shows_nodes:
         yield from _dot(figure, state, colours, sign)
@@ -53,7 +53,9 @@ def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> I
 
 
 def _dot(figure: Figure, state: int, colours: Colours, sign: str) -> Iterator[str]:
-    """A state in a large SB; the start and the goal are larger, with their name above."""
+    """Yield a state of a large SB as a dot. INITIAL and ACTIVATING are larger, with their name
+    above.
+    """
     at = (float(figure.at[state, 0]), float(figure.at[state, 1]))
     ink = inks(sign, colours).line if sign else colours["slate"]
     if state not in figure.named:

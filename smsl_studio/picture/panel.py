@@ -1,4 +1,4 @@
-"""One SB with its title and its legend, as a piece of SVG of a known size."""
+"""One SB with its title and its legend, as a piece of SVG whose size is known."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class SvgPanel:
     svg: str
 
     def at(self, x: float, y: float) -> str:
-        """The SVG of the panel with its upper left corner at a point (pixels)."""
+        """Return the SVG of the panel with its upper left corner at a point (pixels)."""
         return f'<g transform="translate({number(x)} {number(y)})">{self.svg}</g>'
 
 
@@ -39,7 +39,9 @@ def panel_of(
     states: Mapping[int, str] = NO_SIGNS,
     operations: Mapping[int, str] = NO_SIGNS,
 ) -> SvgPanel:
-    """The panel of one SB; ``states`` and ``operations`` have the signs of a difference."""
+    """Return the panel of one SB. ``states`` and ``operations`` have the signs of a difference by
+    number.
+    """
     left, top, right, bottom = figure.bounds()
     rows = list(_legend(figure, colours))
     wide = max(right - left + 2 * EDGE, LEAST, *(row[1] + 2 * EDGE for row in rows), 0.0)
@@ -69,7 +71,9 @@ def _title(title: str, note: str, wide: float, colours: Colours) -> Iterator[str
 
 
 def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
-    """The rows below the figure: what was left out, and what its marks mean."""
+    """Yield the rows below the figure with their widths: what is left out, and the meaning of
+    marks.
+    """
     picture = figure.picture
     words: list[tuple[str, str]] = []
     if picture.prefix and figure.shows_labels:

@@ -1,7 +1,7 @@
 """SVG to PNG and PDF, without Qt and without a library of the system.
 
-Text stays text in a PDF, so that names can be searched and copied. Fonts are the machine's; where
-it has none, those that the library brings.
+Text stays text in a PDF, so names can be searched and copied. The fonts are those of the machine,
+or else those of the library.
 """
 
 from __future__ import annotations
@@ -20,25 +20,28 @@ _SOURCE = b"""#set document(title: sys.inputs.title, date: none)
 }
 """
 MOST_PIXELS = 40e6
-"""More than these, and many programs would not open the picture."""
+"""Many programs cannot open a picture with more pixels than this."""
 _LARGEST_SCALE = 2.0
-"""Pictures are as wide and high as multiples of four: halved down to a quarter of their size, no
-row of pixels is lost."""
+"""Pictures are as wide and high as multiples of four, so the scale can be halved down to a quarter
+without losing a row of pixels.
+"""
 
 
 def as_pdf(svgs: Sequence[str], title: str) -> bytes:
-    """One page for each picture."""
+    """Return a PDF with one page for each picture. ConvertError if it cannot be written."""
     return _compiled(svgs, title, "pdf", 144.0)
 
 
 def as_png(svg: str, title: str) -> bytes:
-    """At twice its size in pixels, or smaller where that would be more than anyone can open."""
+    """Return a PNG at twice the picture's size, or smaller if it would have more than
+    ``MOST_PIXELS``. ConvertError if it cannot be written.
+    """
     size = re.match(r'.*?width="([\d.]+)" height="([\d.]+)"', svg, re.DOTALL)
     area = float(size[1]) * float(size[2]) if size else 1e6
     scale = _LARGEST_SCALE
     while area * scale**2 > MOST_PIXELS:
         scale /= 2
-    # A pixel of the picture is three quarters of a point, and a point is a pixel at 72 per inch.
+    # A pixel of the SVG is three quarters of a point, and there are 72 points in an inch.
     return _compiled([svg], title, "png", 96.0 * scale)
 
 
@@ -47,7 +50,7 @@ def _compiled(
 ) -> bytes:
     import typst
 
-    # The name of a file may hold bytes that are no text.
+    # The name of a file may hold bytes that are not valid text.
     shown = title.encode("utf-8", "replace").decode("utf-8")
     inputs = {"pictures": json.dumps(list(svgs)), "title": shown}
     try:

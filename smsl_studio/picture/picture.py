@@ -1,4 +1,6 @@
-"""Picture: one SB as arrays, the drawing model of the canvas. It knows no position and no Qt."""
+"""Picture: the states and operations of one SB as arrays for drawing. It knows no places and no
+Qt.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,9 @@ SMALL_STATES, SMALL_EDGES = 250, 260
 
 @dataclass(frozen=True)
 class Chip:
-    """One fact on a node: its value, ``on``, ``off`` or ``value``, and the sub-SB under it."""
+    """One fact on a node: its value, its kind (``on``, ``off`` or ``value``), and the sub-SB below
+    it.
+    """
 
     text: str
     kind: str
@@ -31,7 +35,7 @@ class Chip:
 
 @dataclass(frozen=True)
 class Face:
-    """What a node shows: name, facts, the text of the compact form, and its role."""
+    """The content of a node: name, title, facts, text of the compact form, and role."""
 
     name: str
     title: str
@@ -42,15 +46,16 @@ class Face:
 
 
 MOST_CHIPS = 64
-"""So many facts of a state have a chip: a node is never wide enough for more of them."""
+"""The largest number of facts of a state with a chip. A node is never wide enough for more."""
 
 
 class Picture:
-    """States and operations of one SB as integer arrays; faces and labels are made when asked.
+    """States and operations of one SB as integer arrays. Faces and labels are made when they are
+    asked for.
 
-    ``source`` and ``target`` give each edge's states by number. Edges whose target does not stand
-    in the SB (rule R02) are kept with target -1: they are drawn as a stub. ``crowd`` is how much
-    stands in the same picture, where that is of several SBs (see ``crowd``).
+    ``source`` and ``target`` give the states of each edge by number. An edge whose target is not a
+    state of the SB (rule R02) has target -1 and is drawn as a stub. ``crowd`` is the size of a
+    picture with several SBs (see ``crowd_of``).
     """
 
     def __init__(self, blueprint: Blueprint, branch: str, crowd: int = 0) -> None:
@@ -76,12 +81,12 @@ class Picture:
 
     @property
     def small(self) -> bool:
-        """Whether every line is checked against every node, and every label against every line."""
+        """Whether lines are checked against all nodes, and labels against all lines."""
         alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
         return alone and self.crowd <= MOST_CAREFUL
 
     def numbered(self, state: str, operation: str) -> int:
-        """The number of the edge of this name out of a state, -1 where there is none."""
+        """Return the number of the edge with this name out of a state, -1 if there is none."""
         at = self.index.get(state, -1)
         operations = self.branch.table[state] if at >= 0 else ()
         if operation not in operations:
@@ -90,7 +95,9 @@ class Picture:
 
     @cached_property
     def incident(self) -> tuple[Ints, Ints]:
-        """Edges by state in two arrays: offsets and edge numbers (both ends count)."""
+        """The edges of each state, both leaving and entering, as two arrays: offsets and edge
+        numbers.
+        """
         edges = np.arange(len(self.source), dtype=np.int32)
         ends = np.concatenate([self.source, self.target])
         both = np.concatenate([edges, edges])
@@ -100,13 +107,15 @@ class Picture:
         return starts.astype(np.int32), both[keep][order]
 
     def edges_of(self, state: int) -> list[int]:
-        """The edges that leave or enter a state, by number."""
+        """Return the numbers of the edges that leave or enter a state."""
         starts, edges = self.incident
         return list(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
 
     @cached_property
     def _by_ends(self) -> tuple[NDArray[np.int64], Ints]:
-        """Edges by their two ends, whatever their direction: a key of each, and its number."""
+        """The edges by their two ends in either direction: the sorted keys, and the number of each
+        edge.
+        """
         low, high = np.minimum(self.source, self.target), np.maximum(self.source, self.target)
         keys = low.astype(np.int64) * (len(self) + 1) + high
         order = np.argsort(keys, kind="stable")
@@ -114,7 +123,7 @@ class Picture:
 
     @cached_property
     def _by_states(self) -> dict[tuple[int, int], list[int]]:
-        """Of a small picture the numbers of the edges by source and target."""
+        """The numbers of the edges by source and target, for a small picture."""
         found: dict[tuple[int, int], list[int]] = {}
         ends = zip(self.source.tolist(), self.target.tolist(), strict=True)
         for edge, pair in enumerate(ends):
@@ -123,7 +132,9 @@ class Picture:
 
     @cached_property
     def drawn_once(self) -> NDArray[np.bool_]:
-        """One of two opposite edges, and each whose opposite is missing: the others lie on them."""
+        """Whether each edge is drawn if straight lines between the same states are drawn once: one
+        of two opposite edges, and every edge without an opposite.
+        """
         forward = self.source.astype(np.int64) * len(self) + self.target
         back = self.target.astype(np.int64) * len(self) + self.source
         ordered = np.sort(forward)
@@ -132,7 +143,7 @@ class Picture:
         return once
 
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """The numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
+        """Return the numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
         if self.small:
             found = self._by_states
             return tuple(found.get((a, b), ())), tuple(found.get((b, a), ()))
@@ -144,34 +155,38 @@ class Picture:
         return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
 
     def address(self, edge: int) -> Address:
-        """The address of an edge by its number."""
+        """Return the address of an edge."""
         return Address(self.branch.name, self.names[self.source[edge]], self.operations[edge])
 
     def edge(self, address: Address) -> int:
-        """The number of an edge by its address, -1 where it does not stand here."""
+        """Return the number of an edge, -1 if this SB has none at the address."""
         if address.branch != self.branch.name or not address.operation:
             return -1
         return self.numbered(address.state, address.operation)
 
     def node(self, address: Address) -> int:
-        """The number of a state by its address, -1 where it is no state of this SB."""
+        """Return the number of a state, -1 if this SB has none at the address."""
         if address.branch != self.branch.name or address.operation:
             return -1
         return self.index.get(address.state, -1)
 
     def label(self, edge: int) -> str:
-        """An edge's label: the operation's name without the prefix all of them share."""
+        """Return an edge's label: the operation's name without the prefix that all operations
+        share.
+        """
         return self.operations[edge][len(self.prefix) :]
 
     def kind(self, edge: int) -> str:
-        """``rise``, ``fall``, ``mixed`` or, where no sub-SB's fact changes, the empty text."""
+        """Return ``rise``, ``fall`` or ``mixed``, or the empty text if no fact of a sub-SB
+        changes.
+        """
         found = self._kinds.get(edge)
         if found is None:
             found = self._kinds[edge] = self._kind_of(edge)
         return found
 
     def guards(self, edge: int) -> tuple[Guard, ...]:
-        """The facts an edge requires before it starts."""
+        """Return the facts that an edge requires before it starts."""
         if not self.guarded:
             return ()
         state = self.names[self.source[edge]]
@@ -179,7 +194,7 @@ class Picture:
 
     @cached_property
     def guarded(self) -> bool:
-        """Whether any operation here requires anything."""
+        """Whether any operation of this SB requires a fact."""
         return has_guards(self.branch)
 
     def _kind_of(self, edge: int) -> str:
@@ -189,7 +204,7 @@ class Picture:
         return sub_mark(self.branch, self.branch.operation(source, self.operations[edge]))
 
     def face(self, state: int) -> Face:
-        """What the node of a state shows."""
+        """Return the content of a state's node."""
         found = self._faces.get(state)
         if found is None:
             found = self._faces[state] = self._face_of(self.names[state])
@@ -211,7 +226,7 @@ class Picture:
             facts = branch.facts(name)
             shown = enumerate(facts[:MOST_CHIPS])
             chips = tuple(self._chip(name, d, value) for d, value in shown)
-            if len(facts) > MOST_CHIPS:  # both ends tell states apart
+            if len(facts) > MOST_CHIPS:  # the beginning and the end distinguish states
                 facts = (*facts[: MOST_CHIPS // 2], "…", *facts[-MOST_CHIPS // 2 :])
             short = "".join(facts) if branch.shape.width else " ".join(facts)
         return Face(

@@ -1,4 +1,4 @@
-"""The prefix that all operations of an SB share and that the canvas leaves out."""
+"""The prefix that all operations of an SB share. The canvas leaves it out."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ SEPARATORS = "_-"
 
 
 def shared_prefix(names: Iterable[str]) -> str:
-    """The longest shared start that ends in ``_`` or ``-`` and leaves something of every name.
+    """Return the longest shared prefix that ends in ``_`` or ``-`` and is not a whole name.
 
-    ``Op_1a`` and ``Op_2b`` share ``Op_``; ``Operation100A`` and ``Operation000`` share nothing
-    that may be left out, since what remains would not read as a name.
+    ``Op_1a`` and ``Op_2b`` share ``Op_``. ``Operation100A`` and ``Operation000`` share no such
+    prefix, because the remaining text would not read as a name.
     """
     found = sorted(set(names))
     if len(found) < 2:

@@ -1,4 +1,4 @@
-"""EdgeShape: the line of one edge, as a row of points with lengths along it. Pure geometry."""
+"""EdgeShape: the line of one edge as a row of points. Pure geometry."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True, eq=False)
 class EdgeShape:
-    """The line of an edge from the border of its source to the tip of its arrowhead.
+    """The line of an edge, from the border of its source to the tip of its arrowhead.
 
-    ``points`` is an (n, 2) array, n >= 2. ``way`` says how it was drawn: ``line``, ``curve``,
+    ``points`` is an (n, 2) array, n >= 2 (scene units). ``way`` is its kind: ``line``, ``curve``,
     ``lane``, ``loop`` or ``stub``. ``side`` is where the label of a steep line may stand: -1 left
-    of it as it runs, 1 right of it, 0 on it. ``out`` is the side that is turned away from the
-    lines beside it.
+    of the line's direction, 1 right of it, 0 on it. ``out`` is the side away from parallel lines: 1
+    right, -1 left.
     """
 
     points: Floats
@@ -30,7 +30,7 @@ class EdgeShape:
 
     @cached_property
     def lengths(self) -> Floats:
-        """The length from the start to each point."""
+        """The length from the start to each point, (n,)."""
         steps = np.hypot(*(self.points[1:] - self.points[:-1]).T)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
@@ -50,7 +50,7 @@ class EdgeShape:
         return self.direction(self.length)
 
     def at(self, along: float) -> Point:
-        """The point at a length along the line."""
+        """Return the point at a length along the line."""
         lengths, points = self._plain
         i = bisect_right(lengths, along, 1, len(lengths) - 1)
         low, high = lengths[i - 1], lengths[i]
@@ -60,11 +60,11 @@ class EdgeShape:
 
     @cached_property
     def _plain(self) -> tuple[list[float], list[list[float]]]:
-        """Lengths and points as plain lists: a single look-up is quicker in them."""
+        """Lengths and points as lists, because single values are read faster from a list."""
         return self.lengths.tolist(), self.points.tolist()
 
     def direction(self, along: float) -> Point:
-        """The direction at a length along the line, of length 1."""
+        """Return the direction at a length along the line, of length 1."""
         reach = max(self.length * 0.02, 1e-6)
         low, high = max(along - reach, 0.0), min(along + reach, self.length)
         (ax, ay), (bx, by) = self.at(low), self.at(high)
@@ -72,33 +72,35 @@ class EdgeShape:
         return (bx - ax) / size, (by - ay) / size
 
     def cut(self, start: float, end: float) -> Floats:
-        """The part of the line between two lengths along it."""
+        """Return the part of the line between two lengths along it, (n, 2)."""
         start, end = max(start, 0.0), min(end, self.length)
         inside = self.points[(self.lengths > start) & (self.lengths < end)]
         return np.vstack([[self.at(start)], inside, [self.at(max(end, start))]])
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
-        """left, top, right, bottom"""
+        """Left, top, right, bottom."""
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
     def is_like(self, other: EdgeShape) -> bool:
-        """Whether another line is the very same."""
+        """Return whether another line is equal."""
         if (self.way, self.side, self.out) != (other.way, other.side, other.out):
             return False
         return bool(np.array_equal(self.points, other.points))
 
     @cached_property
     def pieces(self) -> Floats:
-        """Its straight pieces, (n, 4); a gentle curve is near enough to a few of them."""
+        """The straight pieces of the line, (n, 4). A curve is approximated by every fourth
+        point.
+        """
         points = self.points
         if self.way in ("curve", "loop"):
             points = np.vstack([points[:-1:4], points[-1:]])
         return np.hstack([points[:-1], points[1:]])
 
     def distance(self, x: float, y: float) -> float:
-        """How far a point lies from the line."""
+        """Return the distance of a point from the line."""
         start, step = self.points[:-1], self.points[1:] - self.points[:-1]
         size = (step**2).sum(axis=1)
         size[size == 0.0] = 1.0
@@ -109,7 +111,9 @@ class EdgeShape:
 
 @dataclass(frozen=True, slots=True)
 class NodeBox:
-    """A node as an obstacle: its centre and half its size."""
+    """A node as an obstacle: its centre, half its width and height, and the radius of its
+    corners.
+    """
 
     x: float
     y: float
@@ -118,7 +122,7 @@ class NodeBox:
     radius: float = 8.0
 
     def depth(self, points: Floats) -> Floats:
-        """The distance of each point from the rounded border; negative inside."""
+        """Return the distance of each point from the rounded border, negative inside."""
         dx = np.abs(points[:, 0] - self.x) - (self.w - self.radius)
         dy = np.abs(points[:, 1] - self.y) - (self.h - self.radius)
         outside = np.hypot(np.maximum(dx, 0.0), np.maximum(dy, 0.0))
@@ -127,7 +131,7 @@ class NodeBox:
 
 
 def rounded(corners: list[Point], radius: float) -> Floats:
-    """A line through ``corners`` whose inner corners are rounded."""
+    """Return a line through ``corners``, (n, 2), whose inner corners are rounded."""
     points: list[Point] = [corners[0]]
     for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):
         r = min(radius, _far(before, corner) / 2, _far(corner, after) / 2)

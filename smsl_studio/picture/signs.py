@@ -1,4 +1,4 @@
-"""The marks of a difference: a sign, a pattern and a colour each, so that no colour is needed."""
+"""The marks of a difference. Each has a sign and a colour, so it is clear without colour."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ DASHES: Mapping[str, str] = {REMOVED: "5 3"}
 
 
 class Inks(NamedTuple):
-    """Line and fill of an element."""
+    """The line and fill colours of an element."""
 
     line: str
     fill: str
 
 
 def inks(sign: str, colours: Colours) -> Inks:
-    """The colours of an element with a sign, or of one without."""
+    """Return the colours of an element with a sign, or with none."""
     return {
         ADDED: Inks(colours["ok"], colours["oks"]),
         REMOVED: Inks(colours["risk"], colours["risks"]),
@@ -31,7 +31,7 @@ def inks(sign: str, colours: Colours) -> Inks:
 
 
 def sign_at(at: Point, sign: str, colours: Colours, radius: float = 7.0) -> Iterator[str]:
-    """A filled disc with the sign in it."""
+    """Yield a filled disc with the sign in it."""
     x, y = at
     ink, arm = colours["onacc"], radius * 0.55
     yield circle(at, radius, inks(sign, colours).line)

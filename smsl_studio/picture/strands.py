@@ -1,6 +1,6 @@
-"""Strands: what single lines between two states are to be, and all of them drawn at once.
+"""Strands: descriptions of single lines between two states, and their drawing.
 
-A picture costs a few steps of numpy in this way, and not so many for each line. Pure geometry.
+All lines are drawn together with a few steps of numpy. Pure geometry.
 """
 
 from __future__ import annotations
@@ -22,15 +22,17 @@ _LAST = len(_SHARES) - 1
 
 
 class LineStyle(NamedTuple):
-    """How lines are drawn: the scene's units in a mark's pixel, and whether nodes are compact."""
+    """The style of lines: scene units in one pixel of a mark, and whether nodes are compact."""
 
     unit: float = 1.0
     compact: bool = False
 
 
 class Strand(NamedTuple):
-    """One line. It runs so far (``offset``) beside the middle, in the direction of ``normal``, and
-    is straight or bends by ``bow``.
+    """The description of one line between two nodes.
+
+    It runs ``offset`` beside the middle, in the direction of ``normal``. It is straight, or ``bow``
+    bends it in that direction. Lengths are scene units.
     """
 
     source: NodeBox
@@ -42,7 +44,7 @@ class Strand(NamedTuple):
 
 
 def drawn(strands: Sequence[Strand], style: LineStyle) -> list[EdgeShape]:
-    """The lines, each cut where it leaves its source and reaches its target."""
+    """Return the lines. Each is cut at the borders of its source and its target."""
     if not strands:
         return []
     given = np.array([_numbers(one) for one in strands])
@@ -72,7 +74,8 @@ def _numbers(one: Strand) -> tuple[float, ...]:
 
 
 def _points(given: Floats, straight: NDArray[np.bool_], style: LineStyle) -> tuple[Floats, Floats]:
-    """Each line as 33 points from middle to middle, (n, 33, 2), and the ends of straight ones.
+    """Return the points of each line from centre to centre, (n, 33, 2), and the ends of a straight
+    line between the same nodes, (n, 2, 2).
 
     ``given`` has a row of ``_numbers`` for each line.
     """
@@ -81,7 +84,7 @@ def _points(given: Floats, straight: NDArray[np.bool_], style: LineStyle) -> tup
     ends = np.stack([source[:, :2] + normal * offset, target[:, :2] + normal * offset], axis=1)
     near = offset * (0.5 if style.compact else NEAR)
     start, goal = source[:, :2] + normal * near, target[:, :2] + normal * near
-    # The control point of a quadratic curve bends its middle by half.
+    # The middle of a quadratic curve lies half as far out as its control point.
     middle = (start + goal) / 2 + normal * (2.0 * (offset - near + bow))
     t = _SHARES[None, :, None]
     curved = (
@@ -92,7 +95,9 @@ def _points(given: Floats, straight: NDArray[np.bool_], style: LineStyle) -> tup
 
 
 def _depth(points: Floats, boxes: Floats) -> Floats:
-    """The distance of each point from the rounded border of its box; negative inside."""
+    """Return the distance of each point from the rounded border of its line's box, negative
+    inside.
+    """
     radius = boxes[:, 4:5]
     off = np.abs(points - boxes[:, None, :2]) - (boxes[:, None, 2:4] - radius[:, None])
     dx, dy = off[:, :, 0], off[:, :, 1]
@@ -102,9 +107,10 @@ def _depth(points: Floats, boxes: Floats) -> Floats:
 
 
 class _Cuts(NamedTuple):
-    """Which points of each line are kept, and where it begins and ends between two of them.
+    """Where each line is cut: the points ``begin`` to ``end`` remain, the first of them moved to
+    ``head`` and the last to ``tail``.
 
-    A line is ``lost`` where its nodes lie over each other: nothing of it is outside both.
+    A line is ``lost`` if its nodes overlap, so that no part of it is outside both.
     """
 
     begin: Ints
@@ -134,7 +140,7 @@ def _cuts(points: Floats, first: Floats, last: Floats) -> _Cuts:
 
 
 def _crossing(points: Floats, depth: Floats, at: Ints) -> Floats:
-    """Where a line crosses a border between a point and the next one."""
+    """Return the point where each line crosses a border, between point ``at`` and the next one."""
     every = np.arange(len(points))
     a, b = depth[every, at], depth[every, at + 1]
     step = np.where(a != b, a - b, 1.0)
@@ -147,8 +153,8 @@ def _crossing(points: Floats, depth: Floats, at: Ints) -> Floats:
 def _sides(
     tips: Floats, offset: Floats, bow: Floats, normal: Floats, straight: NDArray[np.bool_]
 ) -> tuple[list[int], list[int]]:
-    """By line the side (1 right, -1 left as it runs) that is turned away from its neighbours, and
-    the side on which a label may stand: away from the line beside it, 0 for on it.
+    """Return for each line the side away from its neighbours (1 right, -1 left of its direction),
+    and the side on which its label may stand (0 on the line).
     """
     dx, dy = (tips[:, 1] - tips[:, 0]).T
     right = -dy * normal[:, 0] + dx * normal[:, 1]

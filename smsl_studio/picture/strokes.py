@@ -1,4 +1,4 @@
-"""The few shapes a picture is made of, as SVG. Lengths are pixels, written to a tenth."""
+"""The few shapes of a picture as SVG. Lengths are pixels, rounded to a tenth."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from smsl_studio.picture.words import MONO_FAMILY
 
 
 def number(value: float) -> str:
-    """A number for SVG, rounded to a tenth."""
+    """Return a number for SVG, rounded to a tenth."""
     return f"{value:.1f}".removesuffix(".0")
 
 
 def points(line: Iterable[Point] | Floats) -> str:
-    """The points of a line as SVG lists them: ``x,y x,y``."""
+    """Return the points of a line as SVG lists them: ``x,y x,y``."""
     return " ".join(f"{number(float(x))},{number(float(y))}" for x, y in line)
 
 
@@ -27,7 +27,7 @@ def box(
     width: float = 1.2,
     dashes: str = "",
 ) -> str:
-    """A rounded rectangle from left, top, width, height."""
+    """Return a rounded rectangle. ``rect`` is left, top, width, height."""
     x, y, w, h = map(number, rect)
     stroke = f' stroke="{line}" stroke-width="{number(width)}"' if line else ""
     pattern = f' stroke-dasharray="{dashes}"' if dashes else ""
@@ -40,7 +40,7 @@ def box(
 def polyline(
     line: Iterable[Point] | Floats, colour: str, width: float = 1.5, dashes: str = ""
 ) -> str:
-    """An open line through points, without a filling."""
+    """Return an open line through points, without a fill."""
     pattern = f' stroke-dasharray="{dashes}"' if dashes else ""
     return (
         f'<polyline points="{points(line)}" fill="none" stroke="{colour}" '
@@ -49,20 +49,20 @@ def polyline(
 
 
 def polygon(corners: Iterable[Point], fill: str, line: str = "") -> str:
-    """A closed, filled shape with these corners."""
+    """Return a closed, filled shape with these corners."""
     stroke = f' stroke="{line}" stroke-width="1.3"' if line else ""
     return f'<polygon points="{points(corners)}" fill="{fill}"{stroke}/>'
 
 
 def circle(at: Point, radius: float, fill: str, line: str = "") -> str:
-    """A filled circle about a point."""
+    """Return a filled circle around a point."""
     stroke = f' stroke="{line}" stroke-width="1.4"' if line else ""
     x, y = map(number, at)
     return f'<circle cx="{x}" cy="{y}" r="{number(radius)}" fill="{fill}"{stroke}/>'
 
 
 def arch(at: Point, radius: float, height: float, colour: str, width: float) -> str:
-    """An upright arch over the middle of its feet."""
+    """Return an upright arch. ``at`` is the middle between its feet."""
     x, y = at
     left, right, top = number(x - radius), number(x + radius), number(y - height + radius)
     r, foot, stroke = number(radius), number(y), number(width)
@@ -80,12 +80,12 @@ def text(
     weight: int = 400,
     anchor: str = "middle",
 ) -> str:
-    """A line of text about a baseline point."""
+    """Return a line of text at a point of its baseline."""
     return _text(at, words, size, f'text-anchor="{anchor}" fill="{colour}"', _heavy(weight))
 
 
 def mono_text(at: Point, words: str, size: float, colour: str, weight: int = 400) -> str:
-    """A line of text about a baseline point, in letters of one width."""
+    """Return a line of monospaced text, centred at a point of its baseline."""
     look = f'text-anchor="middle" fill="{colour}"'
     return _text(at, words, size, look, f'{_heavy(weight)} font-family="{MONO_FAMILY}"')
 

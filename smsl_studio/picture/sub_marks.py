@@ -1,4 +1,4 @@
-"""What an edge does to the facts that sub-SBs expand: rise, fall, mixed, or nothing."""
+"""The effect of an edge on the facts that sub-SBs expand: rise, fall, mixed, or none."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from smsl_studio.blueprint.model import StateBranch
 
 
 def sub_mark(branch: StateBranch, edge: Operation) -> str:
-    """``rise``, ``fall``, ``mixed`` or the empty text, as the marks on the canvas have it."""
+    """Return ``rise``, ``fall`` or ``mixed`` (other facts change too), or the empty text if there
+    is no effect.
+    """
     if not branch.subs or edge.source not in branch.table or edge.target not in branch.table:
         return ""
     before, after = branch.facts(edge.source), branch.facts(edge.target)

@@ -1,4 +1,4 @@
-"""A blueprint as SVG: every SB in one picture, or a picture for each."""
+"""A blueprint as SVG: all SBs in one picture, or one picture each."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ GAP = 20.0
 def draw_blueprint(
     blueprint: Blueprint, branches: Sequence[str], colours: Colours = LIGHT
 ) -> list[SvgPanel]:
-    """A panel for each of the SBs: where ``_layout`` puts its states, or where they fit best."""
+    """Return a panel for each SB, with the places of ``_layout`` or computed places. UsageError for
+    too many SBs.
+    """
     refuse_too_many(blueprint, branches, "Name those to draw with --sb.")
     crowd = crowd_of(blueprint, branches)
     return [_panel(Picture(blueprint, name, crowd), colours) for name in branches]
@@ -36,7 +38,7 @@ def _panel(picture: Picture, colours: Colours) -> SvgPanel:
 
 
 def size_words(states: int, operations: int) -> str:
-    """``27 states, 78 operations``."""
+    """Return the size in words, such as ``27 states, 78 operations``."""
     return (
         f"{states} state{'' if states == 1 else 's'}, "
         f"{operations} operation{'' if operations == 1 else 's'}"
@@ -44,7 +46,7 @@ def size_words(states: int, operations: int) -> str:
 
 
 def one_below_another(panels: Sequence[SvgPanel], colours: Colours = LIGHT) -> SvgPanel:
-    """All panels in one, each on a ground of its own where there are several."""
+    """Return all panels in one, below each other. Several panels get a ground each."""
     wide = max((panel.width for panel in panels), default=200.0)
     parts: list[str] = []
     y = 0.0
@@ -58,7 +60,7 @@ def one_below_another(panels: Sequence[SvgPanel], colours: Colours = LIGHT) -> S
 
 
 def as_svg(panel: SvgPanel, title: str, colours: Colours = LIGHT) -> str:
-    """A panel as a file of its own."""
+    """Return a panel as the text of an SVG file."""
     wide, high = (4.0 * ceil((side + 2 * GAP) / 4) for side in (panel.width, panel.height))
     return "\n".join(
         [

@@ -1,7 +1,7 @@
-"""Text in a picture: how wide it is as it is shown, and how it is cut.
+"""Text in a picture: its width, and how it is shortened.
 
-There is no font to ask, so the widths are those of Inter with a little room to spare; another
-font that stands in for it is seldom wider.
+No font can be asked. The widths are those of the font Inter plus 3 %. Another font that replaces it
+is seldom wider.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _ASCII = (
     64, 79, 69, 65, 66, 73, 72, 101, 69, 70, 68, 39, 38, 39, 67, 50, 50, 61, 63, 58, 63, 62, 38, 63,
     63, 28, 28, 58, 28, 97, 63, 62, 63, 63, 41, 55, 39, 63, 59, 84, 59, 59, 56, 39, 36, 39, 67,
 )  # fmt: skip
-"""Widths of the characters from the space to the tilde, in hundredths of the size."""
+"""The widths of the characters from the space to the tilde, in hundredths of the font size."""
 _OTHER, _WIDE = 70, 104
 MONO = 0.61
 FAMILY = "Inter, 'Noto Sans', 'DejaVu Sans', 'Noto Sans CJK SC', sans-serif"
@@ -26,18 +26,20 @@ MONO_FAMILY = "'JetBrains Mono', 'Noto Sans Mono', 'DejaVu Sans Mono', monospace
 
 
 def width(text: str, size: float) -> float:
-    """How wide a text is at a size, at most."""
+    """Return the largest width of a text at a font size (pixels)."""
     return sum(map(_width, whole_text(text))) * size * _SPARE / 100.0
 
 
 def mono_width(text: str, size: float) -> float:
-    """The same in the font of facts."""
+    """Return the same for the monospaced font of facts."""
     return sum(1.0 if _is_wide(char) else MONO for char in whole_text(text)) * size * _SPARE
 
 
 def elided(text: str, size: float, room: float) -> str:
-    """The text, cut in its middle where it is wider than the room: both ends tell names apart."""
-    # What is far too long is cut before it is looked at.
+    """Return the text, shortened in its middle if it is wider than ``room``. Beginning and end
+    stay, because they distinguish names.
+    """
+    # A far too long text is cut first, so that its length does not matter.
     most = int(room / size * 5) + 2
     long = len(text) > 2 * most
     text = whole_text(f"{text[:most]}{text[-most:]}" if long else text)
