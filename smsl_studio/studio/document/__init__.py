@@ -1,1 +1,2 @@
-"""The document of a window: its session, what is selected, and what an inspection finds in it."""
+"""The document of a window: its session, its files, its findings, and the journal of unsaved
+work."""

@@ -1,8 +1,8 @@
-"""Files that are imported no longer, and the unsaved text in them: it stays with the work.
+"""Documents set aside: files that are no longer imported, but have unsaved text.
 
-Whether an import stands in a text or not says nothing of what was typed in the imported file. Its
-document goes aside with the step (or the undo) that takes the import out, comes back with the one
-that puts it in again, and is among what is saved in between.
+Removing an import from a text must not lose what was typed in the imported file. The step (or undo)
+that removes the import sets its document aside. The step that imports it again brings it back. In
+between it is saved together with the other files.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from smsl_studio.smsl.document import Document
 
 Aside = Mapping[str, Document]
 Unsaved = Callable[[Document], bool]
-"""Whether the text of a document stands nowhere else."""
+"""Tells whether the text of a document exists nowhere else, so that it would be lost."""
 NOTHING: Aside = MappingProxyType({})
 
 
 def put_aside(before: Blueprint, after: Blueprint, aside: Aside, unsaved: Unsaved) -> Aside:
-    """What is aside when ``after`` takes the place of ``before``."""
+    """The documents that are set aside when ``after`` replaces ``before``."""
     if before.documents[1:] == after.documents[1:] and not aside:
         return NOTHING
     here = {document.file for document in after.documents}
@@ -30,7 +30,7 @@ def put_aside(before: Blueprint, after: Blueprint, aside: Aside, unsaved: Unsave
 
 
 def brought_back(after: Blueprint, aside: Aside, unsaved: Unsaved) -> Blueprint:
-    """The blueprint with the unsaved texts of files that it imports again."""
+    """``after`` with the unsaved texts of files that it imports again."""
     if aside:
         for document in after.documents[1:]:
             waiting = aside.get(document.file)

@@ -1,4 +1,4 @@
-"""One edit from a form: refusals are said beside the field, not somewhere else."""
+"""One edit from a form, with its refusal shown beside the field."""
 
 from __future__ import annotations
 
@@ -16,11 +16,12 @@ def try_edit(
     change: Callable[[Blueprint], Blueprint],
     refuse: Callable[[str], None],
 ) -> bool:
-    """Carry out an edit as one step; where it is refused, ``refuse`` is told why and what to do.
+    """Carry out an edit as one step of the history; returns whether it was accepted.
 
-    ``refuse`` is told nothing (the empty text) where it was taken.
+    If the edit is refused, ``refuse`` gets a sentence with the reason and an advice. If it is
+    accepted, ``refuse`` gets the empty text, which hides an older sentence.
     """
-    # What is still being typed elsewhere comes first, and the edit is made upon it.
+    # What is still being typed elsewhere is taken over first, because the edit must build on it.
     session.settling.emit()
     try:
         if session.broken is not None:

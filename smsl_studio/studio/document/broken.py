@@ -1,4 +1,4 @@
-"""What a typed text comes to: the blueprint it means, or the faults for which it means none."""
+"""The result of reading a typed text: a blueprint, or ``Broken`` if the text cannot be read."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.studio.base.words import counted
 
 @dataclass(frozen=True)
 class Broken:
-    """A text that does not read, as it stands now, and why."""
+    """A text that cannot be read as a blueprint, and the error with its faults."""
 
     file: str
     text: str
@@ -23,7 +23,7 @@ class Broken:
 
     @property
     def refusal(self) -> EditRefused:
-        """What is said to who wants to go on as if the text could be read."""
+        """The error for an edit that is tried while the text cannot be read."""
         place = self.error.place
         where = f", line {place.line}" if place else ""
         return EditRefused(
@@ -37,14 +37,15 @@ Reading = Blueprint | Broken
 
 
 def faults_of(broken: Broken) -> str:
-    """How many faults a text has that does not read."""
+    """The number of faults in a broken text, in words."""
     return f"{counted(len(broken.error.faults), 'fault')} in the text"
 
 
 def read_text(former: Blueprint, file: str, text: str) -> Reading:
-    """What ``former`` becomes where this is the text of one of its files.
+    """The blueprint after one of its files got this text, or ``Broken`` if it cannot be read.
 
-    A pure function: it may run beside the window. KeyError where no document has that name.
+    A pure function, so a second thread may call it. Raises KeyError if the blueprint has no such
+    file.
     """
     try:
         document = document_of(former, file)
@@ -55,7 +56,7 @@ def read_text(former: Blueprint, file: str, text: str) -> Reading:
 
 
 def document_of(blueprint: Blueprint, file: str) -> Document:
-    """The document of that file; KeyError where the blueprint has none."""
+    """The document of this file; raises KeyError if the blueprint has none."""
     for document in blueprint.documents:
         if document.file == file:
             return document
@@ -63,7 +64,7 @@ def document_of(blueprint: Blueprint, file: str) -> Document:
 
 
 def texts_of(blueprint: Blueprint, broken: Broken | None) -> dict[str, str]:
-    """The text of every file as it is to be saved, one that does not read included."""
+    """The text of every file as it would be saved, including a broken one."""
     texts = {document.file: document.text for document in blueprint.documents}
     if broken is not None:
         texts[broken.file] = broken.text
@@ -73,7 +74,7 @@ def texts_of(blueprint: Blueprint, broken: Broken | None) -> dict[str, str]:
 def under_name(
     blueprint: Blueprint, broken: Broken | None, file: str
 ) -> tuple[Blueprint, Broken | None]:
-    """The same under the name that the blueprint's own file has been given since."""
+    """The same blueprint and broken text, after the blueprint's own file got the name ``file``."""
     if blueprint.file == file:
         return blueprint, broken
     moved = replace(blueprint, document=replace(blueprint.document, file=file))

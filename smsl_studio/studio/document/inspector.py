@@ -1,7 +1,7 @@
-"""Inspector: inspects the blueprint again after every change, beside the window's own thread.
+"""Inspector: inspects the blueprint in a second thread after every change.
 
-The rules are pure functions of a frozen blueprint, so a large one never freezes the window; the
-findings of a blueprint that is no longer shown are dropped.
+The rules are pure functions of a frozen blueprint, so a large one does not freeze the window.
+Findings of a blueprint that is no longer shown are dropped.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
 
 WAIT = 120
-"""Milliseconds after an edit in which further edits are waited for."""
+"""Milliseconds from an edit to its inspection; another edit in that time starts the wait again."""
 
 
 class Inspector(QObject):
-    """Keeps the findings of what the session shows."""
+    """Keeps the findings of the session's blueprint up to date."""
 
     found = Signal(object)
-    """The findings of the blueprint that is shown now: a tuple."""
+    """tuple[Finding]: the findings of the blueprint that is shown now."""
     started = Signal()
-    """The blueprint has changed; what was found before may no longer hold."""
+    """The blueprint changed, so the former findings may no longer hold."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -39,17 +39,17 @@ class Inspector(QObject):
         self._wanted: Blueprint | None = None
         self.findings: tuple[Finding, ...] = ()
         self.current = False
-        """Whether ``findings`` are those of the blueprint that is shown."""
+        """Whether ``findings`` belong to the blueprint that is shown."""
         session.blueprint_changed.connect(lambda *_: self._changed())
         self._changed()
 
     @property
     def rules(self) -> int:
-        """How many rules are checked."""
+        """The number of rules that are checked."""
         return len(RULES)
 
     def stop(self) -> None:
-        """The window is going away."""
+        """End all work, because the window closes."""
         self._timer.stop()
         self._wanted = None
         self._beside.stop()

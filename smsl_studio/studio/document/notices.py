@@ -1,4 +1,4 @@
-"""What an edit brought about without saying so, in one line for the person who made it."""
+"""Notices: consequences of an edit that its author may not expect, in one sentence."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from smsl_studio.blueprint.model import Blueprint
 
 
 def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, bool]:
-    """What there is to say of a step, and whether it is a warning; the empty text for nothing."""
+    """The notice about a step and whether it is a warning; an empty text if there is none."""
     kept = goal_kept(before, after)
     return (kept, False) if kept else (goal_moved(before, after), True)
 
 
 def goal_kept(before: Blueprint, after: Blueprint) -> str:
-    """ACTIVATING was written because states came in behind the one that was listed last.
+    """The sentence if ACTIVATING was written because new states are listed after the last one.
 
-    The empty text where it was not.
+    Empty if that did not happen.
     """
     for name, branch in after.branches.items():
         old = before.branches.get(name)
@@ -31,11 +31,11 @@ def goal_kept(before: Blueprint, after: Blueprint) -> str:
 
 
 def goal_moved(before: Blueprint, after: Blueprint) -> str:
-    """A state took over as ACTIVATING because the header leaves that to the last one listed.
+    """The sentence if another state became activating because it is listed last now.
 
-    The empty text where it did not. Edits keep what held, but a text that is typed stays as it is
-    typed. The first states of an SB are passed over: while it is being drawn, the last one drawn
-    is what people expect.
+    Empty if that did not happen. An edit keeps the activating state, but a typed text is taken as
+    it is. SBs with fewer than three states are left out: while people draw them, they expect the
+    last state to be activating.
     """
     if before.file != after.file:
         return ""

@@ -1,7 +1,7 @@
-"""Places: where the states of each SB stand, steady from edit to edit and through undo.
+"""Places: where the states of each SB stand. They stay the same through edits and undo.
 
-What was dragged lies in the blueprint (``_layout``) and goes back with it. What was laid out
-without being asked is remembered here, so that an edit never moves a state that nobody touched.
+Places of dragged states are in the blueprint (``_layout``), so undo restores them. Automatic places
+are remembered here, so that an edit never moves a state that nobody moved.
 """
 
 from __future__ import annotations
@@ -14,23 +14,23 @@ from smsl_studio.graph.layout import place_states
 
 Position = tuple[float, float]
 TENTH = 0.1
-"""Pixels: what a layout is written in."""
+"""The precision of a layout in a file (scene units)."""
 
 
 class Places:
-    """The automatic places of the states, by SB."""
+    """The automatic places of the states (scene units), by SB and state."""
 
     def __init__(self) -> None:
         self._placed: dict[str, dict[str, Position]] = {}
         self._order: dict[str, tuple[str, ...]] = {}
 
     def clear(self) -> None:
-        """Forget everything: another file was opened."""
+        """Forget all places, because another file was opened."""
         self._placed.clear()
         self._order.clear()
 
     def of(self, branch: StateBranch) -> dict[str, Position]:
-        """The place of every state of an SB now."""
+        """The places of all states of an SB; new ones are remembered."""
         former = self._placed.get(branch.name)
         if former is None:
             former = {}
@@ -44,13 +44,15 @@ class Places:
         return places
 
     def shown(self, branch: StateBranch) -> dict[str, Position]:
-        """The place of every state as another view shows it: the same, and nothing is kept."""
+        """The places of all states for another view, without remembering new ones."""
         return place_states(branch, self._placed.get(branch.name))
 
     def completed(self, before: Blueprint, after: Blueprint) -> Blueprint:
-        """``after`` with the places of all states of every SB that would be drawn in another way
-        when the file is opened: where an edit placed some states by hand, or changed the shape from
-        which the places of all come.
+        """``after`` with written places, for every SB that a newly opened file would show
+        differently.
+
+        That is so if an edit placed some states by hand, or changed the shape on which the layout
+        depends. Then the places of all states of the SB are written.
         """
         self._follow_branch(before, after)
         for name, branch in after.branches.items():
@@ -66,14 +68,14 @@ class Places:
         return after
 
     def _follow_branch(self, before: Blueprint, after: Blueprint) -> None:
-        """An SB that an edit renames keeps its places."""
+        """Keep the places of an SB that an edit renamed."""
         if len(before) == len(after):
             for old, new in zip(before.branches, after.branches, strict=True):
                 if old not in after.branches and old in self._placed:
                     self.rename_branch(old, new)
 
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
-        """States that were renamed, one or many at once, keep their places."""
+        """Keep the places of states that were renamed, one or many."""
         before, now = self._order[branch.name], tuple(branch.table)
         if len(before) != len(now):
             return
@@ -83,14 +85,17 @@ class Places:
                 former[new] = former[old]
 
     def rename_branch(self, before: str, after: str) -> None:
-        """An SB that was renamed keeps its places."""
+        """Keep the places of an SB that was renamed."""
         if before in self._placed and after not in self._placed:
             self._placed[after] = dict(self._placed[before])
             self._order[after] = self._order[before]
 
 
 def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
-    """Whether all is the same from which places come: a new layout is too dear to compare each."""
+    """Whether everything that a layout depends on is equal.
+
+    Comparing two layouts themselves would be too slow.
+    """
     if a is b:
         return True
     if a.initial != b.initial or a.notes.layout != b.notes.layout or list(a.table) != list(b.table):
@@ -100,7 +105,7 @@ def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
 
 
 def _elsewhere(places: Mapping[str, Position], others: Mapping[str, Position]) -> bool:
-    """Whether a state stands at another place in the one picture than in the other."""
+    """Whether a state has different places in the two layouts."""
     return any(
         abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
         for name, (x, y) in places.items()

@@ -1,4 +1,4 @@
-"""What a thing is called now: after an edit that gave it another name and left it at its place."""
+"""The new name of an element after an edit that renamed it."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from smsl_studio.blueprint.model import Blueprint
 
 
 def first_branch(blueprint: Blueprint) -> str:
-    """The SB that is shown of a blueprint at first; the empty text where it has none."""
+    """The SB that a window shows first; empty if the blueprint has none."""
     return next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
 
 
 def branch_now(before: Blueprint, after: Blueprint, branch: str) -> str:
-    """The SB that now stands where ``branch`` stood (it was renamed), else the first one."""
+    """The SB at the position of ``branch`` after an edit that renamed it; else the first SB."""
     names, now = list(before.branches), list(after.branches)
     if branch in names and len(names) == len(now):
         return now[names.index(branch)]
@@ -23,7 +23,7 @@ def branch_now(before: Blueprint, after: Blueprint, branch: str) -> str:
 
 
 def now_named(before: Blueprint, after: Blueprint, address: Address) -> Address:
-    """The address of a state or operation after an edit; of what went, the one it had."""
+    """The address of a state or operation after an edit; unchanged if the element is gone."""
     old, new = before.branches.get(address.branch), after.branches.get(address.branch)
     if old is None or new is None or address.state not in old.table:
         return address
@@ -35,9 +35,9 @@ def now_named(before: Blueprint, after: Blueprint, address: Address) -> Address:
 
 
 def _name_now(before: Collection[str], after: Collection[str], name: str) -> str:
-    """The new name at the place of one that is gone, where nothing came or went besides.
+    """The new name at the position of ``name``, if only names changed; else ``name``.
 
-    Both are tables: what still stands, which most do, is found at once.
+    Both arguments are tables, so the usual case (the name still exists) is fast.
     """
     if name in after or name not in before or len(before) != len(after):
         return name

@@ -1,8 +1,8 @@
-"""Session: the blueprint being worked on, its history, what is selected, and where states stand.
+"""Session: the open blueprint, its history, the selection, and the places of states.
 
-Nothing else: it knows no file dialog, no canvas and no panel. Panels and the canvas read it, listen
-to its signals, and change the blueprint only through ``edit``; what is typed in a text comes
-through ``write`` or ``take``. A text that does not read is kept beside the last blueprint that did.
+It knows no dialogs, no canvas and no panels. They read it, listen to its signals, and change the
+blueprint only through ``edit``. Typed text comes through ``write`` or ``take``. A text that cannot
+be read (``broken``) is kept beside the last blueprint that could be read.
 """
 
 from __future__ import annotations
@@ -25,32 +25,33 @@ from smsl_studio.studio.document.renamed import branch_now, first_branch, now_na
 __all__ = ["Broken", "Fact", "Session"]
 
 Fact = tuple[str, int]
-"""A fact by its SB and digit."""
+"""A fact: (SB, digit)."""
 
 Stand = tuple[Blueprint, Broken | None]
-"""The last blueprint that could be read, and the text typed since that cannot."""
+"""The last blueprint that could be read, and the broken text typed since then (None if there is
+none)."""
 
 Show = Callable[[Blueprint, Broken | None], None]
 
 
 class _Edit(QUndoCommand):
-    """The one undo command: how things stood before and after."""
+    """An undo step: the blueprint and the broken text before and after."""
 
     def __init__(self, words: str, show: Show, before: Stand, after: Stand) -> None:
         super().__init__(words)
         self._show, self._before, self._after = show, before, after
 
     def undo(self) -> None:
-        """Show what was before."""
+        """Show what was before the step."""
         self._show(*self._before)
 
     def redo(self) -> None:
-        """Show what came of it."""
+        """Show the result of the step."""
         self._show(*self._after)
 
 
 class _GiveUp(QUndoCommand):
-    """The text of a file that is imported no longer is not wanted, or wanted after all."""
+    """An undo step that gives up the unsaved text of a file that is no longer imported."""
 
     def __init__(
         self, words: str, aside: Callable[[], Aside], lay: Callable[[Aside], None], text: Document
@@ -59,44 +60,48 @@ class _GiveUp(QUndoCommand):
         self._aside, self._lay, self._text = aside, lay, text
 
     def undo(self) -> None:
-        """The text is wanted again."""
+        """Keep the text again."""
         self._lay({**self._aside(), self._text.file: self._text})
 
     def redo(self) -> None:
-        """The text is given up."""
+        """Give up the text."""
         aside = self._aside()
         self._lay({file: aside[file] for file in aside.keys() - {self._text.file}})
 
 
 class Session(QObject):
-    """One open blueprint. ``branch`` names the SB that the canvas shows.
+    """One open blueprint. ``branch`` is the SB that the canvas shows.
 
-    What is selected has one owner, and it is here: states and operations (``selection``), or one
-    fact (``fact``), or nothing, and then the SB that is shown is what Properties speak of. Keys act
-    on that and on nothing else. ``selection`` holds addresses, never objects, so that it outlives
-    every edit that leaves them standing. The unsaved mark is the undo stack's clean state.
+    The session owns the selection. Either states and operations are selected (``selection``), or
+    one fact (``fact``), or nothing; then Properties show the SB. Keys act on the selection only.
+    ``selection`` has addresses and not objects, so it stays valid after edits that keep the
+    elements. The unsaved mark is the clean state of the undo stack.
     """
 
     opened = Signal()
-    """Another file was opened: told before ``blueprint_changed``; nothing said of before holds."""
+    """Another file was opened.
+
+    Emitted before ``blueprint_changed``; messages about the former file are obsolete.
+    """
     blueprint_changed = Signal(object, object)
-    """(before, after): after every edit, undo and redo, and when another file is opened."""
+    """(before, after): emitted after every edit, undo and redo, and after another file was
+    opened."""
     broken_changed = Signal()
-    """A text does not read any more, reads again, or does not read in another way."""
+    """``broken`` changed: a text became broken, can be read again, or is broken in another way."""
     settling = Signal()
-    """An edit is wanted: whoever holds what is being typed hands it over first."""
+    """An edit comes next: take over what is still being typed."""
     selection_changed = Signal(object)
-    """The new selection: a tuple of addresses; also where a fact is selected, or no longer."""
+    """tuple[Address]: the new selection. Also emitted when a fact is selected or left."""
     jumped = Signal(object)
-    """``jump`` was asked to show this address: whoever draws it brings it into view."""
+    """Address: ``jump`` was called, so views should bring this element into view."""
     branch_changed = Signal(str)
-    """The SB that is shown now."""
+    """str: the SB that is shown now."""
     refused = Signal(object)
-    """A StudioError: an edit that was refused; nothing was changed."""
+    """A StudioError: an edit was refused, and nothing changed."""
     aside_changed = Signal()
-    """Other files than before are imported no longer and have unsaved text."""
+    """The files in ``aside`` changed."""
     edited_changed = Signal(bool)
-    """Whether there are unsaved changes."""
+    """bool: whether there are unsaved changes."""
 
     def __init__(self, blueprint: Blueprint, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -104,42 +109,42 @@ class Session(QObject):
         self._broken: Broken | None = None
         self._aside = NOTHING
         self.unsaved: Unsaved = lambda _: False
-        """Whether a text stands nowhere else; who saves the texts knows, and says so here."""
+        """Tells whether a document's text exists nowhere else. ``Files`` sets this."""
         self._selection: tuple[Address, ...] = ()
         self._fact: Fact | None = None
         self._left: tuple[Address, ...] = ()
         self._branch = first_branch(blueprint)
         self._kept = _drawn(blueprint)
-        """The SBs that the file had when it was opened or saved last, not those begun since."""
+        """The SBs that the file had when it was opened or saved last, without those begun since."""
         self.places = Places()
-        """Where the states stand that were not placed by hand, alike in every view of the file."""
+        """The automatic places of states, the same in every view of the file."""
         self.history = QUndoStack(self)
-        # A method, not a lambda: it is disconnected before the history is deleted.
+        # A method and not a lambda, because Qt disconnects it before the history is deleted.
         self.history.cleanChanged.connect(self._clean_changed)
 
     @property
     def blueprint(self) -> Blueprint:
-        """The blueprint as it is now; while a text does not read, the last one that did."""
+        """The present blueprint; while a text is broken, the last one that could be read."""
         return self._blueprint
 
     @property
     def broken(self) -> Broken | None:
-        """The text that does not read; ``blueprint`` is then the last one that did."""
+        """The text that cannot be read, or None; ``blueprint`` is then the last one that could."""
         return self._broken
 
     @property
     def aside(self) -> Aside:
-        """By their names, the documents that were imported and have text that was not saved."""
+        """The documents that are no longer imported but have unsaved text, by file name."""
         return self._aside
 
     @property
     def texts(self) -> dict[str, str]:
-        """The text of every file of the blueprint, as it is to be saved."""
+        """The text of every file of the blueprint as it would be saved."""
         return texts_of(self._blueprint, self._broken)
 
     @property
     def branch(self) -> str:
-        """The SB that is shown; the empty text where the blueprint has none."""
+        """The SB that is shown; empty if the blueprint has none."""
         return self._branch
 
     @property
@@ -149,13 +154,15 @@ class Session(QObject):
 
     @property
     def fact(self) -> Fact | None:
-        """The fact that is selected, as (SB, digit); then ``selection`` is empty."""
+        """The selected fact as (SB, digit), or None. With a fact ``selection`` is empty."""
         return self._fact
 
     @property
     def extended(self) -> tuple[Address, ...]:
-        """The selection to which a click with Shift adds: that from before the fact, if one is
-        selected. Elements that were undone meanwhile are left out.
+        """The selection that a click with Shift extends.
+
+        While a fact is selected, this is the selection before it, without elements that no longer
+        exist.
         """
         if self._fact is None:
             return self._selection
@@ -163,17 +170,17 @@ class Session(QObject):
 
     @property
     def edited(self) -> bool:
-        """Whether there are changes that were not saved."""
+        """Whether there are unsaved changes."""
         return not self.history.isClean()
 
     def edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
-        """Carry out one undoable edit; False (and ``refused``) where it would leave nonsense.
+        """Carry out one undoable edit; False (and ``refused``) if it is refused.
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
-        changes nothing leaves no step. What held without being written is written where the edit
-        would turn it over: the places of states, and which one is activating. While a text does
-        not read every edit is refused: it would be made in a text that is no longer the one that
-        stands there.
+        changes nothing makes no step. Some things hold by default, without being written: the
+        places of states, and which state is activating. If the edit would change them, they are
+        written. While a text is broken every edit is refused, because its result would replace the
+        broken text.
         """
         self.settling.emit()
         try:
@@ -189,16 +196,19 @@ class Session(QObject):
         return True
 
     def write(self, words: str, text: str, file: str | None = None) -> None:
-        """One undoable step: ``text`` is what now stands in one of the files (else its own).
+        """Replace the text of one file as one undoable step.
 
-        Where it reads the blueprint follows, else it is ``broken``. Of several files only one may
-        be broken at a time; writing in another one is refused.
+        Without ``file`` the blueprint's own text.
+
+        If the text can be read, the blueprint follows. Otherwise it is kept as ``broken``. Only one
+        file may be broken at a time, so writing in another one is then refused.
         """
         name = file if file is not None else self._blueprint.file
         self.take(words, read_text(self._blueprint, name, text), name)
 
     def take(self, words: str, reading: Reading, file: str) -> None:
-        """Like ``write``, for a text that was read elsewhere (``read_text`` of this blueprint)."""
+        """Like ``write``, for a text that was already read with ``read_text`` from this
+        blueprint."""
         if self._broken is not None and self._broken.file != file:
             self.refused.emit(self._broken.refusal)
         elif isinstance(reading, Broken):
@@ -209,13 +219,13 @@ class Session(QObject):
             self._push(words, reading, None)
 
     def give_up(self, words: str, file: str) -> None:
-        """One undoable step: the text of a file that is imported no longer is not wanted."""
+        """Give up the unsaved text of a file that is no longer imported, as one undoable step."""
         self.history.push(_GiveUp(words, lambda: self._aside, self._lay_aside, self._aside[file]))
 
     def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
-        """Replace the blueprint by another file's; history and selection start anew.
+        """Replace the blueprint by that of another file. History and selection start anew.
 
-        ``broken`` is the file's text where it does not read; then ``blueprint`` is what could be
+        ``broken`` is the file's text if it cannot be read. ``blueprint`` then has what could be
         read of it.
         """
         before, self._blueprint = self._blueprint, blueprint
@@ -223,7 +233,7 @@ class Session(QObject):
         told = self._broken is not broken
         self._broken = broken
         self._aside = NOTHING
-        # The history tells that it is empty now, and whoever hears it looks at all of this.
+        # Clearing the history emits signals whose listeners read all of the state above.
         self._branch = first_branch(blueprint)
         self._selection, self._fact = (), None
         self.places.clear()
@@ -236,20 +246,20 @@ class Session(QObject):
         self.selection_changed.emit(())
 
     def saved(self, blueprint: Blueprint) -> None:
-        """What is shown was saved (perhaps under another name): the history is clean here."""
+        """Mark the history as clean after a save, perhaps under another name."""
         self.history.setClean()
         self._kept = _drawn(blueprint)
         before = self._blueprint
-        # Under the same name nothing has changed, also for who still inspects what is shown.
+        # Under the same name nothing changed, so an inspection in progress stays valid.
         if before.file != blueprint.file:
             self._replace(blueprint, under_name(before, self._broken, blueprint.file)[1])
 
     def select(self, addresses: Iterable[Address]) -> None:
-        """Select what stands at these addresses; others are left out."""
+        """Select the elements at these addresses. Addresses without an element are left out."""
         self._choose(tuple(dict.fromkeys(a for a in addresses if self._stands(a))), None)
 
     def select_fact(self, branch: str, digit: int) -> None:
-        """Select a fact in place of states and operations; ``leave_fact`` takes them back."""
+        """Select a fact instead of states and operations; ``leave_fact`` restores these."""
         self.show_branch(branch)
         if self._is_fact((branch, digit)):
             if self._fact is None:
@@ -257,20 +267,21 @@ class Session(QObject):
             self._choose((), (branch, digit))
 
     def leave_fact(self) -> None:
-        """Select what was selected before the fact was."""
+        """Restore the selection from before the fact was selected."""
         self.select(self._left)
 
     def show_branch(self, name: str) -> None:
-        """Show another SB; the selection is dropped."""
+        """Show another SB and clear the selection."""
         if name in self._blueprint.branches and name != self._branch:
             self._branch = name
             self.select(())
             self.branch_changed.emit(name)
 
     def jump(self, address: Address) -> None:
-        """Show the SB an address lies in and select what stands there.
+        """Show the SB of an address and select its element.
 
-        A whole SB is shown, not selected: Del would take it away, and nothing would show that.
+        The address of a whole SB selects nothing. Otherwise Del would delete the SB, although
+        nothing looks selected.
         """
         self.show_branch(address.branch)
         self.select((address,) if address.state else ())
@@ -306,7 +317,7 @@ class Session(QObject):
     def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
         former = self._aside.keys()
         self._aside = put_aside(self._blueprint, blueprint, self._aside, self.unsaved)
-        # A step from before a save under another name: the name stays the new one.
+        # After a save under another name, older steps keep the new name.
         self._replace(*under_name(blueprint, broken, self._blueprint.file))
         if self._aside.keys() != former:
             self.aside_changed.emit()
@@ -324,10 +335,10 @@ class Session(QObject):
             self.broken_changed.emit()
 
     def _follow(self, before: Blueprint) -> None:
-        """Tell of another blueprint, and show and select what of the former still stands.
+        """Announce another blueprint, and keep what is shown and selected if it still exists.
 
-        What was renamed stays selected under its new name, already while the blueprint is told of:
-        a form that was empty for a moment would have lost the keys.
+        The selection has the new names before the signal is emitted. Otherwise a form would be
+        empty for a moment and lose the keyboard focus.
         """
         blueprint, former = self._blueprint, self._selection
         self._selection = tuple(now_named(before, blueprint, one) for one in former)
@@ -345,5 +356,5 @@ class Session(QObject):
 
 
 def _drawn(blueprint: Blueprint) -> tuple[str, ...]:
-    """The SBs that are more than begun."""
+    """The SBs with more than one state."""
     return tuple(branch.name for branch in blueprint if len(branch.table) > 1)

@@ -1,1 +1,1 @@
-"""Files: opened, saved, converted, and what of them stands on the disk."""
+"""The files of a window: opening, saving, converting, and comparing them with the disk."""

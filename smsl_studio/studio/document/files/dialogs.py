@@ -1,4 +1,4 @@
-"""The few questions that stop the window: which file, and what becomes of unsaved changes."""
+"""The dialogs of a window about files, and about what happens to unsaved changes."""
 
 from __future__ import annotations
 
@@ -28,22 +28,25 @@ ROLES = {
     "Cancel": QMessageBox.ButtonRole.RejectRole,
     STAY: QMessageBox.ButtonRole.RejectRole,
 }
-"""Of the buttons; every other one loses something."""
+"""The roles of the buttons that lose nothing. All others are destructive."""
 
 
 class Dialogs:
-    """Asks in dialogs of the window it belongs to."""
+    """Asks the person in dialogs of one window. It implements ``Asker``."""
 
     def __init__(self, window: QWidget) -> None:
         self._window = window
 
     def file_to_open(self, folder: Path) -> Path | None:
-        """The blueprint file that a person chooses; None where they choose none."""
+        """Ask for a blueprint file; None if the person cancels."""
         name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), OPEN)
         return Path(name) if name else None
 
     def file_to_save(self, suggested: Path) -> Path | None:
-        """The suffix chooses the form; a name without one takes that of the chosen kind."""
+        """Ask where to save; None if the person cancels.
+
+        The suffix decides the form. A name without a suffix gets that of the chosen file type.
+        """
         first = suggested.suffix if suggested.suffix in KINDS else ".json"
         kinds = [KINDS[first], *(words for words in KINDS.values() if words != KINDS[first]), ALL]
         name, chosen = QFileDialog.getSaveFileName(
@@ -54,7 +57,7 @@ class Dialogs:
         path = Path(name)
         if path.suffix:
             return path
-        # The dialog asks about the name that was typed, not about the one it becomes.
+        # The dialog checked the name as it was typed, so the name with the suffix is checked here.
         path = path.with_suffix(next((s for s, words in KINDS.items() if words == chosen), first))
         return path if not path.exists() or self._may_replace(path) else None
 
@@ -67,7 +70,7 @@ class Dialogs:
         )
 
     def interrupted(self, names: str, when: str) -> Interrupted:
-        """Ask what becomes of a save that was interrupted: finish it, undo it, or neither yet."""
+        """Ask what to do with an interrupted save: finish it, undo it, or decide later."""
         said = f"The program ended {when} while it was saving {names}."
         why = (
             "The new texts stand beside the files. Finishing the save puts them in their places. "
@@ -98,7 +101,7 @@ class Dialogs:
         )
 
     def may_save_broken(self, name: str, faults: str) -> bool:
-        """Ask whether a text that does not read may be saved as it is."""
+        """Ask whether a text that cannot be read as a blueprint may be saved as it is."""
         return self._agrees(
             "The text does not read",
             f"The text of {name} does not read as a blueprint.",
@@ -107,7 +110,7 @@ class Dialogs:
         )
 
     def may_leave_comments(self, name: str, form: str) -> bool:
-        """Ask whether the comments may be left out in a format that has none."""
+        """Ask whether the comments may be left out in a form that has none."""
         return self._agrees(
             "Comments",
             f"{name} has comments, and they do not come along into {form}.",
@@ -116,20 +119,21 @@ class Dialogs:
         )
 
     def unsaved(self, said: str) -> Answer:
-        """Ask what becomes of unsaved changes: "save", "discard" or "cancel"."""
+        """Ask what to do with unsaved changes: "save", "discard" or "cancel"."""
         words = ("Save", "Discard changes", "Cancel")
         why = "Saving writes them to the file. Discarding loses them."
         chosen = self._chosen("Unsaved changes", said, why, words, default="Save")
         return "save" if chosen == "Save" else "cancel" if chosen == "Cancel" else "discard"
 
     def may_end_run(self, said: str) -> bool:
-        """Whether the window may close although a run is there; ``said`` names the run."""
+        """Ask whether the window may close and stop its run; ``said`` names the run."""
         words = ("Stop and close", STAY)
         why = "Closing the window ends it. What moves is stopped first."
         return self._chosen("A run is there", said, why, words, default=STAY) != STAY
 
     def _come_forward(self) -> None:
-        """Of several windows the one that is asked about is the one that is seen."""
+        """Bring the window to the front, so that the person sees which one the question is
+        about."""
         if self._window.isMinimized():
             self._window.showNormal()
         if not self._window.isActiveWindow():
@@ -140,7 +144,10 @@ class Dialogs:
         return self._chosen(title, what, why, (verb, "Cancel"), default="Cancel") == verb
 
     def _chosen(self, title: str, what: str, why: str, words: Sequence[str], default: str) -> str:
-        """The words of the button that was chosen; Escape is the last one, which does nothing."""
+        """The text of the button that was pressed.
+
+        Escape presses the last one, which loses nothing.
+        """
         self._come_forward()
         box = QMessageBox(self._window)
         box.setWindowTitle(plain_text(title))

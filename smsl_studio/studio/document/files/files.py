@@ -1,4 +1,4 @@
-"""Files: new, open, save, save as, recent files, and the guard before unsaved work is lost."""
+"""Files: new, open, save, save as, recent files, and the question about unsaved work."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from smsl_studio.studio.document.session import Session
 
 @dataclass(frozen=True)
 class Title:
-    """The name of what is open, and what of it has unsaved changes; empty for nothing."""
+    """The name of what is open, and words about unsaved changes (empty if there are none)."""
 
     name: str
     edited: str
@@ -39,18 +39,18 @@ class Title:
 
 
 class Files(QObject):
-    """Reads and writes the session's texts. Where something is refused, nothing is lost."""
+    """Reads and writes the files of a session. A refused action loses nothing."""
 
     changed = Signal()
-    """The file, its name, what stands in it, or the recent files have changed."""
+    """The file, its name, its text on the disk, or the list of recent files changed."""
     asking = Signal()
-    """Another file shall be opened: told before anything is asked, however long that takes."""
+    """The person wants another file. Emitted before any question, which may stay open for long."""
     refused = Signal(object)
-    """A StudioError: the file was not opened or not saved; what was there still is."""
+    """A StudioError: a file was not opened or not saved. Everything is as before."""
     said = Signal(str)
-    """Something that went well, in a short sentence."""
+    """A short sentence about what was done."""
     settling = Signal()
-    """The blueprint is about to be saved or left: what is still being typed has to be in it."""
+    """A save or a change of the blueprint comes next: take over what is still being typed."""
 
     def __init__(
         self, session: Session, settings: Settings, asker: Asker, parent: QObject | None = None
@@ -68,25 +68,23 @@ class Files(QObject):
 
     @property
     def name(self) -> str:
-        """The name that the window shows."""
+        """The file name that the window shows."""
         return self._name
 
     @property
     def texts(self) -> dict[str, str]:
-        """All that is to be saved: the session's texts, and those that were imported and unsaved
-        when they left it.
-        """
+        """All texts to be saved: those of the session, and unsaved ones that were set aside."""
         aside = {file: one.text for file, one in self._session.aside.items()
                  if self._session.unsaved(one)}  # fmt: skip
         return {**self._session.texts, **aside}
 
     @property
     def unsaved(self) -> tuple[str, ...]:
-        """The files, the blueprint's own first, of which another text stands on the disk."""
+        """The files whose text differs from the disk; the blueprint's own file comes first."""
         return self.unsaved_of(self.texts)
 
     def unsaved_of(self, texts: Mapping[str, str]) -> tuple[str, ...]:
-        """The files of which the disk holds other texts than these."""
+        """The files for which the disk has another text than ``texts``."""
         own = self._session.blueprint.file
         found = self.on_disk.differing(texts)
         if self.path is not None:
@@ -97,12 +95,12 @@ class Files(QObject):
 
     @property
     def edited(self) -> bool:
-        """Whether something would be lost."""
+        """Whether closing would lose changes."""
         return self._session.edited and bool(self.unsaved)
 
     @property
     def title(self) -> Title:
-        """What is open, and which of its files are not saved."""
+        """The words for the title bar: the name, and which files are not saved."""
         if not self.edited:
             return Title(self._name, "")
         own, unsaved = self._session.blueprint.file, self.unsaved
@@ -113,22 +111,25 @@ class Files(QObject):
                      f"{len(others)} other files edited")  # fmt: skip
 
     def display(self, file: str) -> str:
-        """What people call one of the files."""
+        """The name of a file as people know it."""
         return self._name if file == self._session.blueprint.file else Path(file).name
 
     @property
     def recent(self) -> tuple[Path, ...]:
-        """The files opened last, the newest first."""
+        """The files opened or saved last, the newest first."""
         return self._settings.recent
 
     def new(self) -> None:
-        """Start an empty blueprint with one SB."""
+        """Start an empty blueprint with one SB, after asking about unsaved changes."""
         self.asking.emit()
         if self.may_leave():
             self.show(OpenedFile(empty_blueprint()), None, UNTITLED)
 
     def open(self, path: Path | None = None) -> bool:
-        """Open a file (asking which); False where it cannot be read or was called off."""
+        """Open a file; without ``path`` ask for one.
+
+        False if it cannot be read or the person cancels.
+        """
         self.asking.emit()
         if path is None:
             path = self._asker.file_to_open(self._folder())
@@ -138,7 +139,7 @@ class Files(QObject):
         if path is None or opened is None or not self.may_leave():
             return False
         if edited:
-            # The answer may have been to save, and that to this very file.
+            # The person may just have saved to this very file.
             opened = self._read(path)
             if opened is None:
                 return False
@@ -148,7 +149,7 @@ class Files(QObject):
         return True
 
     def open_copy(self, path: Path) -> bool:
-        """Open a sample as a new blueprint of that name; saving asks where to."""
+        """Open a sample as a new blueprint of that name; a save will ask for a place."""
         self.asking.emit()
         opened = self._read(path)
         if opened is None or not self.may_leave():
@@ -157,7 +158,7 @@ class Files(QObject):
         return True
 
     def show(self, opened: OpenedFile, path: Path | None, name: str) -> None:
-        """Show what was opened, as it stands at ``path`` (None for nowhere)."""
+        """Show an opened file. ``path`` is its place on the disk, None if it has none."""
         self.path, self._name = path, name
         self.on_disk.forget()
         self._session.open(opened.blueprint, opened.broken)
@@ -166,7 +167,10 @@ class Files(QObject):
         self._say_how_yaml_is_written()
 
     def save(self) -> bool:
-        """Save every text that is not on the disk, all or none; asks where to if need be."""
+        """Save all texts that differ from the disk, all or none.
+
+        Ask for a place if there is none yet.
+        """
         self.settling.emit()
         if self.path is None:
             return self.save_as()
@@ -178,20 +182,21 @@ class Files(QObject):
         return self._store(files or (own,))
 
     def save_as(self) -> bool:
-        """Ask where to save the blueprint's own text, and save there; the form follows the name."""
+        """Ask for a place and save the blueprint's own text there; the suffix decides the form."""
         self.settling.emit()
         path = self._asker.file_to_save(self.path or self._folder() / self._name)
         return path is not None and self._save_to(path.absolute())
 
     def may_leave(self) -> bool:
-        """Whether the blueprint may go: it is saved, or the person says what becomes of it."""
+        """Whether the blueprint may be closed: there is nothing unsaved, or the person decided."""
         answer = self.ask_unsaved()
         return self.save() if answer == "save" else answer == "discard"
 
     def ask_unsaved(self, several: bool = False) -> Answer:
-        """Ask whether to save unsaved changes; ``discard`` where there are none.
+        """Ask what to do with unsaved changes; ``discard`` if there are none.
 
-        ``several`` windows are asked about, and two of them may show files of the same name.
+        ``several`` says that several windows are asked about. Two of them may show files with the
+        same name, so the question then says more about the file.
         """
         self.settling.emit()
         if not self.edited:
@@ -202,7 +207,7 @@ class Files(QObject):
         return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
 
     def _told_apart(self) -> str:
-        """Words by which a person knows this file from another one with the same name."""
+        """Words that tell this file from another one with the same name."""
         if self.path is not None:
             return f"{self._name} is in {self.path.parent}."
         states = sum(len(branch.table) for branch in self._session.blueprint)
@@ -233,17 +238,18 @@ class Files(QObject):
             return None
 
     def settle_interrupted(self, path: Path, opened: OpenedFile) -> Settled:
-        """Ask about interrupted saves of a file that was read, and of what it imports."""
+        """Ask about interrupted saves of an opened file and of the files that it imports."""
         imported = [document.file for document in opened.blueprint.documents[1:]]
         try:
             return settle_interrupted([str(path), *imported], self._asker)
         except SaveError as error:
-            # What was read are the texts that count, and they can be shown all the same.
+            # The texts that were read are valid, so they can still be shown.
             self.refused.emit(error)
             return "nothing"
 
     def _learn(self, before: Blueprint, after: Blueprint) -> None:
-        """Files that came along with an import were read just now, or come back by an undo."""
+        """Remember the texts on the disk of files that came with an import or came back by an
+        undo."""
         texts = self._session.texts
         if self.path is None:
             texts.pop(self._session.blueprint.file, None)
@@ -254,7 +260,7 @@ class Files(QObject):
         self.on_disk.saw_if_new(texts)
 
     def _tell_aside(self) -> None:
-        """Who takes out an import may not think of what was drawn in that file."""
+        """Say which unsaved files are no longer imported, because the person may not notice it."""
         names = [Path(file).name for file in self.unsaved if file in self._session.aside]
         self.changed.emit()
         if names:
@@ -263,7 +269,7 @@ class Files(QObject):
                            "unsaved there.")  # fmt: skip
 
     def _say_how_yaml_is_written(self) -> None:
-        """Once for each file, and before the first edit."""
+        """Say how YAML is written: once for each file, before the first edit."""
         forms = {document.file: document.form for document in self._session.blueprint.documents}
         yaml = [file for file in forms if forms[file] == "yaml" and file not in self._told]
         self._told.update(yaml)
@@ -272,7 +278,7 @@ class Files(QObject):
             self.said.emit(f"{names}: YAML is written whole when it is edited; comments may move.")
 
     def _store(self, files: Sequence[str]) -> bool:
-        """Write these of the session's files to where they came from."""
+        """Write these files of the session to their places; returns whether that was done."""
         if not self._may_save_broken(files):
             return False
         if not self._written([(self._document(file), self._place(file)) for file in files]):
@@ -282,7 +288,7 @@ class Files(QObject):
         return True
 
     def _save_to(self, path: Path) -> bool:
-        """Write the own text to another place, and the others that changed to theirs."""
+        """Write the own text to another place, and other unsaved files to their places."""
         session = self._session
         own, broken = session.blueprint.file, session.broken
         if self.path is not None and path == self.path:
@@ -305,7 +311,7 @@ class Files(QObject):
         if found.anew:
             self._show_anew(found.document)
         else:
-            # Of a text that does not read, the document is that of the last one that did.
+            # The document of a broken text is that of the last text that could be read.
             named = replace(session.blueprint.document, file=str(path))
             session.saved(replace(session.blueprint, document=named))
         self._learn(session.blueprint, session.blueprint)
@@ -314,7 +320,7 @@ class Files(QObject):
         return True
 
     def _show_anew(self, document: Document) -> None:
-        """The text is another one now: the history, which holds the former, begins again."""
+        """Open the converted text. The history begins again, because it fits the former text."""
         session = self._session
         branch, selection = session.branch, session.selection
         self.show(understood(document.text, document.file), self.path, self._name)
@@ -322,7 +328,7 @@ class Files(QObject):
         session.select(selection)
 
     def _written(self, pairs: Pairs, chosen: Path | None = None) -> bool:
-        """Write documents to their places (see ``store``); whether that was done."""
+        """Write documents to their places (see ``store``); returns whether that was done."""
 
         def ask(files: list[str]) -> bool:
             """Ask whether these files may be overwritten."""
@@ -337,10 +343,10 @@ class Files(QObject):
             return False
 
     def _may_lose(self, paths: Sequence[Path]) -> bool:
-        """Ask before a file loses its owner, its group, its rights or a further name: once."""
+        """Ask once before a file loses its owner, group, permissions or hard links."""
         for path in paths:
             lost: tuple[str, ...] = ()
-            with suppress(OSError):  # where it cannot be tried, the save itself will say why
+            with suppress(OSError):  # the save itself will report it
                 lost = losses(Path(real_path(str(path))))
             if not lost or (path, lost) in self._given_up:
                 continue
@@ -354,7 +360,7 @@ class Files(QObject):
         self.said.emit(f"Saved {_listed(names)}." if names else f"{self._name} is saved already.")
 
     def _document(self, file: str) -> Document:
-        """A document as it is to be written: of a broken one the text alone counts."""
+        """A document as it will be written, with the typed text if that is broken."""
         documents = {document.file: document for document in self._session.blueprint.documents}
         return replace({**self._session.aside, **documents}[file], text=self.texts[file])
 
@@ -381,7 +387,7 @@ class Files(QObject):
 
 
 def _listed(names: Sequence[str]) -> str:
-    """Names as one says them: a, b and c."""
+    """Names in a sentence: a, b and c."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 

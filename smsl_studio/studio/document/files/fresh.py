@@ -1,4 +1,4 @@
-"""What a window begins with: an empty blueprint, or one of the samples."""
+"""What a window can begin with: an empty blueprint, or a sample."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ UNTITLED = "untitled.json"
 
 
 def samples() -> tuple[Path, ...]:
-    """The samples that come along, in every form."""
+    """The samples that are shipped, in every form."""
     found = (path for path in samples_dir().iterdir() if path.suffix in SUFFIXES)
     return tuple(sorted(found))
 
 
 def empty_blueprint() -> Blueprint:
-    """What New shows: one SB without states."""
+    """The blueprint that New shows: one SB without states."""
     blank = new_blueprint(UNTITLED)
     return editing.add_branch(blank, fresh_branch_name(blank))

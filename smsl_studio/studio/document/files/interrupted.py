@@ -1,6 +1,4 @@
-"""Saves of several files that a window did not bring to their end: a person says what becomes of
-them before one of the files is shown.
-"""
+"""Interrupted saves of several files. The person decides before one of the files is shown."""
 
 from __future__ import annotations
 
@@ -15,14 +13,14 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.files.questions import Asker
 
 MOST = 3
-"""So many files are named."""
+"""The most files that a question names."""
 Settled = Literal["nothing", "changed", "called off"]
 
 
 def settle_interrupted(files: Iterable[str], asker: Asker) -> Settled:
-    """Ask about every interrupted save of these files, and do what the person says.
+    """Ask about every interrupted save of these files, and do what the person chose.
 
-    SaveError where that cannot be done; the files then read as they did before.
+    Raises SaveError if that is not possible. The files can then be read as before.
     """
     found = interrupted_saves(files)
     for save in found:

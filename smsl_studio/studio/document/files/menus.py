@@ -1,4 +1,4 @@
-"""Menus of files, filled when they open: the recent ones, and the samples."""
+"""The menus of recent files and of samples, filled when they open."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.fresh import samples
 
 WIDEST = 70
-"""Characters of a recent file's name and folder; its tooltip has it all."""
+"""The width of an entry, in average characters; the tooltip has the whole path."""
 
 
 def fill_recent(files: Files, menu: QMenu) -> None:
-    """The files opened or saved last."""
+    """Fill a menu with the files opened or saved last."""
     menu.clear()
     menu.setToolTipsVisible(True)
     names = Counter(path.name for path in files.recent)
     for path in files.recent:
-        # Of two files with one name the folder tells which is which.
+        # Two files with the same name are shown with their folders.
         said = path.name if names[path.name] == 1 else f"{path.name} in {path.parent}"
         room = menu.fontMetrics().averageCharWidth() * WIDEST
         shown = menu.fontMetrics().elidedText(plain_text(said), Qt.TextElideMode.ElideMiddle, room)
@@ -34,7 +34,7 @@ def fill_recent(files: Files, menu: QMenu) -> None:
 
 
 def fill_samples(files: Files, menu: QMenu) -> None:
-    """The samples; each is opened as a copy."""
+    """Fill a menu with the samples; each opens as a copy."""
     menu.clear()
     for path in samples():
         menu.addAction(as_it_is(path.name), partial(files.open_copy, path))

@@ -1,4 +1,4 @@
-"""What stands on the disk, file by file, as far as the window has seen it."""
+"""What the window knows of each file's text on the disk."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from smsl_studio.smsl.inputs import NOTHING, Seen
 
 @dataclass(frozen=True)
 class DiskLook:
-    """A file as it is now, compared with what the window has seen of it.
+    """A file on the disk as it is now, and whether it ``changed`` since the window last read or
+    wrote it.
 
-    ``text`` is what stands there, None where nothing is there (``gone``) or it is no text.
-    ``seen`` is what a save is to replace, None where that cannot be read.
+    ``text`` is its text. It is None if there is no file (``gone``) or it cannot be read as text.
+    ``seen`` identifies the content that a save will replace. It is None if the file cannot be read.
     """
 
     file: str
@@ -29,7 +30,7 @@ class DiskLook:
 
 
 class OnDisk:
-    """Remembers every text that was read or saved, by the name of its document."""
+    """The text that each file had when the window last read or wrote it, by document name."""
 
     def __init__(self) -> None:
         self._seen: dict[str, str | None] = {}
@@ -43,13 +44,13 @@ class OnDisk:
         return file in self._seen
 
     def forget(self) -> None:
-        """Another blueprint was opened."""
+        """Forget all files, because another blueprint was opened."""
         self._seen.clear()
         self._digests.clear()
         self._last.clear()
 
     def saw(self, file: str, text: str | None) -> None:
-        """This text stands in the file, or nothing does."""
+        """Remember that the file has this text; None means that there is no file."""
         before = self._seen.get(file)
         if text is None and before is not None:
             self._last[file] = before
@@ -57,16 +58,16 @@ class OnDisk:
         self._digests.pop(file, None)
 
     def saw_if_new(self, texts: Mapping[str, str]) -> None:
-        """Files that nobody knew were read a moment ago, so this is what stands in them."""
+        """Remember these texts for files that are not known yet, because they were just read."""
         for file, text in texts.items():
             self._seen.setdefault(file, text)
 
     def text(self, file: str) -> str | None:
-        """What stands in a file; None where nothing does, or nothing is known."""
+        """The known text of a file; None if there is no file or it is not known."""
         return self._seen.get(file)
 
     def digest(self, file: str) -> str:
-        """The SHA-256 of what stands in a file, worked out once; empty where nothing does."""
+        """The SHA-256 of the known text, computed once; empty if there is none."""
         text = self._seen.get(file)
         if text is None:
             return ""
@@ -75,16 +76,17 @@ class OnDisk:
         return self._digests[file]
 
     def differing(self, texts: Mapping[str, str]) -> tuple[str, ...]:
-        """The files in which another text stands than these."""
+        """The files whose known text differs from the one given here."""
         return tuple(file for file, text in texts.items() if self._seen.get(file) != text)
 
     def is_nowhere(self, file: str, text: str) -> bool:
-        """Whether a text stands nowhere else: not in its file, nor did it when that was deleted."""
+        """Whether this text would be lost: it is neither in its file, nor was it there when the
+        file was deleted."""
         seen = self._seen.get(file)
         return text != (seen if seen is not None else self._last.get(file))
 
     def look(self, file: str) -> DiskLook:
-        """Look at a file again."""
+        """Read a file again and compare it with what is known."""
         now: str | None = None
         seen: Seen | None = None
         with suppress(ReadError):

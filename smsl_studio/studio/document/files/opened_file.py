@@ -1,4 +1,4 @@
-"""Opening a file: the blueprint it means, or as much of one as can be read of a faulty text."""
+"""Opening a file: its blueprint, or as much of one as a faulty text allows."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from smsl_studio.studio.document.broken import Broken
 
 @dataclass(frozen=True)
 class OpenedFile:
-    """What a file gave: ``broken`` is its text where that does not read as a blueprint."""
+    """The result of opening a file; ``broken`` is set if the text cannot be read as a blueprint."""
 
     blueprint: Blueprint
     broken: Broken | None = None
 
 
 def open_file(path: Path) -> OpenedFile:
-    """What stands in a file; ReadError where it cannot be read, or is no text at all."""
+    """Open a file; raises ReadError if it cannot be read or is no text."""
     return understood(text_of(read_content(path), str(path)), str(path))
 
 
 def understood(text: str, file: str) -> OpenedFile:
-    """What a text means, or what can be read of it."""
+    """The blueprint of a text, or as much of one as a faulty text allows."""
     form = form_named(form_of(file, text))
     with uncollected():
         try:

@@ -1,4 +1,4 @@
-"""Saving a blueprint under another name: in the form of the new name, its imports still found."""
+"""Saving a blueprint under another name: in the form of the new name, with imports adjusted."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from smsl_studio.smsl.forms import SUFFIXES, form_of
 
 @dataclass(frozen=True)
 class Moved:
-    """The document as it is to be written. ``anew`` says that it is no longer the same text, so
-    that what stands in the history does not fit it.
+    """The document to be written.
+
+    ``anew`` says that its text changed, so the history no longer fits.
     """
 
     document: Document
@@ -23,9 +24,9 @@ class Moved:
 
 
 def moved(document: Document, path: Path, whole: bool = True) -> Moved:
-    """A document under another name; ConvertError where the other form has no spelling for it.
+    """A document under another name; raises ConvertError if the other form cannot express it.
 
-    A text that is not ``whole`` (it does not read) can only go on in its own form.
+    ``whole`` is False for a text that cannot be read. It can only be saved in its own form.
     """
     if not whole:
         return _as_it_is(document, path)
@@ -46,16 +47,16 @@ def _as_it_is(document: Document, path: Path) -> Moved:
 
 
 def form_words(path: Path, document: Document) -> str:
-    """What people call the form in which the document would be written there."""
+    """The name of the form in which the document would be written to ``path``."""
     return WORDS[form_of(str(path), document.text)]
 
 
 def leaves_comments(document: Document, path: Path) -> bool:
-    """Whether comments of the text would not come along into the form of the new name."""
+    """Whether the form of the new name would lose comments of the text."""
     form = form_of(str(path), document.text)
     if form == document.form:
         return False
     try:
         return convert(document, form, str(path)).comments_left > 0
-    except ConvertError:  # which is told when it is saved
+    except ConvertError:  # the save itself reports it
         return False

@@ -1,4 +1,4 @@
-"""Writing texts over what the window has seen on the disk, and over nothing else unasked."""
+"""Writing texts to the disk without overwriting changes of another program unasked."""
 
 from __future__ import annotations
 
@@ -11,20 +11,19 @@ from smsl_studio.smsl.together import save_together
 from smsl_studio.studio.document.files.on_disk import OnDisk
 
 TRIES = 5
-"""So often it begins again because another program has written a file meanwhile."""
+"""The most attempts, if another program writes a file again and again meanwhile."""
 
 Pairs = Sequence[tuple[Document, Path]]
 Ask = Callable[[list[str]], bool]
-"""Whether to save over what another program has written into these files."""
+"""Asks whether to overwrite changes of another program in these files."""
 
 
 def store(pairs: Pairs, on_disk: OnDisk, ask: Ask, chosen: Path | None = None) -> bool:
-    """Write documents to their places, all or none; whether the person agreed.
+    """Write documents to their places, all or none; returns whether the person agreed.
 
-    They are asked where another program has written one of the files since it was read. Where that
-    happens between the question and the moment at which a file would be replaced, they are asked
-    anew. ``chosen`` is a place whose file they have given up already. SaveError where nothing could
-    be written.
+    ``ask`` is called if another program has written one of the files since it was read. If that
+    happens again after the answer, it is called again. ``chosen`` is a place that the person has
+    agreed to overwrite already. Raises SaveError if nothing could be written.
     """
     given_up = str(chosen)
     tries = 0

@@ -1,6 +1,7 @@
-"""The journal: unsaved work, on the disk within a second, so that no crash takes it along.
+"""The journal: unsaved work, written to the disk within a second, so that a crash does not lose it.
 
-Each window keeps one file in the ``journal`` folder of the user's folder while it holds unsaved
-work. ``entry`` is what stands in it, ``place`` the file and the lock that says that its window
-lives, ``writer`` keeps it up to date, ``leftovers`` reads what windows have left behind.
+While a window has unsaved work, it keeps one file in the folder ``journal`` of the user's folder.
+``entry`` is the content of the file. ``place`` is the file with the lock that shows that its window
+is alive. ``writer`` keeps it up to date. ``leftovers`` finds the journals of windows that have
+crashed.
 """

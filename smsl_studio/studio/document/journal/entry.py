@@ -1,8 +1,8 @@
-"""What a journal says: the texts of a window that are not on the disk, and where they belong.
+"""The content of a journal: the texts of a window that are not saved, and where they belong.
 
-The file is a line that names the format, a line of JSON, and the bytes of the texts, each with its
-length and SHA-256. Whoever reads one believes nothing of it: a journal may be cut, mixed up or
-made by somebody else.
+The file has a line with the format, a line of JSON, and the bytes of the texts. The JSON has the
+length and SHA-256 of each text. The reader checks everything, because a journal may be cut, damaged
+or made by somebody else.
 """
 
 from __future__ import annotations
@@ -16,12 +16,15 @@ from smsl_studio.errors import ReadError
 
 MAGIC = b"SMSL Studio journal 1\n"
 HEAD, TEXTS, NAME = 4 << 20, 10_000, 4096
-"""So many bytes, texts, and characters of a name are read; a window writes far less."""
+"""The largest head (bytes), number of texts, and length of a name (characters) that are read."""
 
 
 @dataclass(frozen=True)
 class KeptText:
-    """One text that is not on the disk. ``saved`` is the digest of what was; empty for nothing."""
+    """One unsaved text.
+
+    ``saved`` is the SHA-256 of the file's text on the disk at that time, empty for none.
+    """
 
     file: str
     text: str
@@ -32,9 +35,9 @@ class KeptText:
 class JournalEntry:
     """The unsaved work of one window.
 
-    ``path`` is where its blueprint belongs, empty where it was never saved. ``file`` is the name
-    of the blueprint's own text among ``texts`` and in its imports. ``changes`` counts what was
-    done in the window, ``when`` is the local time of the last of it.
+    ``path`` is the place of its blueprint, empty if it was never saved. ``file`` is the name of the
+    blueprint's own text among ``texts``. ``changes`` is the number of changes in the window.
+    ``when`` is the local time of writing.
     """
 
     name: str
@@ -46,7 +49,7 @@ class JournalEntry:
 
 
 def encode(entry: JournalEntry) -> bytes:
-    """The bytes of a journal."""
+    """The bytes of a journal file."""
     bodies = [kept.text.encode("utf-8", "surrogatepass") for kept in entry.texts]
     head = {
         "name": entry.name,
@@ -68,7 +71,10 @@ def encode(entry: JournalEntry) -> bytes:
 
 
 def decode(raw: bytes) -> JournalEntry:
-    """What a journal says; ReadError where it is none, or not whole."""
+    """The entry in the bytes of a journal file.
+
+    Raises ReadError if they are not complete and valid.
+    """
     if not raw.startswith(MAGIC):
         raise _no("it does not begin as one")
     end = raw.find(b"\n", len(MAGIC), len(MAGIC) + HEAD)

@@ -1,4 +1,4 @@
-"""What windows have left behind: journals whose window has gone without closing."""
+"""Journals of windows that ended without closing."""
 
 from __future__ import annotations
 
@@ -12,31 +12,30 @@ from smsl_studio.studio.document.journal.entry import JournalEntry, decode
 from smsl_studio.studio.document.journal.place import LOCK, SUFFIX, JournalFile
 
 MOST = 50
-"""So many journals are offered at one start; the others are left for the next."""
+"""The most journals that one start offers; others are offered at the next start."""
 
 
 @dataclass(frozen=True)
 class Left:
-    """A journal that was left behind, held until it is dropped or let go of."""
+    """A journal of a window that is gone. It is locked until ``drop`` or ``keep``."""
 
     entry: JournalEntry
     place: JournalFile
 
     def drop(self) -> None:
-        """It was recovered or is not wanted."""
+        """Delete it: it was recovered or is not wanted."""
         self.place.remove()
         self.place.let_go()
 
     def keep(self) -> None:
-        """Offer it again at the next start."""
+        """Release it, so that the next start offers it again."""
         self.place.let_go()
 
 
 def left_behind(folder: Path) -> tuple[Left, ...]:
-    """The journals that no living window holds, the last one written first.
+    """The journals that no running window holds, the newest first.
 
-    One that cannot be read is put aside under another name, so that it is not in the way and
-    nothing is destroyed.
+    A journal that cannot be read gets another suffix. It is then out of the way, but not lost.
     """
     found = sorted(_left(folder), key=lambda left: left.entry.when, reverse=True)
     for beyond in found[MOST:]:
@@ -81,7 +80,7 @@ def _claimed(path: Path) -> Left | None:
 
 
 def _sweep(path: Path) -> None:
-    """Take away the lock of a window that left nothing."""
+    """Delete the lock of a window that left no journal."""
     try:
         place = JournalFile.claim(path)
     except OSError:

@@ -1,4 +1,4 @@
-"""The offer to recover: what windows have left behind, each with what it would bring back."""
+"""The dialog that offers to recover journals, each with what it would bring back."""
 
 from __future__ import annotations
 
@@ -28,15 +28,18 @@ from smsl_studio.studio.document.journal.restoration import brings
 
 WIDTH, TALLEST, NAME = 620, 520, 320
 BESIDES = 130
-"""The height of the sentence above the rows and of the button below them."""
+"""Pixels for the sentence above the rows and the button below them."""
 SURE = "Discard for good"
 Act = Callable[[Left], bool]
 
 
 class RecoveryOffer(QDialog):
-    """One row for each journal. What is neither recovered nor discarded is offered again.
+    """A dialog with a row for each journal.
 
-    ``recover`` and ``compare`` are what the buttons do; False where it could not be done.
+    An undecided journal is offered again at the next start.
+
+    ``recover`` and ``compare`` are called by the buttons. They return False if that was not
+    possible.
     """
 
     def __init__(self, left: Sequence[Left], recover: Act, compare: Act, parent: QWidget) -> None:
@@ -73,7 +76,7 @@ class RecoveryOffer(QDialog):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inner)
-        # The lines are wrapped, so that their height depends on the width.
+        # The text wraps, so the height depends on the width.
         most = min(TALLEST, room(self).height() - BESIDES)
         area.setFixedHeight(min(column.totalHeightForWidth(self.width()) + 4, most))
         said = label(
@@ -104,7 +107,7 @@ class RecoveryOffer(QDialog):
             self.accept()
 
     def _discard(self, left: Left) -> None:
-        """The first click asks, in the button itself; what is discarded is gone."""
+        """The first click changes the button to a question, because a discarded journal is lost."""
         if self.row_of(left).is_sure():
             self._do(_drop, left)
 
@@ -115,7 +118,7 @@ class RecoveryOffer(QDialog):
 
 
 class _Row(QWidget):
-    """What was kept of one window, and what can be done with it."""
+    """One journal: what was kept of one window, and the buttons."""
 
     def __init__(self, left: Left) -> None:
         super().__init__()
@@ -149,13 +152,13 @@ class _Row(QWidget):
         column.addLayout(row(self.recover, self.compare, self.discard, None))
 
     def is_sure(self) -> bool:
-        """Whether Discard was asked about before; else the button asks now."""
+        """Whether this is the second click on Discard. The first one only changes the button."""
         asked = self.discard.text() == SURE
         self.discard.setText(SURE)
         return asked
 
     def done(self) -> None:
-        """It was decided."""
+        """Disable the buttons after a decision."""
         for button in (self.recover, self.compare, self.discard):
             button.setEnabled(False)
 
@@ -166,7 +169,7 @@ def _drop(left: Left) -> bool:
 
 
 def _day(when: str) -> str:
-    """A time as people say it; what is no time is said as it is."""
+    """A time as people write it; a text that is no time stays as it is."""
     try:
         return f"{datetime.fromisoformat(when):%d %B %Y, %H:%M:%S}".lstrip("0")
     except ValueError:

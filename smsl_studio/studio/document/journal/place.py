@@ -1,7 +1,7 @@
-"""The file of a journal, and the lock beside it that says whether its window still lives.
+"""The file of a journal, and the lock beside it that shows that its window is alive.
 
-The system lets go of the lock when the process ends, however it ends: a number of a process, which
-may long belong to another one, is not asked.
+The system releases the lock when the process ends, in whatever way. A process id would be no proof,
+because it may belong to another process by now.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ else:
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 SUFFIX, LOCK = ".journal", ".lock"
 LARGEST = 1 << 30
-"""More bytes than any window writes are not read."""
+"""The largest journal that is read (bytes)."""
 
 
 def folder_of(home: Path) -> Path:
-    """Where the journals lie in the user's folder."""
+    """The folder of all journals in the user's folder."""
     return home / "journal"
 
 
 class JournalFile:
-    """A journal's file, held by this process from ``take`` or ``claim`` until ``let_go``."""
+    """A journal file, locked by this process from ``take`` or ``claim`` until ``let_go``."""
 
     def __init__(self, path: Path, lock: int) -> None:
         self.path, self._lock = path, lock
 
     @classmethod
     def take(cls, folder: Path) -> JournalFile:
-        """A new place; OSError where the folder cannot be written."""
+        """Lock a new file; raises OSError if the folder cannot be written."""
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         while True:
             path = folder / f"{os.getpid()}-{os.urandom(6).hex()}{SUFFIX}"
@@ -48,12 +48,13 @@ class JournalFile:
 
     @classmethod
     def claim(cls, path: Path) -> JournalFile | None:
-        """The place of a journal whose window has gone; None where somebody holds it."""
+        """Lock the journal of a window that is gone; None if another process holds it."""
         name = path.with_suffix(LOCK)
         handle = os.open(name, os.O_RDWR | os.O_CREAT | _NO_LINK, 0o600)
         try:
             _lock(handle)
-            # Whoever held it may have let go of it, and of its name, a moment ago.
+            # The former holder may have deleted the lock file a moment ago, so this may be a
+            # deleted file.
             if not os.path.samestat(os.fstat(handle), os.stat(name)):  # noqa: PTH116
                 raise FileNotFoundError(name)
         except OSError:
@@ -62,27 +63,27 @@ class JournalFile:
         return cls(path, handle)
 
     def write(self, raw: bytes) -> None:
-        """Put these bytes in the place of what stands there: whole, or OSError and as it was."""
+        """Replace the content of the file as a whole. On OSError the former content stays."""
         fresh = self.path.with_suffix(".part")
         fresh.unlink(missing_ok=True)
         write_new(fresh, raw, 0o600)
         fresh.replace(self.path)
 
     def read(self) -> bytes:
-        """The bytes that stand there; OSError where there are none, or far too many."""
+        """The content of the file; raises OSError if there is none or it is too large."""
         raw = read_ordinary(self.path, LARGEST).raw
         if len(raw) > LARGEST:
             raise OSError(27, "the journal is too large")
         return raw
 
     def remove(self) -> None:
-        """Nothing is kept any more; the place stays held."""
+        """Delete the file and keep the lock."""
         for path in (self.path, self.path.with_suffix(".part")):
             with suppress(OSError):
                 path.unlink()
 
     def let_go(self) -> None:
-        """Hold it no longer. A journal that stands there is offered at the next start."""
+        """Release the lock. The next start offers a journal that is still there."""
         if self._lock < 0:
             return
         if not self.path.exists():
@@ -93,7 +94,7 @@ class JournalFile:
 
 
 def _lock(handle: int) -> None:
-    """Lock an open file for this process; OSError where somebody else holds it."""
+    """Lock an open file for this process; raises OSError if another process holds it."""
     if sys.platform == "win32":
         msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
     else:

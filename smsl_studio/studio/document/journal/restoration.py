@@ -1,4 +1,4 @@
-"""From a journal back to a window: what it would bring, and bringing it."""
+"""Recovering a journal: what it would bring back, and bringing it back."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText
 from smsl_studio.studio.document.session import Session
 
 LARGE = 4 << 20
-"""Characters from which on texts are not compared before they are asked for."""
+"""From this number of characters on, the offer shows the size instead of a comparison."""
 NOUNS = {"branch": "State Branch", "header": "header field"}
 PLURALS = {"branch": ("State Branches",)}
 STEP = "Recover unsaved work"
@@ -32,7 +32,8 @@ STEP = "Recover unsaved work"
 
 @dataclass(frozen=True)
 class KeptSides:
-    """What stands on the disk, None where nothing can be read there; and what was kept."""
+    """The blueprint on the disk (None if it cannot be read), and the blueprint with the kept
+    texts."""
 
     before: OpenedFile | None
     after: OpenedFile
@@ -45,8 +46,10 @@ class KeptSides:
 
 @dataclass(frozen=True)
 class Restored:
-    """``lost`` are texts of files that do not belong to the blueprint, or cannot be shown in it;
-    ``changed`` names files that another program has written since.
+    """The result of a recovery.
+
+    ``lost`` are texts of files that the blueprint does not have, or that cannot be shown in it.
+    ``changed`` are files that another program has written since.
     """
 
     lost: tuple[KeptText, ...]
@@ -55,14 +58,14 @@ class Restored:
 
 @dataclass(frozen=True)
 class Brings:
-    """What recovering would bring back, in words, and whether the sides can be compared."""
+    """What a recovery would bring back, in words, and whether both sides can be compared."""
 
     words: str
     comparable: bool
 
 
 def sides(entry: JournalEntry) -> KeptSides:
-    """Both sides of a journal."""
+    """Both sides of a journal, read."""
     own = own_text(entry)
     before = on_disk(entry)
     if before is None or own is not None:
@@ -77,7 +80,7 @@ def sides(entry: JournalEntry) -> KeptSides:
 
 
 def on_disk(entry: JournalEntry) -> OpenedFile | None:
-    """What stands where the blueprint of a journal belongs; None where nothing can be read."""
+    """The blueprint at the journal's place on the disk; None if it cannot be read."""
     if not entry.path:
         return None
     try:
@@ -87,12 +90,12 @@ def on_disk(entry: JournalEntry) -> OpenedFile | None:
 
 
 def own_text(entry: JournalEntry) -> KeptText | None:
-    """The blueprint's own text, where it is not on the disk."""
+    """The kept text of the blueprint's own file; None if that was saved."""
     return next((kept for kept in entry.texts if kept.file == entry.file), None)
 
 
 def brings(entry: JournalEntry) -> Brings:
-    """What recovering would bring back."""
+    """What a recovery of this journal would bring back."""
     if sum(len(kept.text) for kept in entry.texts) > LARGE:
         size = sum(len(kept.text) for kept in entry.texts) / (1 << 20)
         return Brings(f"{counted(len(entry.texts), 'text')} of {size:.1f} MB", bool(entry.path))
@@ -106,14 +109,14 @@ def brings(entry: JournalEntry) -> Brings:
 
 
 def is_saved(entry: JournalEntry) -> bool:
-    """Whether everything that was kept stands in its file: the end came right after the save."""
+    """Whether all kept texts are in their files: the window ended right after a save."""
     return bool(entry.path) and all(_stands(kept) for kept in entry.texts)
 
 
 def restore(entry: JournalEntry, files: Files, session: Session) -> Restored:
-    """Show what was kept as unsaved changes on what stands on the disk.
+    """Open the file on the disk and apply the kept texts as unsaved changes.
 
-    Each text is a step that can be undone.
+    Each text is one step that can be undone.
     """
     before = on_disk(entry)
     path = Path(entry.path) if entry.path else None
@@ -135,7 +138,7 @@ def restore(entry: JournalEntry, files: Files, session: Session) -> Restored:
             continue
         if session.texts[file] != kept.text:
             session.write(STEP, kept.text, file)
-        if session.texts.get(file) != kept.text:  # Another text does not read by now.
+        if session.texts.get(file) != kept.text:  # refused: another text is broken
             lost.append(kept)
         elif _moved_on(kept, entry):
             changed.append(file)
@@ -144,9 +147,9 @@ def restore(entry: JournalEntry, files: Files, session: Session) -> Restored:
 
 
 def keep_text(kept: KeptText, home: Path) -> Path:
-    """Put a text that belongs nowhere any more into a file of its own; where it went.
+    """Write a text that belongs to no file any more into a file of its own; returns the path.
 
-    OSError where the user's folder cannot be written.
+    Raises OSError if the user's folder cannot be written.
     """
     folder = home / "recovered"
     folder.mkdir(parents=True, exist_ok=True)
@@ -169,7 +172,7 @@ def _with(opened: OpenedFile, kept: KeptText) -> OpenedFile:
 
 
 def _file_of(blueprint: Blueprint, kept: KeptText, entry: JournalEntry | None) -> str | None:
-    """The name that the blueprint's document has here."""
+    """The name of the document to which a kept text belongs; None if the blueprint has none."""
     if entry is not None and kept.file == entry.file:
         return blueprint.file
     for document in blueprint.documents:
@@ -179,10 +182,10 @@ def _file_of(blueprint: Blueprint, kept: KeptText, entry: JournalEntry | None) -
 
 
 def _whole_first(blueprint: Blueprint, waiting: list[KeptText]) -> list[KeptText]:
-    """Only one text may be broken at a time, so what does not read comes last."""
+    """Put a broken text last, because only one text may be broken at a time."""
 
     def broken(kept: KeptText) -> bool:
-        """Whether a kept text does not read."""
+        """Whether a kept text cannot be read."""
         return understood(kept.text, kept.file).broken is not None
 
     return sorted(waiting, key=broken) if len(waiting) > 1 else waiting
@@ -203,7 +206,7 @@ def _changes(entry: JournalEntry, both: KeptSides) -> str:
 
 
 def tallied(found: Difference) -> str:
-    """How much of what changed: 2 states added, 1 operation retargeted."""
+    """The number of changes of each kind, such as "2 states added, 1 operation retargeted"."""
     if found.same:
         return "Order, comments or spelling."
     counts = Counter((change.what, change.kind.value) for change in (*found.changes, *found.fields))

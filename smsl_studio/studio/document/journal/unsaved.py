@@ -1,4 +1,4 @@
-"""What is unsaved in a window: every text that is not on the disk, typed a moment ago or long."""
+"""The unsaved work of a window: all texts that are not on the disk, also just typed ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from smsl_studio.studio.document.session import Session
 
 
 class Unsaved:
-    """Answers the journal. ``pending`` gives the texts that are typed and not yet a step."""
+    """Collects the unsaved work for the journal.
+
+    ``pending`` returns the texts in which something is typed that is no step of the history yet.
+    """
 
     def __init__(
         self, session: Session, files: Files, pending: Callable[[], Mapping[str, str]]
@@ -20,7 +23,7 @@ class Unsaved:
         self._session, self._files, self._pending = session, files, pending
 
     def __call__(self, changes: int) -> JournalEntry | None:
-        """The work that is nowhere but in this window; None where there is none."""
+        """The work that exists only in this window; None if there is none."""
         files, own = self._files, self._session.blueprint.file
         texts = {**self._files.texts, **self._pending()}
         unsaved = files.unsaved_of(texts)
@@ -38,7 +41,7 @@ class Unsaved:
         )
 
     def _named(self, file: str) -> str:
-        """Where a file is, whatever folder the program is started in next."""
+        """The absolute path of a file, because the next start may have another working folder."""
         own = file == self._session.blueprint.file
         if own:
             return str(self._files.path or file)

@@ -1,8 +1,8 @@
-"""Keeps a window's journal up to date while it holds unsaved work.
+"""The writer of a window's journal.
 
-A change starts a short wait, which further changes do not make longer; what stands then is encoded
-and written beside the window's thread. So a change is on the disk within a second, and typing never
-waits for the disk.
+A change starts a short wait, and further changes do not make it longer. Then the unsaved work is
+written in a second thread. So a change is on the disk within a second, and typing never waits for
+the disk.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from smsl_studio.studio.document.journal.entry import JournalEntry, encode
 from smsl_studio.studio.document.journal.place import JournalFile
 
 WAIT = 300
-"""Milliseconds from a change to the writing of what stands then."""
+"""Milliseconds from a change to the next writing."""
 Unsaved = Callable[[int], JournalEntry | None]
-"""The unsaved work as it stands, given the number of changes; None where all is saved."""
+"""Returns the unsaved work, given the number of changes; None if all is saved."""
 
 
 class Journal(QObject):
-    """The journal of one window; ``folder`` is where all of them lie."""
+    """The journal of one window; ``folder`` is the folder of all journals."""
 
     acknowledged = Signal(int)
-    """The disk holds the work as it stood after so many changes (or all of it was saved)."""
+    """int: the disk has all work up to this number of changes, or all was saved."""
     failed = Signal(str)
-    """The journal cannot be written; said once until it works again."""
+    """str: why the journal cannot be written. Emitted once, until a write succeeds."""
 
     def __init__(self, unsaved: Unsaved, folder: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -37,7 +37,7 @@ class Journal(QObject):
         self._place: JournalFile | None = None
         self._busy = self._again = self._told = self._closed = False
         self.changes = self.safe = 0
-        """How many changes there were, and how many of them the disk holds."""
+        """The number of changes, and up to which of them the disk has the work."""
         self._beside = Beside(self)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -46,16 +46,16 @@ class Journal(QObject):
 
     @property
     def path(self) -> Path | None:
-        """Where the journal lies, once there was something to keep."""
+        """The path of the journal; None as long as there was nothing to keep."""
         return self._place.path if self._place is not None else None
 
     @property
     def whole(self) -> bool:
-        """Whether the disk took what it was last given."""
+        """Whether the last write succeeded."""
         return not self._told
 
     def changed(self) -> None:
-        """The work is another now, or is saved now."""
+        """Note that the work changed or was saved."""
         if self._closed:
             return
         self.changes += 1
@@ -63,7 +63,7 @@ class Journal(QObject):
             self._timer.start()
 
     def flush(self) -> bool:
-        """Write now and wait for the disk; whether unsaved work stands in the journal."""
+        """Write now and wait for it; returns whether the journal has unsaved work."""
         self._timer.stop()
         self._beside.wait()
         entry = self._unsaved(self.changes)
@@ -78,18 +78,22 @@ class Journal(QObject):
         return True
 
     def close(self) -> None:
-        """The window closes and its work is saved, or given up by the person."""
+        """Delete the journal, because the work was saved or the person gave it up."""
         self._end()
         if self._place is not None:
             self._place.remove()
             self._place.let_go()
 
     def leave_behind(self) -> bool:
-        """The program ends and nobody can be asked: keep it; whether there is something kept."""
+        """Write the journal and leave it, because the program ends and cannot ask.
+
+        Returns whether the journal has work.
+        """
         kept = self.flush()
         self._end()
         if self._place is not None:
-            # No room for the last of it: what was kept before is better than nothing.
+            # The last write failed, for example on a full disk. An older journal is better than
+            # none.
             kept = kept or (not self.whole and self._place.path.exists())
             if not kept:
                 self._place.remove()
@@ -154,7 +158,7 @@ class Journal(QObject):
 
 
 def _write(place: JournalFile, entry: JournalEntry) -> OSError | None:
-    """Put the entry on the disk; why that went wrong."""
+    """Write the entry; returns the error if that failed."""
     try:
         place.write(encode(entry))
     except OSError as error:
