@@ -12,6 +12,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.script.script import Script
+from smsl_studio.front.script.words import WORDS
 from smsl_studio.smsl.forms import form_named
 
 Json = Any
@@ -116,8 +117,7 @@ def _acts(random: Random, edge: str, state: str) -> list[Json]:
         {"kind": "drift", "every": 0.2},
         {"kind": "none"},
     )
-    plain = ("pause", "resume", "step", "by_hand", "automatic", "take_over", "give_back",
-             "accept", "adopt", "reset", "stop", "veto")  # fmt: skip
+    plain = (word for word, one in WORDS.items() if not one.needs and word != "end")
     return [
         *({"do": word} for word in plain),
         {"do": "ask", "address": edge},

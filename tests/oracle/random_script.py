@@ -11,6 +11,7 @@ Json = Any
 
 PLAIN = ("pause", "pause", "resume", "resume", "step", "stop", "reset", "end", "take_over",
          "give_back", "accept", "adopt", "by_hand", "automatic")  # fmt: skip
+"""The commands that the oracle knows. A new one comes here together with the oracle's own rules."""
 
 
 class RandomScript:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -13,12 +13,14 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.shipped import samples_dir
+from tests.dispatch.arguments import drawn_arguments
 from tests.front.any_run import any_run
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
@@ -26,7 +28,6 @@ Json = Any
 SAMPLES = ("hfsm", "registration", "three-levels", "three-roots", "hanoi-failures",
            "registration-digitization", "registration-failures", "registration-people")  # fmt: skip
 SCRIPTED = ("hanoi-chosen", "hanoi-faults", "hanoi-pruned", "hanoi-taken-over")
-KINDS = ("stuck", "dropout", "noise", "none", "delay")
 SILENT = LAMP_PLUGIN.replace('print("built")', "pass").replace('print("switching")', "pass")
 LEVELS: tuple[Mapping[str, str], ...] = (
     {}, {}, {"supervision": "human"}, {"inspection": "human"}, {"supervision": "automatic"},
@@ -158,7 +159,7 @@ def _commanded(number: int, path: Path) -> None:
     recording.tell(dispatcher.open())
     for _ in range(random.randrange(10, 60)):
         while random.random() < 0.4:
-            random.choice(_COMMANDS)(dispatcher, blueprint, random)
+            _say(dispatcher, blueprint, random)
         for task in dispatcher.status.tasks:
             if random.random() < 0.4:
                 said = "SB" if random.random() < 0.1 else random.choice(task.options).value
@@ -189,28 +190,22 @@ def _edge(blueprint: Blueprint, random: Random) -> Address:
     return random.choice([edge.address for edge in branch.edges()])
 
 
-Say = Callable[[Dispatcher, Blueprint, Random], None]
-_COMMANDS: tuple[Say, ...] = (
-    *[lambda run, drawn, random: run.ask(_edge(drawn, random), by="Ada")] * 4,
-    lambda run, drawn, random: run.pause(by="Ada"),
-    *[lambda run, drawn, random: run.resume(by="Bo")] * 3,
-    lambda run, drawn, random: run.step(by="Ada"),
-    lambda run, drawn, random: run.set_automatic(random.random() < 0.7, by="Ada"),
-    lambda run, drawn, random: run.veto(reason="not now", by="Ada"),
-    lambda run, drawn, random: run.veto(_edge(drawn, random), by="Ada"),
-    lambda run, drawn, random: run.prune(_edge(drawn, random), "shut", by="Ada"),
-    lambda run, drawn, random: run.restore(_edge(drawn, random), by="Ada"),
-    lambda run, drawn, random: run.set_cost(_edge(drawn, random), 2.5, by="Ada"),
-    lambda run, drawn, random: run.stop(by="Ada"),
-    *[lambda run, drawn, random: run.reset(by="Bo")] * 3,
-    lambda run, drawn, random: run.take_over(by="Ada"),
-    *[lambda run, drawn, random: run.give_back(by="Ada")] * 2,
-    *[lambda run, drawn, random: run.accept(by="Ada")] * 2,
-    lambda run, drawn, random: run.adopt(by="Ada"),
-    lambda run, drawn, random: run.disturb(_fact(drawn, random), random.choice(KINDS), by="Ada"),
-    lambda run, drawn, random: run.inject(random.choice(["fail", "raise", "nothing"]), by="Ada"),
-    lambda run, drawn, random: run.full_map(random.random() < 0.5, by="Ada"),
-)
+_OFTEN = {"ask": 4, "resume": 3, "reset": 3, "veto": 2, "give_back": 2, "accept": 2}
+_WORDS = [word for word in COMMANDS if word not in ("answer", "end")
+          for _ in range(_OFTEN.get(word, 1))]  # fmt: skip
+"""The commands, some more often than others. Open tasks are answered, and a run is ended, apart."""
+
+
+def _say(run: Dispatcher, blueprint: Blueprint, random: Random) -> None:
+    """Say any command, with arguments that fit the blueprint."""
+    word, by = random.choice(_WORDS), random.choice(["Ada", "Bo"])
+    arguments = COMMANDS[word].arguments
+    chosen = {name: one for name, one in arguments.items() if one.needed or random.random() < 0.5}
+    edge, fact = _edge(blueprint, random), _fact(blueprint, random)
+    said = drawn_arguments(chosen, random, [edge], [fact])
+    if word == "inject":
+        said = {"fault": random.choice(["fail", "raise", "nothing"])}
+    getattr(run, word)(**said, by=by)
 
 
 def _fact(blueprint: Blueprint, random: Random) -> str:

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.route.goals import goals_of
 from smsl_studio.dispatch.route.planner import Planner
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
@@ -27,6 +28,7 @@ from smsl_studio.runlog.events import (
     OperationStarted,
     StateChecked,
 )
+from tests.dispatch.arguments import drawn_arguments, needed
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.runs import Story, blueprint, sample
@@ -35,10 +37,8 @@ from tests.dispatch.supervision.runs import host_of
 SEEDS = range(300)
 TICKS = 120
 STILL = ("paused", "taken_over", "stopped", "no_route", "fault_hold", "waiting")
-WORDS = (
-    "resume", "step", "ask", "pause", "veto", "restore", "prune", "stop", "reset", "take_over",
-    "give_back", "accept", "adopt", "set_cost", "set_automatic", "inject", "full_map", "end",
-)  # fmt: skip
+WORDS = tuple(word for word in COMMANDS if word not in ("answer", "disturb"))
+"""Nobody is asked in these runs, and a ``FakeHost`` has no sensors to disturb."""
 HELPS: dict[str, tuple[str, ...]] = {
     "ready": ("ask", "step", "resume"),
     "running": ("veto", "pause", "full_map", "inject"),
@@ -50,7 +50,7 @@ HELPS: dict[str, tuple[str, ...]] = {
 }
 """What a sensible person would say; without it a run would soon stand still for good."""
 
-Said = tuple[str, tuple[Any, ...]]
+Said = tuple[str, dict[str, Any]]
 
 
 class Sloppy(FakeHost):
@@ -97,18 +97,18 @@ def drawn(story: Story, dice: random.Random) -> list[Said]:
         if dice.random() < 0.7:
             word = dice.choice(HELPS.get(status.phase, WORDS))
         edge = dice.choice(near if dice.random() < 0.8 else edges)
-        given: dict[str, tuple[Any, ...]] = {
-            "veto": (None,) if dice.random() < 0.5 else (edge,),
-            "ask": (edge,),
-            "prune": (edge, "at random"),
-            "restore": (dice.choice(shut),),
-            "set_cost": (edge, float(dice.randint(0, 5))),
-            "set_automatic": (dice.random() < 0.7,),
-            "inject": (str(dice.randint(0, 9)),),
-            "full_map": (True,),
-            "repair": ("repair",),
+        given: dict[str, dict[str, Any]] = {
+            "veto": {} if dice.random() < 0.5 else {"address": edge},
+            "ask": {"address": edge},
+            "restore": {"address": dice.choice(shut)},
+            "set_cost": {"address": edge, "cost": float(dice.randint(0, 5))},
+            "inject": {"fault": str(dice.randint(0, 9))},
+            "full_map": {"on": True},
+            "repair": {"fault": "repair"},
         }
-        said.append(("inject" if word == "repair" else word, given.get(word, ())))
+        row = COMMANDS["inject" if word == "repair" else word]
+        more = drawn_arguments(needed(row.arguments), dice, [edge], ["ONE/0"])
+        said.append((row.word, given.get(word, more)))
     return said
 
 
@@ -123,7 +123,7 @@ def play(made: Blueprint, host: Host, seed: int, **choices: Any) -> list[tuple[s
         words = drawn(story, dice)
         before = len(story.events)
         for word, parameters in words:
-            getattr(story.dispatcher, word)(*parameters, by="Dice")
+            getattr(story.dispatcher, word)(**parameters, by="Dice")
         story.tick()
         events = story.events[before:]
         answers = [one for one in events if isinstance(one, Commanded)]
@@ -231,7 +231,7 @@ def _table_run(made: Blueprint, host: Host, seed: int) -> list[str]:
         if story.dispatcher.finished:
             break
         for word, parameters in drawn(story, dice):
-            getattr(story.dispatcher, word)(*parameters)
+            getattr(story.dispatcher, word)(**parameters)
         if dice.random() < 0.1:
             kind = dice.choice(("noise", "dropout", "stuck", "none", "nonsense"))
             story.dispatcher.disturb(dice.choice(("SB1/0", "SB1/2", "SB1/9")), kind)

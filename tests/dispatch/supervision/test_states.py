@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from inspect import signature
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervision.row import CommandRow
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.phase import RUN_STATES
+from tests.dispatch.arguments import drawn_arguments, needed
 from tests.dispatch.runs import Story, blueprint, branch
 from tests.dispatch.supervision.runs import (
     between,
@@ -59,15 +62,15 @@ STATES: dict[str, Callable[[], Story]] = {
 def written_table() -> dict[tuple[str, str], bool]:
     """(command, run state) -> whether it is taken there, as the page says."""
     lines = iter(PAGE.read_text("utf-8").splitlines())
-    head = next(line for line in lines if line.startswith("| command | ready"))
-    states = [cell.strip() for cell in head.strip("|").split("|")][1:]
+    head = next(line for line in lines if line.startswith("| command | with it |"))
+    states = [cell.strip() for cell in head.strip("|").split("|")][2:]
     assert states == list(STATES)
     next(lines)
     found: dict[tuple[str, str], bool] = {}
     for line in lines:
         if not line.startswith("|"):
             break
-        word, *cells = (cell.strip() for cell in line.strip("|").split("|"))
+        word, _, *cells = (cell.strip() for cell in line.strip("|").split("|"))
         assert set(cells) <= {"yes", "no"}
         found |= {(word, state): cell == "yes" for state, cell in zip(states, cells, strict=True)}
     return found
@@ -92,7 +95,16 @@ def written(word: str) -> str:
     """A row of the table as the page has it."""
     row = COMMANDS[word]
     taken = (row.takes(COLUMNS[1], True) if one == "middle" else row.takes(one) for one in COLUMNS)
-    return f"| {word} | {' | '.join('yes' if one else 'no' for one in taken)} |"
+    return f"| {word} | {said_with(row)} | {' | '.join('yes' if one else 'no' for one in taken)} |"
+
+
+def said_with(row: CommandRow) -> str:
+    """What a script says with a command; in parentheses what it may leave out."""
+    if row.script_words is not None:
+        return " or ".join(f"`{word}`" for word in row.script_words)
+    said = {name: one for name, one in row.arguments.items() if one.scripted}
+    words = [f"`{name}`" if one.needed else f"(`{name}`)" for name, one in said.items()]
+    return ", ".join([*words, "its parameters"] if row.free else words)
 
 
 def test_what_is_said_with_a_command_is_what_its_effect_takes() -> None:
@@ -108,21 +120,14 @@ def test_what_is_said_with_a_command_is_what_its_effect_takes() -> None:
         assert row.sentence or row.sentences, word
 
 
-def parameters(word: str, story: Story) -> tuple[Any, ...]:
+def parameters(word: str, story: Story) -> dict[str, Any]:
     """What makes sense to say with a command in this very state."""
-    edge = here(story)
-    given: dict[str, tuple[Any, ...]] = {
-        "ask": (edge,),
-        "prune": (edge, "why not"),
-        "restore": (edge,),
-        "set_cost": (edge, 3.0),
-        "set_automatic": (True,),
-        "disturb": ("SB1/0", "stuck"),
-        "inject": ("slip",),
-        "full_map": (True,),
-        "answer": ("task-1", "confirm", "surgeon"),
+    given: dict[str, dict[str, Any]] = {
+        "inject": {"fault": "slip"},
+        "answer": {"task": "task-1", "option": "confirm", "role": "surgeon"},
     }
-    return given.get(word, ())
+    more = drawn_arguments(needed(COMMANDS[word].arguments), Random(0), [here(story)], ["SB1/0"])
+    return given.get(word, more)
 
 
 def here(story: Story) -> Address:
@@ -150,7 +155,7 @@ def prepare(word: str, state: str, story: Story) -> None:
 def test_a_command_in_a_run_state(word: str, state: str) -> None:
     story = STATES[state]()
     prepare(word, state, story)
-    refused = said(story, word, *parameters(word, story), by="Brandt").refused
+    refused = said(story, word, **parameters(word, story), by="Brandt").refused
     assert (refused == "") is TABLE[word, state], refused
 
 
