@@ -26,6 +26,7 @@ from benches.blasts.measured import SECONDS, SPACE, Measured, measured
 from benches.row import Row
 from tests.bombs.spelling import FORMS
 from tests.bombs.table import BY_NAME
+from tests.cli.calls import calls
 
 BOMBS = (
     *("small_sbs", "paired_sbs", "careful_sbs", "states_in_a_ring", "unreachable_tree", "trap"),
@@ -39,18 +40,14 @@ BOMBS = (
 )
 MB = 1_000_000
 COMMANDS = {
-    "check": "check FILE",
-    "fmt": "fmt --check FILE",
+    **{name: " ".join(words) for name, words in calls().items()},
     "convert": "convert FILE -o FORM",
-    "diff": "diff FILE OTHER",
-    "digest": "digest FILE",
-    "render": "render FILE -o OUT.svg",
     "route": "route FILE --sb SB --from FROM --to TO",
     "run": "run FILE --world table --log OUT.jsonl",
     "replay": "replay OUT.jsonl",
-    "sweep": "sweep FILE --world table",
     "window": "window FILE",
 }
+"""Every command as the tests call it. A replay reads what the run before it has written."""
 NEXT = dict(zip(FORMS, (*FORMS[1:], FORMS[0]), strict=True))
 """The form to which a file of each form is converted."""
 EMPTY = 1.5

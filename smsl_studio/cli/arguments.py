@@ -1,13 +1,16 @@
-"""The table of commands, and the arguments that several commands share."""
+"""The commands, and the arguments that several commands share."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from functools import partial
-from typing import IO, NamedTuple, NoReturn
+from types import MappingProxyType
+from typing import IO, NoReturn
 
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
+from smsl_studio.front import VERBS
 
 MOST_DIGITS = 100
 """The largest number of digits of a seed."""
@@ -18,28 +21,13 @@ _NARROW = partial(argparse.HelpFormatter, width=80)
 is enough, and ``shutil`` need not be loaded for the width of the terminal."""
 
 
-class CliCommand(NamedTuple):
-    """A command: its module, and its description in one line."""
-
-    module: str
-    words: str
-
-
-COMMANDS = {
-    "open": CliCommand("open", "open the window, on files if any are named"),
-    "check": CliCommand("check", "inspect blueprints: every finding with its place"),
-    "fmt": CliCommand("fmt", "lay files out canonically, comments and _ fields kept"),
-    "convert": CliCommand("convert", "write a blueprint in another form: .json, .smsl, .yaml"),
-    "diff": CliCommand("diff", "compare two blueprints by what they mean; layout apart"),
-    "render": CliCommand("render", "draw a picture of a blueprint: SVG, PNG or PDF"),
-    "digest": CliCommand("digest", "SHA-256 of what blueprints do, say and need"),
-    "route": CliCommand("route", "plan the cheapest route between two states"),
-    "run": CliCommand("run", "run a blueprint in a world, headless"),
-    "sweep": CliCommand("sweep", "run every single edge in a world and check where it leads"),
-    "replay": CliCommand("replay", "tell a run again from its log, or verify the log"),
-    "worlds": CliCommand("worlds", "list the worlds there are"),
-    "plugins": CliCommand("plugins", "list the plugins there are; allow or forbid one"),
-}
+COMMANDS: Mapping[str, str] = MappingProxyType(
+    {
+        "open": "open the window, on files if any are named",
+        **{name: verb.words for name, verb in VERBS.items()},
+    }
+)
+"""Every command with its description in one line. The module ``cli/<command>.py`` has the rest."""
 
 
 class ArgumentParser(argparse.ArgumentParser):
@@ -121,7 +109,7 @@ def _seed(text: str) -> int:
 def overview() -> str:
     """Return the help of the program."""
     width = max(map(len, COMMANDS))
-    lines = [f"  {name:<{width}}  {command.words}" for name, command in COMMANDS.items()]
+    lines = [f"  {name:<{width}}  {words}" for name, words in COMMANDS.items()]
     return "\n".join(
         [
             "usage: smsl-studio [FILE...]",
@@ -143,7 +131,7 @@ def overview() -> str:
 
 
 def _sentence(name: str) -> str:
-    words = COMMANDS[name].words
+    words = COMMANDS[name]
     return f"{words[:1].upper()}{words[1:]}."
 
 

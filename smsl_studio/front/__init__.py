@@ -1,4 +1,5 @@
-"""The functions for users: they connect the rooms of the package. ``smsl_studio`` exports them.
+"""The verbs for users: they connect the rooms of the package. ``smsl_studio`` exports their
+functions, and the command line has a command for each.
 
 A module is loaded at the first use of one of its names, so that ``import smsl_studio`` stays quick.
 """
@@ -6,7 +7,7 @@ A module is loaded at the first use of one of its names, so that ``import smsl_s
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from smsl_studio.front.hosts import worlds
@@ -51,6 +52,33 @@ __all__ = [
     "worlds",
     "worlds_for",
 ]
+
+
+class Verb(NamedTuple):
+    """What a verb does, in a line, and the functions of Python that do it."""
+
+    words: str
+    functions: tuple[str, ...]
+
+
+VERBS = {
+    "check": Verb("inspect blueprints: every finding with its place", ("inspect",)),
+    "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
+    "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
+    "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
+    "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
+    "digest": Verb("SHA-256 of what blueprints do, say and need", ("digest",)),
+    "route": Verb("plan the cheapest route between two states", ("plan_route",)),
+    "run": Verb("run a blueprint in a world, headless", ("run",)),
+    "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
+    "replay": Verb("tell a run again from its log, or verify the log",
+                   ("replay", "verify", "account")),
+    "worlds": Verb("list the worlds there are", ("worlds",)),
+    "plugins": Verb("list the plugins there are; allow or forbid one",
+                    ("plugins", "allow_plugin", "forbid_plugin")),
+}  # fmt: skip
+"""The verbs, in the order in which the help lists them. ``cli/<verb>.py`` has the arguments of
+each, and ``docs/command-line.md`` has a row made from the row here."""
 
 _HOMES = {
     "read": "inputs",

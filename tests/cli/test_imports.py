@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.cli.calls import calls, filled, json_calls
 from tests.cli.shell import Shell
 
 SECRET = "topsecret"
@@ -67,8 +68,13 @@ def test_what_is_named_is_neither_quoted_nor_drawn_nor_recorded(
         answer = shell(name, str(hostile), *more)
         assert answer.status == status, (words, answer.err)
         assert SECRET not in answer.out + answer.err, words
+    values = {"FILE": str(hostile), "OTHER": str(other), "FROM": "State0", "TO": "State1"}
+    for line in (*calls().values(), *json_calls().values()):
+        answer = shell(*filled(line, {**values, "OUT": f"{out}-any"}))
+        assert answer.status in (0, 1), (line, answer.err)
+        assert SECRET not in answer.out + answer.err, line
     written = list(hostile.parent.glob("out*"))
-    assert len(written) == 5
+    assert len(written) >= 5
     assert not any(SECRET.encode() in path.read_bytes() for path in written)
     found = shell("check", str(hostile), "--rule", "R08", "--format", "json").json["files"][0]
     assert [one["rule"] for one in found["findings"]] == ["R08"] * 8

@@ -12,6 +12,7 @@ import pytest
 
 from smsl_studio.smsl.pending_saves import pending_saves
 from smsl_studio.smsl.together import save_together
+from tests.cli.calls import calls, filled
 from tests.cli.shell import Shell
 
 TEXT = '{"_imports": ["inner.json"], "SB1": {"HEADER": {"SUB_SBS": {"SB2": 0}}, "State_0": {}}}'
@@ -243,16 +244,15 @@ def test_every_command_says_that_it_read_another_file(
             save_together([(TEXT, outer), (INNER.replace("Up", "Higher"), inner)])
     (save,) = pending_saves()
     note = f"{inner}: read from {save.files[1].part}, because a save was interrupted\n"
+    values = {"FILE": str(inner), "OTHER": str(outer), "OUT": str(outer.with_name("y"))}
+    values |= {"FROM": "State_0", "TO": "State_1"}
     for words in (
         ["check", str(outer)],
-        ["digest", str(inner)],
         ["run", str(outer), "--world", "table"],
-        ["route", str(inner), "--from", "State_0", "--to", "State_1"],
         ["render", str(outer), "-o", str(outer.with_name("x.svg"))],
         ["convert", str(outer), "-o", str(outer.with_name("x.smsl"))],
         ["diff", str(outer), str(outer)],
-        ["fmt", str(inner), "--check"],
-        ["sweep", str(inner), "--world", "table"],
+        *(filled(line, values) for line in calls().values()),
     ):
         answer = shell(*words)
         assert note in answer.err, words

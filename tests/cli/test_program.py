@@ -6,17 +6,18 @@ import os
 import signal
 import subprocess
 import sys
+from inspect import signature
 from pathlib import Path
 
 import pytest
 
+import smsl_studio as smsl
+from smsl_studio.cli.arguments import COMMANDS
+from smsl_studio.front import VERBS
 from tests.cli.shell import Shell, sample
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_allowed
 
-COMMANDS = (
-    *("check", "fmt", "convert", "diff", "render", "digest"),
-    *("route", "run", "sweep", "replay", "worlds", "plugins"),
-)
+PAGE = Path(__file__).parents[2] / "docs" / "command-line.md"
 
 
 def _start(*argv: str, stdout: int = subprocess.PIPE) -> subprocess.Popen[str]:
@@ -35,14 +36,38 @@ def test_help_lists_the_commands_and_no_others(shell: Shell) -> None:
         assert answer.status == 0
         lines = [line for line in answer.out.splitlines() if line.startswith("  ")]
         listed = [line.split()[0] for line in lines if line[2] != " "]
-        assert listed == ["open", *COMMANDS, "-h,", "-V,"]
+        assert listed == [*COMMANDS, "-h,", "-V,"]
 
 
-@pytest.mark.parametrize("command", ["open", *COMMANDS])
+@pytest.mark.parametrize("command", COMMANDS)
 def test_every_command_has_help(shell: Shell, command: str) -> None:
     answer = shell(command, "--help")
     assert (answer.status, answer.err) == (0, "")
     assert answer.out.startswith(f"usage: smsl-studio {command}")
+
+
+def test_the_page_has_a_row_for_every_command() -> None:
+    """Where this fails, the missing rows are put into the table at the top of the page."""
+    page = PAGE.read_text("utf-8").splitlines()
+    assert [line for line in map(row, COMMANDS) if line not in page] == []
+
+
+def test_the_page_tells_the_usage_of_every_command() -> None:
+    page = PAGE.read_text("utf-8")
+    assert [name for name in COMMANDS if f"`smsl-studio {name}" not in page] == []
+
+
+def row(command: str) -> str:
+    """The row of the page: what a command does, and what does it from Python."""
+    verb = VERBS.get(command)
+    calls = [f"`smsl.{name}({needed(name)})`" for name in (verb.functions if verb else ())]
+    return f"| `{command}` | {COMMANDS[command]} | {', '.join(calls)} |"
+
+
+def needed(function: str) -> str:
+    """What a function of the package cannot do without."""
+    parameters = signature(getattr(smsl, function)).parameters.values()
+    return ", ".join(one.name for one in parameters if one.default is one.empty)
 
 
 def test_the_version_is_one_line(shell: Shell) -> None:
