@@ -1,1 +1,1 @@
-"""The run that a window shows, and whatever else several features share."""
+"""The run that a window shows, and the widgets about it that several features share."""

@@ -1,4 +1,4 @@
-"""The box in which a decision is asked once more: Enter does it, Escape lets it be."""
+"""The box that asks for confirmation of a decision: Enter does it, Escape cancels."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from smsl_studio.studio.running.decisions import Decision
 
 SIDE, GAP = 12, 6
 AROUND = 28
-"""Pixels of a button beside its words."""
+"""Pixels that a button needs beside its words."""
 
 
 class ConfirmBox(QFrame):
-    """Takes no room while nothing is to be decided."""
+    """The confirmation of one decision; hidden while there is none."""
 
     confirmed = Signal(object, str)
-    """(the decision, the reason that was given)."""
+    """(Decision, reason): the person confirmed it."""
     dropped = Signal()
 
     def __init__(self) -> None:
@@ -47,7 +47,7 @@ class ConfirmBox(QFrame):
         column.setSpacing(6)
         for part in (self._sentence, self._detail, self.reason, self._refusal):
             column.addWidget(part)
-        # One button above the other where both do not fit side by side.
+        # The buttons stand below each other if they do not fit side by side.
         self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._buttons.setSpacing(GAP)
         for button, key in ((self.do, self._keys[0]), (self.leave, self._keys[1])):
@@ -62,12 +62,12 @@ class ConfirmBox(QFrame):
 
     @property
     def words(self) -> str:
-        """Everything that is said, in one line."""
+        """All shown texts in one line, for tests and assistive tools."""
         parts = (self._sentence, self._detail, self._refusal)
         return " ".join(part.text() for part in parts if not part.isHidden() and part.text())
 
     def show_decision(self, decision: Decision | None) -> None:
-        """Ask for one decision, or for none."""
+        """Ask for this decision; None hides the box."""
         if decision == self.decision:
             return
         anew = decision is None or self.decision is None or (
@@ -89,8 +89,10 @@ class ConfirmBox(QFrame):
             self.reason.clear()
 
     def _fit(self) -> None:
-        """The buttons side by side or one above the other; a name that is longer still is cut in
-        its middle."""
+        """Put the buttons side by side, or below each other if they do not fit.
+
+        The words of the first button are shortened in the middle if they are still too long.
+        """
         verb = plain_text(self.decision.verb) if self.decision is not None else ""
         self.do.ensurePolished()
         metrics, (enter, escape) = self.do.fontMetrics(), self._keys
@@ -106,23 +108,23 @@ class ConfirmBox(QFrame):
         self.do.setToolTip(tip_text("" if words == verb else verb))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the words into the new width."""
+        """Fit the buttons into the new width."""
         super().resizeEvent(event)
         self._fit()
 
     def take_focus(self) -> None:
-        """Lead the keys here: to the reason where one is needed, else to what Enter does."""
+        """Take the keyboard focus: the reason if one is needed, else the button that does it."""
         decision = self.decision
         if decision is not None:
             part = self.reason if decision.reasoned else self.do if decision.verb else self.leave
             part.setFocus()
 
     def refuse(self, why: str) -> None:
-        """Say why it was not done; the decision stays open."""
+        """Show why it was not done; the decision stays open. Empty hides the sentence."""
         _say(self._refusal, capital(why))
 
     def confirm(self) -> None:
-        """Do it, if it can be done and its reason is given."""
+        """Emit ``confirmed``, if the decision can be done and has the reason it needs."""
         decision = self.decision
         if decision is None or not decision.verb:
             return
@@ -134,12 +136,12 @@ class ConfirmBox(QFrame):
         self.confirmed.emit(decision, reason)
 
     def drop(self) -> None:
-        """Close the box without doing it, and tell so."""
+        """Close the box and emit ``dropped``."""
         self.show_decision(None)
         self.dropped.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter in it does it, or leaves where that button has the focus; Escape leaves."""
+        """Enter confirms, or cancels if that button has the focus; Escape cancels."""
         enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
         if event.key() == Qt.Key.Key_Escape or (enter and self.leave.hasFocus()):
             self.drop()

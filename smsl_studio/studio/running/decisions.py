@@ -1,4 +1,4 @@
-"""Decisions: what a key or a button asks for, said in a sentence before Enter makes it happen."""
+"""Decisions: what a key or a button would do, as a sentence that a person confirms with Enter."""
 
 from __future__ import annotations
 
@@ -23,8 +23,11 @@ from smsl_studio.studio.base.words import capital, counted
 
 @dataclass(frozen=True)
 class Decision:
-    """One thing to decide: ``verb`` stands on the button that does it; empty: it cannot be done,
-    and ``sentence`` says why. ``reasoned`` asks for a reason in a line."""
+    """One command that awaits a confirmation.
+
+    ``verb`` is the label of the button that does it. It is empty if the command is not possible,
+    and ``sentence`` then says why. ``reasoned`` asks for a reason.
+    """
 
     command: str
     sentence: str
@@ -34,21 +37,22 @@ class Decision:
     reasoned: bool = False
 
     def said(self, reason: str = "") -> Command:
-        """The command that it stands for."""
+        """The command to be sent."""
         about = {} if self.address is None else {"address": self.address}
         why = {"reason": reason} if self.reasoned else {}
         return COMMANDS[self.command].command(**about, **why)
 
 
 def decision(word: str, address: Address | None = None, detail: str = "") -> Decision:
-    """A command as its row has it asked once more."""
+    """The decision about a command, with the words of its row in the table of commands."""
     row, name = COMMANDS[word], address.operation if address is not None else ""
     sentence, verb = row.asking(name), row.doing(name)
     return Decision(word, sentence, verb, address, detail or row.consequence, row.reasoned)
 
 
 def choose(card: OperationCard) -> Decision:
-    """What choosing a card offers: to carry it out, to restore it, or why neither."""
+    """The decision after a click on a card: carry the operation out, restore it, or why neither
+    is possible."""
     name, target = card.name, card.target
     if card.standing in (PRUNED, RISKY):
         return _restore(card.address, card.reasons, card.standing)
@@ -65,17 +69,20 @@ def choose(card: OperationCard) -> Decision:
 
 
 def possible(address: Address | None, status: DispatchStatus) -> Possible | None:
-    """How an operation stands out of the active states; None for one out of another state."""
+    """The entry of an operation among the possible ones; None if it leaves no active state."""
     return next((one for one in status.possible if one.address == address), None)
 
 
 def _restore(address: Address, reasons: tuple[str, ...], standing: str) -> Decision:
-    """To let an operation be used again; ``standing`` is said where no reason is known."""
+    """The decision to let an operation be used again.
+
+    ``standing`` is named if no reason is known.
+    """
     return decision("restore", address, capital("; ".join(reasons) or f"It is {standing}"))
 
 
 def veto(address: Address, status: DispatchStatus) -> Decision:
-    """To have the next operation skipped once."""
+    """The decision to skip the next operation once."""
     name = address.operation
     if status.running == address:
         why = (
@@ -89,7 +96,7 @@ def veto(address: Address, status: DispatchStatus) -> Decision:
 
 
 def prune(address: Address, status: DispatchStatus) -> Decision:
-    """To shut an operation out until somebody restores it."""
+    """The decision to exclude an operation until somebody restores it."""
     item = possible(address, status)
     if item is not None and item.pruned:
         return _restore(address, item.reasons, PRUNED)
@@ -98,14 +105,14 @@ def prune(address: Address, status: DispatchStatus) -> Decision:
 
 
 def accept(status: DispatchStatus) -> Decision:
-    """To have the automation go on from the state that was located."""
+    """The decision to let the automation continue from the located state."""
     located = ", ".join(f"{sb} in {state}" for sb, state in status.candidates[0].items())
     row = COMMANDS["accept"]
     return Decision("accept", f"Located: {located}.", row.verb, detail=row.consequence)
 
 
 def offered(offer: Offer) -> Decision:
-    """What an offer of a run that holds would do."""
+    """The decision about an offer of a run that holds."""
     address = Address(*Address.split(offer.address)) if offer.address else None
     row, name = COMMANDS[offer.command], address.operation if address is not None else ""
     verb, detail = row.doing(name), capital(offer.sentence)
@@ -113,11 +120,11 @@ def offered(offer: Offer) -> Decision:
 
 
 ELSEWHERE = ("give_back", "accept", "stop")
-"""What has a button of its own beside the offers."""
+"""Commands with a button of their own, which are left out of the offers."""
 
 
 def offers(status: DispatchStatus) -> tuple[Offer, ...]:
-    """What may be done about a run that holds or is stopped; there is always a way out."""
+    """The offers of a run that holds or is stopped. There is always one, at least to end it."""
     found = [offer for offer in status.offers if offer.command not in ELSEWHERE]
     known = {offer.command for offer in found}
     if status.phase == "stopped" and "reset" not in known:
@@ -132,14 +139,15 @@ def _way_out(word: str) -> Offer:
 
 
 def way_out(word: str) -> Decision:
-    """To reset a run that is stopped, or to end it."""
+    """The decision to reset a stopped run, or to end a run."""
     return offered(_way_out(word))
 
 
 def detour_words(blueprint: Blueprint, status: DispatchStatus, subject: Address | None) -> str:
-    """What would follow a veto of ``subject``, with its length and cost compared.
+    """Which route would follow a veto of ``subject``, and how much longer and dearer it is.
 
-    Empty where it is not the next operation, or moves already: a veto would change no route then.
+    Empty if ``subject`` is not the next operation or is already carried out, because a veto would
+    then change no route.
     """
     if not status.route or status.phase in ("done", "stopped", "taken_over"):
         return ""

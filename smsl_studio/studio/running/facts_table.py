@@ -1,4 +1,4 @@
-"""Facts: what is believed, what is sensed, how old it is, and whether they agree."""
+"""The table of facts: believed value, sensed value, age, and whether they agree."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from smsl_studio.studio.base.words import BLANK
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
 QUALITY = 120
-"""What the last column keeps before long names get more room."""
+"""Width of the last column (pixels) that long names may not take."""
 ROW = 32
 HEADS = 31
-"""The names of the columns and the line below them."""
+"""Height of the column header with the line below it (pixels)."""
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -42,7 +42,7 @@ class FactsModel(QAbstractTableModel):
         self._heads = (*COLUMNS[:4], quality)
 
     def show(self, rows: tuple[FactRow, ...]) -> None:
-        """Show other rows; only rows that changed are told to the view."""
+        """Show other rows; the view is told only of rows that changed."""
         if len(rows) != len(self.rows):
             self.beginResetModel()
             self.rows = rows
@@ -54,15 +54,15 @@ class FactsModel(QAbstractTableModel):
                 self.dataChanged.emit(self.index(row, 0), self.index(row, len(COLUMNS) - 1))
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many rows there are; a row has none below it."""
+        """The number of rows; a row has no children."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many columns there are."""
+        """The number of columns."""
         return 0 if parent.isValid() else len(COLUMNS)
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> object:
-        """The heads of the columns; for a row its name, which is read out."""
+        """The titles of the columns; for a row its name, for assistive tools."""
         if orientation is Qt.Orientation.Horizontal:
             if role == Qt.ItemDataRole.DisplayRole:
                 return self._heads[section]
@@ -70,18 +70,18 @@ class FactsModel(QAbstractTableModel):
                 right = Qt.AlignmentFlag.AlignRight if section == 3 else Qt.AlignmentFlag.AlignLeft
                 return right | Qt.AlignmentFlag.AlignVCenter
         elif role == Qt.ItemDataRole.DisplayRole:
-            # The header of rows is hidden, but a screen reader reads it out.
+            # The header of rows is hidden, but a screen reader reads it.
             return self.rows[section].name
         return None
 
     def data(self, index: Index, role: int = 0) -> object:
-        """The words of a cell, what is read out, the tip, or the ``FactRow`` itself."""
+        """The text, the accessible text or the tooltip of a cell, or the ``FactRow`` itself."""
         row = self.rows[index.row()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             age = "" if row.age is None else age_words(row.age)
             sensed = "?" if row.sensed is None else row.sensed
             words = (row.name, row.believed, sensed, age, row.words)[index.column()]
-            # A cell that is left blank for the eye is heard as well.
+            # A screen reader says "none" for an empty cell.
             return words or (BLANK if role == Qt.ItemDataRole.AccessibleTextRole else "")
         if role == Qt.ItemDataRole.ToolTipRole:
             old = "" if row.age is None else f"; {age_of(row.age, row.limit)}"
@@ -92,14 +92,14 @@ class FactsModel(QAbstractTableModel):
 
 
 class _FactCells(QStyledItemDelegate):
-    """Paints chips and the bars of quality."""
+    """Paints the chips and the bars for age."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.tokens = tokens
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint one cell, or a group's name over the whole row."""
+        """Paint one cell, or the line of a group over the whole row."""
         row: FactRow = index.data(Qt.ItemDataRole.UserRole)
         room = QRectF(option.rect)
         painter.save()
@@ -125,7 +125,7 @@ class _FactCells(QStyledItemDelegate):
                 self._quality(painter, room, row)
             case _:
                 painter.setFont(text_font(13))
-                # Names of facts often begin alike.
+                # Names of facts often begin alike, so their middle is left out.
                 middle = Qt.TextElideMode.ElideMiddle
                 shown = painter.fontMetrics().elidedText(
                     plain_text(words), middle, int(room.width()) - 16
@@ -134,7 +134,7 @@ class _FactCells(QStyledItemDelegate):
         painter.restore()
 
     def _group(self, painter: QPainter, room: QRectF, row: FactRow) -> None:
-        """The line above the facts of one SB: its name and its active state."""
+        """Paint the line above the facts of one SB: its name and its active state."""
         painter.fillRect(room.adjusted(0, 0, 0, -1), self.tokens.sunk)
         painter.setFont(text_font(12, 600))
         self._words(painter, room.adjusted(12, 0, 0, 0), row.name, self.tokens.tx)
@@ -211,7 +211,7 @@ class _FactCells(QStyledItemDelegate):
 
 
 class FactsTable(QTableView):
-    """The table of the run pane; ``show_rows`` replaces what it shows."""
+    """The table view; ``show_rows`` replaces what it shows."""
 
     def __init__(
         self, tokens: Tokens, parent: QWidget | None = None, quality: str = COLUMNS[4]
@@ -224,7 +224,7 @@ class FactsTable(QTableView):
         self.setItemDelegate(self._cells)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        # Nothing in it is chosen: Tab leads through the window, not from cell to cell.
+        # Cells cannot be selected, so Tab goes on to the next widget and not from cell to cell.
         self.setTabKeyNavigation(False)
         self.setShowGrid(False)
         self.setFrameShape(QTableView.Shape.NoFrame)
@@ -245,7 +245,7 @@ class FactsTable(QTableView):
         self.setAccessibleName("Facts: believed and sensed")
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
-        """Show other rows, each group's name over the whole width."""
+        """Show other rows; the line of a group spans all columns."""
         grouped = [row.group for row in rows]
         anew = grouped != [row.group for row in self.facts.rows]
         self.facts.show(rows)
@@ -262,25 +262,25 @@ class FactsTable(QTableView):
             self._fit_names()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Nothing is chosen here: letters and digits are for what is around the table."""
+        """Pass letters and digits on, because they may be commands of the page."""
         if event.text().isprintable() and event.text().strip():
             event.ignore()
         else:
             super().keyPressEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the names into the new width."""
+        """Fit the name column into the new width."""
         super().resizeEvent(event)
         self._fit_names()
 
     def _fit_names(self) -> None:
-        """Give the names what they need, as far as the other columns can spare it."""
+        """Give the name column the width it needs, as far as the other columns allow."""
         metrics = QFontMetrics(text_font(13))
         needed = max((metrics.horizontalAdvance(name) for name in self._names), default=0) + 26
         spare = self.viewport().width() - sum(WIDTHS[1:]) - QUALITY
         self.horizontalHeader().resizeSection(0, max(WIDTHS[0], min(needed, spare)))
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._cells.tokens = tokens
         self.viewport().update()

@@ -1,4 +1,4 @@
-"""How the parts of the run pane are framed: heads, tools that float over a picture, splitters."""
+"""Frames for the parts of the run pane: headings, tools over a picture, splitters."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from smsl_studio.studio.base.tips import tip_text
 
 HEAD = 36
 MIDDLE = 22
-"""Where the words and tools over a picture have their middle, from its top."""
+"""Distance from the top of a picture to the middle of the words and tools over it (pixels)."""
 
 
 def head(title: str, *rest: QWidget | None) -> QWidget:
-    """A heading with widgets beside it; None stands for the gap that stretches."""
+    """A heading with widgets beside it; None is a stretch."""
     made = QWidget()
     made.setFixedHeight(HEAD)
     across = QHBoxLayout(made)
@@ -45,7 +45,7 @@ def head(title: str, *rest: QWidget | None) -> QWidget:
 
 
 def words_over(*parts: QWidget) -> QWidget:
-    """Words that stand on a picture, at its top left."""
+    """Words that lie over a picture, at its top left."""
     made = QWidget()
     made.setFixedHeight(2 * MIDDLE)
     across = QHBoxLayout(made)
@@ -57,7 +57,7 @@ def words_over(*parts: QWidget) -> QWidget:
 
 
 def tools_over(*tools: QWidget) -> QWidget:
-    """Tools in a box that floats on a picture, at its top right."""
+    """Tools in a box that floats over a picture, at its top right."""
     box = QFrame()
     box.setProperty("role", "float")
     across = QHBoxLayout(box)
@@ -87,7 +87,7 @@ def laid_over(base: QWidget, left: QWidget, right: QWidget) -> QWidget:
 
 
 def panel(*parts: QWidget) -> QWidget:
-    """Parts one below the other on the panel's ground."""
+    """Parts below each other on the background of a panel."""
     made = QWidget()
     made.setProperty("role", "panel")
     made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -103,7 +103,10 @@ def panel(*parts: QWidget) -> QWidget:
 def split(
     way: Qt.Orientation, parts: Sequence[QWidget], sizes: Sequence[int], grow: Sequence[int]
 ) -> QSplitter:
-    """Parts side by side with a line between; ``grow`` are their shares of a larger window."""
+    """Parts in a splitter with a thin line between them.
+
+    ``sizes`` are pixels. ``grow`` are the shares in which the parts grow with the window.
+    """
     made = QSplitter(way)
     made.setHandleWidth(1)
     made.setChildrenCollapsible(False)
@@ -115,7 +118,7 @@ def split(
 
 
 def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
-    """A tool of a floating box."""
+    """A button for a floating box of tools; without ``words`` it shows only its icon."""
     made = _Tool()
     made.setProperty("role", "over")
     made.setText(words)
@@ -130,14 +133,14 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
 
 
 class _Tool(QToolButton):
-    """A tool whose words keep off its icon, with a chevron where it opens a menu."""
+    """A tool button with a gap between icon and words, and a chevron if it has a menu."""
 
     def setText(self, words: str) -> None:
         """Set the words, with a space between them and the icon."""
         super().setText(f" {words}" if words else "")
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the button, with a chevron where it opens a menu."""
+        """Paint the button, and a chevron if it has a menu."""
         super().paintEvent(event)
         if self.menu() is not None:
             painter = QPainter(self)

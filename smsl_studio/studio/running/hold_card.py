@@ -1,4 +1,4 @@
-"""Why a run does not go on, edge by edge, and what may be done about it; no hold, no space."""
+"""The card that says why a run holds, edge by edge, and what can be done; hidden otherwise."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from smsl_studio.studio.running.decisions import Decision, offered, offers
 
 BUTTON = 132
 WIDEST, AROUND = 280, 30
-"""A button with a long name, and what it has beside its words."""
+"""Largest width of a button with a long name, and what a button needs beside its words (pixels)."""
 MOST = 180
-"""Pixels of the reasons before they scroll."""
+"""Largest height of the list of reasons; a longer list scrolls (pixels)."""
 
 
 class HoldCard(QFrame):
-    """Shown while nothing moves until a person has decided."""
+    """Reasons and offers of a run that waits for a person's decision."""
 
     wanted = Signal(object)
-    """A decision to ask for."""
+    """Decision: the person pressed the button of an offer."""
 
     def __init__(self, brief: bool = False) -> None:
-        """``brief`` leaves out the reasons, where something beside it has them."""
+        """``brief`` leaves out the reasons, if another widget shows them."""
         super().__init__()
         self._brief = brief
         self.setObjectName("holdCard")
@@ -60,15 +60,15 @@ class HoldCard(QFrame):
 
     @property
     def details(self) -> str:
-        """The reasons, one a line."""
+        """The reasons, one in each line; empty while the card is hidden."""
         return "" if self.isHidden() else self._details.text()
 
     def buttons(self) -> list[QPushButton]:
-        """What is offered, in order."""
+        """The buttons of the offers, in their order."""
         return [] if self.isHidden() else self.findChildren(QPushButton)
 
     def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
-        """Follow the run."""
+        """Show the present state of a run."""
         held = status is not None and exists and status.phase in LATCHED
         self.setVisible(held)
         if status is None or not held:
@@ -108,7 +108,7 @@ class HoldCard(QFrame):
             self._buttons.addWidget(self._row(offered(offer)))
 
     def _row(self, decision: Decision) -> QWidget:
-        """The button, and what it does beside it."""
+        """A button, and beside it what the button does."""
         line = QWidget()
         button = QPushButton()
         button.ensurePolished()
@@ -125,7 +125,7 @@ class HoldCard(QFrame):
         said = label(decision.detail, "hint")
         across = row(button)
         if not whole:
-            # A long name takes the line, and what it does stands below.
+            # A button with a long name takes the whole line, and the explanation stands below.
             across.addStretch(1)
             both = QVBoxLayout(line)
             both.setContentsMargins(0, 0, 0, 0)
@@ -142,7 +142,9 @@ class HoldCard(QFrame):
 
 
 def _plain(detail: str) -> str:
-    """A reason that names its edge once: ``SB/State/Op is pruned``, not ``SB/State/Op: SB/State/Op
-    is pruned``."""
+    """A reason that names its edge only once.
+
+    ``SB/State/Op is pruned`` in place of ``SB/State/Op: SB/State/Op is pruned``.
+    """
     edge, colon, why = detail.partition(": ")
     return why if colon and why.startswith(f"{edge} ") else detail

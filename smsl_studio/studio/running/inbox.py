@@ -1,4 +1,4 @@
-"""The commands that wait for a run, and what they call off in its thread."""
+"""The commands that wait for a run, and what they interrupt in its thread."""
 
 from __future__ import annotations
 
@@ -11,39 +11,42 @@ from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.stop import Stopped, is_restartable
 
 Call = Callable[[Dispatcher], None]
-"""What the thread of a run does with its dispatcher before the next tick."""
+"""A call that the thread of a run makes with its dispatcher before the next tick."""
 
 
 class Inbox:
-    """Commands of one run, in the order they came. Any thread may put; the run's thread obeys.
+    """The commands for one run, in the order of arrival.
 
-    ``closed`` says that the window lets go of the run, ``stopped`` that a stop has come.
+    Any thread may put a command; the run's thread obeys. ``closed`` says that the window ends the
+    run. ``stopped`` says that a stop was sent.
     """
 
     def __init__(self) -> None:
         self.closed = self.stopped = False
         self.until = float("inf")
-        """When (``time.monotonic``) a look at the run has taken long enough."""
+        """The time (``time.monotonic``) at which computing the status must end."""
         self._calls: queue.SimpleQueue[Call | None] = queue.SimpleQueue()
         self._obeyed = False
 
     def put(self, call: Call) -> None:
-        """Have the run do something before its next tick."""
+        """Queue a call for the time before the run's next tick."""
         self._calls.put(call)
 
     def say(self, command: Command) -> None:
-        """Have the run obey before its next tick."""
+        """Queue a command for the time before the run's next tick."""
         self.stopped = self.stopped or command.word == "stop"
         self._calls.put(lambda dispatcher: dispatcher.take(command))
 
     def close(self) -> None:
-        """Have the run end; whoever waits for a command wakes up."""
+        """End the run; a thread that waits for a command wakes up."""
         self.closed = True
         self._calls.put(None)
 
     def obey(self, dispatcher: Dispatcher, wait: float | None) -> bool:
-        """Give the dispatcher what was commanded since the last time, and say whether that was
-        anything; ``wait`` seconds for the first (None: until one comes)."""
+        """Hand the queued commands to the dispatcher; returns whether there were any.
+
+        It waits up to ``wait`` seconds for the first one. None waits without a limit.
+        """
         while not self.closed and not (self._obeyed and wait):
             try:
                 call = self._calls.get(block=wait != 0, timeout=wait or None)
@@ -57,13 +60,16 @@ class Inbox:
         return obeyed
 
     def heed_opening(self) -> None:
-        """Call off the opening of a run that is let go of, or stopped before it began."""
+        """Raise ``Stopped`` if the run was closed or stopped before it began."""
         if self.closed or self.stopped:
             raise Stopped
 
     def heed(self, dispatcher: Dispatcher) -> None:
-        """Call off what a run is at: for a stop whatever it is, for any command and for a look
-        that has lasted long enough what can be asked again."""
+        """Take new commands, and raise ``Stopped`` to interrupt what the run is doing.
+
+        A stop interrupts everything. Any other command, or the time ``until``, interrupts only work
+        that can be started again.
+        """
         if self.closed:
             raise Stopped
         while not self._calls.empty():

@@ -1,4 +1,4 @@
-"""The levels that are set for the next run only; they win over what the blueprint says."""
+"""The levels that are set for the next run only; they override those of the blueprint."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from smsl_studio.studio.document.session import Session
 
 
 class NextLevels(QObject):
-    """Kept while the file stays open; what an edit takes away is dropped."""
+    """Keeps these levels while the file is open.
+
+    A level that no longer fits after an edit is dropped.
+    """
 
     changed = Signal()
 
@@ -25,15 +28,15 @@ class NextLevels(QObject):
 
     @property
     def set(self) -> Mapping[str, str]:
-        """By key of ``Levels``: the level of the next run."""
+        """The levels by key, see ``Levels``."""
         return dict(self._set)
 
     def levels(self, blueprint: Blueprint) -> Levels:
-        """The levels of a run that begins now."""
+        """All levels of a run that begins now."""
         return Levels(blueprint, self._set)
 
     def put(self, levels: Mapping[str, str]) -> None:
-        """Set these and no others."""
+        """Set these levels and no others."""
         if dict(levels) != self._set:
             self._set = dict(levels)
             self.changed.emit()

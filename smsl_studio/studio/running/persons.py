@@ -1,7 +1,7 @@
-"""Who works at this window: names and roles as the record of a run will have them.
+"""The people who work at this window, with the names and roles that the record of a run has.
 
-The first one that is added is "you"; whoever is chosen later is remembered. Nobody has to say who
-they are: then the record says "a person".
+The first person added commands, until another one is chosen; the choice is remembered. Nobody must
+give a name. The record then says "a person".
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ PERSONS, ME = "people/persons", "people/me"
 
 @dataclass(frozen=True)
 class Person:
-    """One person. ``role`` may be empty, and so is ``kept``, the hash of a PIN, without one."""
+    """One person. ``role`` may be empty. ``kept`` is the hash of a PIN, empty without one."""
 
     name: str
     role: str = ""
@@ -28,20 +28,20 @@ class Person:
 
     @property
     def has_pin(self) -> bool:
-        """Whether the person must say a PIN."""
+        """Whether the person must enter a PIN."""
         return bool(self.kept)
 
     def opens_with(self, pin: str) -> bool:
-        """Whether this person may answer: the PIN is right, or none is asked."""
+        """Whether this person may answer: the PIN is right, or none is needed."""
         return not self.kept or (len(pin) >= SHORTEST and matches(pin, self.kept))
 
     def with_pin(self, pin: str) -> Person:
-        """The same person with this PIN; the empty text takes it away."""
+        """The same person with this PIN; empty removes the PIN."""
         return replace(self, kept=hashed(pin) if pin else "")
 
     @property
     def words(self) -> str:
-        """``L. Brandt, surgeon``."""
+        """Name and role, such as ``L. Brandt, surgeon``."""
         return f"{self.name}, {self.role}" if self.role else self.name
 
 
@@ -49,7 +49,7 @@ SOMEBODY = Person("a person")
 
 
 class Persons(QObject):
-    """The persons of this account, in the order they were added; names are unlike each other."""
+    """The people of this account, in the order they were added; no two have the same name."""
 
     changed = Signal()
 
@@ -60,26 +60,26 @@ class Persons(QObject):
 
     @property
     def all(self) -> tuple[Person, ...]:
-        """All persons, in the order they were added."""
+        """All people, in the order they were added."""
         return self._all
 
     @property
     def me(self) -> Person:
-        """Who commands a run from this window."""
+        """The person who commands a run from this window."""
         return self.named(self._settings.text_of(ME)) or next(iter(self._all), SOMEBODY)
 
     def named(self, name: str) -> Person | None:
-        """The person of a name, however it is typed."""
+        """The person of this name, in any spelling (see ``same_name``); None if there is none."""
         wanted = same_name(name)
         return next((one for one in self._all if wanted and same_name(one.name) == wanted), None)
 
     def choose(self, person: Person) -> None:
-        """From now on this is who commands."""
+        """Make this the person who commands."""
         self._settings.store_text(ME, person.name)
         self.changed.emit()
 
     def put(self, person: Person, instead: Person | None = None) -> None:
-        """Add a person, or put one in the place of another."""
+        """Add a person, or replace another one."""
         mine = instead is not None and instead == self.me
         if instead in self._all:
             self._all = tuple(person if one == instead else one for one in self._all)
@@ -91,7 +91,7 @@ class Persons(QObject):
         self.changed.emit()
 
     def remove(self, person: Person) -> None:
-        """Forget a person, here and in the file."""
+        """Remove a person, also from the settings."""
         self._all = tuple(one for one in self._all if one != person)
         self._write()
         self.changed.emit()
@@ -101,7 +101,7 @@ class Persons(QObject):
 
 
 def _read(text: str) -> tuple[Person, ...]:
-    """The persons that are written; what does not fit is left out."""
+    """The people in a stored text. Entries that do not fit are left out."""
     try:
         found = json.loads(text or "[]")
     except ValueError:

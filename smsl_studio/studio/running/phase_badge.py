@@ -1,4 +1,4 @@
-"""PhaseBadge: how a run stands, in a word."""
+"""PhaseBadge: the state of a run in one word."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HIGH = 32
 
 
 class PhaseBadge(Label):
-    """The state of a run as one word in its colour; every bar that has Stop shows the same."""
+    """The word for the state of a run, in its colour. Every bar with a Stop button shows it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -25,7 +25,7 @@ class PhaseBadge(Label):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def show_phase(self, words: str, kind: str, tip: str = "") -> None:
-        """Show the word of a run state, dressed as its ``kind`` asks for; it is told each frame."""
+        """Show the word of a run state; ``kind`` selects the colour. Called for each frame."""
         if (words, kind, tip) == self._said:
             return
         self._said = words, kind, tip

@@ -1,7 +1,7 @@
-"""PINs: kept as salted scrypt hashes, never as they are typed.
+"""PINs: stored as salted scrypt hashes, never as they are typed.
 
-A PIN keeps somebody else at this window from answering as you. It is no signature, and whoever may
-write the settings of this account may take it away.
+A PIN prevents that somebody else at this window answers in your name. It is no signature, and
+anybody who can write the settings of this account can remove it.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ _COST, _BLOCK, _LANES, _SALT = 2**14, 8, 1, 16
 
 
 def hashed(pin: str) -> str:
-    """What is kept of a PIN: ``scrypt$salt$hash`` in hex."""
+    """The stored form of a PIN: ``scrypt$salt$hash`` in hex."""
     salt = secrets.token_bytes(_SALT)
     return f"scrypt${salt.hex()}${_derived(pin, salt).hex()}"
 
 
 def matches(pin: str, kept: str) -> bool:
-    """Whether a PIN is the one that is kept; what is damaged matches nothing."""
+    """Whether a PIN fits the stored form; a damaged form fits no PIN."""
     kind, _, rest = kept.partition("$")
     salt, _, wanted = rest.partition("$")
     try:

@@ -1,4 +1,4 @@
-"""Possible now: every operation out of the active states; beside what is not, the reason why."""
+"""Possible now: every operation of the active states, with the reason if it is not possible."""
 
 from __future__ import annotations
 
@@ -26,32 +26,35 @@ from smsl_studio.studio.base.words import as_it_is
 
 ROW = 35
 SOON = 20
-"""Milliseconds after which the lines follow the run."""
+"""Milliseconds from a change of the run to new rows."""
 
 REASONED = ("refused", "pruned")
 PRUNABLE = ("running", "route", "possible", "waits")
 WIDEST = (160, 80)
-"""Pixels for the names of operations and of targets."""
+"""Largest width of the names of operations and of targets (pixels)."""
 PADDING = 24
-"""Pixels of a button beside its words."""
+"""Pixels that a button needs beside its words."""
 
 
 BESIDE = 2 * 12 + 16 + 5 * 8 + 30 + 26
-"""Pixels of a row that are neither names nor words: its edges, mark, gaps, cost and scissors."""
+"""Pixels of a row without names and words: edges, mark, gaps, cost and scissors."""
 ENOUGH = 110
-"""Pixels in which the beginning of a sentence tells what it says; the tooltip has the rest."""
+"""Pixels in which the beginning of a sentence is understandable; the tooltip has the rest."""
 
 
 class PossibleList(QScrollArea):
-    """A list of widgets, so that each line has focus; permitted operations are buttons."""
+    """A list with a widget for each row, so that each can have the focus.
+
+    Permitted operations are buttons.
+    """
 
     chosen = Signal(object)
-    """The address of a permitted operation that a person chose."""
+    """Address: the person chose this permitted operation."""
     restore_wanted = Signal(object)
-    """The address of a pruned or risky operation that a person wants back."""
+    """Address: the person wants to restore this pruned or risky operation."""
 
     prune_wanted = Signal(object)
-    """The address of an operation that a person wants shut out."""
+    """Address: the person wants to prune this operation."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -71,9 +74,10 @@ class PossibleList(QScrollArea):
         self._rebuild()
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
-        """Replace the list; nothing is touched where nothing changed, so that focus stays.
+        """Replace the rows, unless nothing changed, so that the focus stays.
 
-        The lines are made a moment later: how a run stands is in sight before what is possible.
+        ``empty`` is shown without rows. The widgets are made a moment later, because the state of
+        the run must be visible first.
         """
         if (rows, by_hand, empty) == (self._rows, self._by_hand, self._empty):
             return
@@ -82,7 +86,7 @@ class PossibleList(QScrollArea):
             self._late.start()
 
     def row_widgets(self) -> list[QWidget]:
-        """The lines in order, for keyboards and tests."""
+        """The widgets of the rows in order, for tests."""
         if self._late.isActive():
             self._rebuild()
         inner = self.widget()
@@ -95,8 +99,8 @@ class PossibleList(QScrollArea):
             self._rebuild()
 
     def _is_narrow(self) -> bool:
-        """Whether what is said of a row has no room beside its name that tells anything: then it
-        stands below."""
+        """Whether the words of a row have too little room beside its name, so that they stand
+        below."""
         words = [row.words for row in self._rows if row.kind not in REASONED]
         metrics = QFontMetricsF(text_font(12))
         longest = max((metrics.horizontalAdvance(one) for one in words), default=0.0)
@@ -128,7 +132,7 @@ class PossibleList(QScrollArea):
         self.verticalScrollBar().setValue(bar)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 
@@ -160,7 +164,8 @@ class PossibleList(QScrollArea):
             hint = f"Carry out {row.address}"
             button = self._button(row.name, hint, self.chosen, row)
             across.addWidget(self._fixed(button, 0))
-            # Names of operations often begin alike; what is left out stands in the tooltip.
+            # Names of operations often begin alike, so their middle is left out; the tooltip has
+            # it.
             room = button.maximumWidth() - PADDING
             middle = Qt.TextElideMode.ElideMiddle
             metrics = QFontMetrics(text_font(13, 500))
@@ -172,7 +177,7 @@ class PossibleList(QScrollArea):
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
         across.addWidget(self._fixed(label(row.target, "mono"), 1))
         if row.kind in REASONED or self._narrow:
-            # Why something is not possible is never cut: it goes on below.
+            # The reason why an operation is not possible is never cut. It stands below and wraps.
             across.addStretch(1)
             reason = label(row.words, "hint")
             reason.setContentsMargins(24, 0, 0, 9)
@@ -193,7 +198,7 @@ class PossibleList(QScrollArea):
         return line
 
     def _fixed(self, widget: QWidget, column: int) -> QWidget:
-        """The names of all rows are as wide as the widest, within reason; so are the targets."""
+        """The widget with the width of its column."""
         widget.setFixedWidth(self._column_width(column))
         return widget
 
@@ -243,7 +248,7 @@ class PossibleList(QScrollArea):
 
 
 class _Words(Label):
-    """A sentence that ends in an ellipsis where there is no room; the row's tooltip has it all."""
+    """A sentence that ends in an ellipsis if there is no room; the tooltip has all of it."""
 
     def __init__(self, words: str) -> None:
         super().__init__(words)
@@ -252,7 +257,7 @@ class _Words(Label):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the sentence, with an ellipsis where it is too long."""
+        """Paint the sentence, with an ellipsis if it is too long."""
         painter = QPainter(self)
         painter.setPen(self.palette().windowText().color())
         right = Qt.TextElideMode.ElideRight

@@ -1,4 +1,4 @@
-"""What the keys of a run ask for."""
+"""What the actions of the window may ask of the run."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from typing import Protocol
 
 
 class RunActions(Protocol):
-    """What actions ask of the run, in every mode."""
+    """The requests that actions send to the run, in every mode."""
 
     def play(self) -> None:
-        """Let the run go on; without a run, begin one."""
+        """Continue the run; without a run, begin one."""
 
     def pause(self) -> None:
         """Pause the run."""
 
     def step(self) -> None:
-        """Do one operation, then pause; without a run, begin one."""
+        """Carry out one operation, then pause; without a run, begin one."""
 
     def show_monitor(self) -> None:
         """Show the monitor page."""

@@ -1,4 +1,4 @@
-"""The canvas of a run: the frozen blueprint, one SB at a time, with what glows and trails on it."""
+"""The canvas of a run: the run's blueprint, one SB at a time, with the marks of the run."""
 
 from __future__ import annotations
 
@@ -35,30 +35,30 @@ ADVICE = {
     "stopped": "Reset unlatches it, End run is the end of it.",
     "taken_over": "Give it back in Supervise mode.",
 }
-"""What may be done in a run that is there still."""
+"""What the person can do about a run that has not ended, by its phase."""
 SAID = ("stopped", "taken_over")
-"""The run states whose sentence says the state itself."""
+"""The phases whose sentence already names the phase."""
 TALLER = 1.2
 TOOLS, PADDING = 180, 16
-"""Pixels that the tools at the right take, and each SB's button beside its words."""
+"""Pixels for the tools at the right, and for each SB's button beside its words."""
 NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 RESULTS = "The drawing has moved on. These are the results of the version that ran"
 ANOTHER = "{drawn} is open in Draw mode now. This is {what} of {run}"
-"""What a run says that is not of the drawing."""
+"""The banner of a run of another file than the drawing."""
 
 
 class RunCanvas(QWidget):
-    """Shows the run's own snapshot while there is one, else the drawing as it is now.
+    """Shows the blueprint of the run or its results; without a run the drawing.
 
-    One button an SB stands above it, with the SB's active state; Follow shows the SB in which an
+    Above it is a button for each SB, with its active state. Follow switches to the SB in which an
     operation runs.
     """
 
     chosen = Signal(object)
-    """The address of an operation whose arrow was clicked."""
+    """Address: the person clicked the arrow of this operation."""
     drawing_wanted = Signal()
-    """The results of another version shall go, and the drawing shall be shown."""
+    """The person wants to leave the results of another version and see the drawing."""
 
     def __init__(
         self, session: DrawnPlaces, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
@@ -66,7 +66,8 @@ class RunCanvas(QWidget):
         super().__init__(parent)
         self._session, self._run, self._tokens = session, run, tokens
         self._shown: tuple[Blueprint, str, Blueprint] | None = None
-        """What is drawn: a blueprint, one of its SBs, and the blueprint that says its places."""
+        """What is drawn: a blueprint, one of its SBs, and the blueprint that has the places of
+        states."""
         self._branch = ""
         self._banner = self._refusal = ""
         self.canvas = Canvas(tokens)
@@ -108,17 +109,19 @@ class RunCanvas(QWidget):
 
     @property
     def banner(self) -> str:
-        """What stands across the top; the empty text for nothing."""
+        """The text across the top; empty for none."""
         return self._banner
 
     @property
     def moved_on(self) -> bool:
-        """Whether the drawing is another one now than that of the run which is shown."""
+        """Whether the drawing differs from the blueprint of the run that is shown."""
         return self._run.is_another(self._session.blueprint)
 
     def refresh(self) -> None:
-        """Show the run as it stands now. What nobody sees is drawn when it is shown: routing its
-        arrows along would make each edit in Draw wait twice.
+        """Show the present state of the run.
+
+        A hidden canvas is drawn when it is shown next. Otherwise each edit in Draw mode would also
+        route the arrows here.
         """
         if self.isVisible():
             self._draw()
@@ -144,17 +147,17 @@ class RunCanvas(QWidget):
             self.canvas.set_marks(marks)
 
     def drawing_changed(self) -> None:
-        """The drawing was edited: a run that is there goes on with its own version, and says so."""
+        """Update the banner after an edit. A run continues with its own version and says so."""
         self._refusal = ""
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show how the run stands now."""
+        """Show the present state of the run."""
         super().showEvent(event)
         self.refresh()
 
     def show_refusal(self, words: str) -> None:
-        """Say why a run could not begin; the empty text takes it away."""
+        """Show why a run could not begin; empty hides the sentence."""
         self._refusal = words
         self._show_banner()
 
@@ -167,7 +170,7 @@ class RunCanvas(QWidget):
             self.canvas.show_banner(said)
 
     def _moved_words(self) -> str:
-        """That the drawing is another one than what is shown; the empty text where it is not."""
+        """The sentence that the drawing differs from what is shown; empty if it does not."""
         run = self._run
         if not self.moved_on:
             return ""
@@ -178,14 +181,14 @@ class RunCanvas(QWidget):
         return MOVED_ON if run.exists else RESULTS
 
     def _notes(self) -> tuple[str, ...]:
-        """What is to be known of the run's route."""
+        """Notes about the route of the run."""
         run = self._run
         if run.status is None or not run.exists or run.blueprint is not self._blueprint():
             return ()
         return run.status.notes
 
     def _trouble(self) -> str:
-        """Why the run holds, or ended before its goal."""
+        """Why the run holds, or why it ended before its goal; empty if neither."""
         run = self._run
         if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
             return ""
@@ -196,7 +199,7 @@ class RunCanvas(QWidget):
         return f"{words} {advice}".strip()
 
     def say(self, words: str) -> None:
-        """Say a short sentence at the pointer."""
+        """Show a short sentence at the pointer."""
         self.canvas.say(words)
 
     def show_branch(self, name: str) -> None:
@@ -207,14 +210,14 @@ class RunCanvas(QWidget):
             self.refresh()
 
     def jump(self, address: Address) -> None:
-        """Show where an address stands."""
+        """Bring the element of an address into view."""
         if address.branch in self._blueprint().branches:
             if address.branch != self._branch:
                 self.show_branch(address.branch)
             self.canvas.reveal(address)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.canvas.set_tokens(tokens)
         self._dress_follow()
@@ -226,7 +229,7 @@ class RunCanvas(QWidget):
         self._follow.setIcon(icon("eye", self._tokens, 16, colour))
 
     def _blueprint(self) -> Blueprint:
-        """The run's snapshot while a run or its results are shown, else the drawing."""
+        """The blueprint of the run while it or its results are shown, else the drawing."""
         held = self._run.blueprint
         return held if held is not None and self._run.shown else self._session.blueprint
 
@@ -242,7 +245,7 @@ class RunCanvas(QWidget):
         self.canvas.show_branch(blueprint, self._branch, places, keep_view=again)
 
     def _places_of(self, blueprint: Blueprint, branch: StateBranch) -> dict[str, Position]:
-        """Where the drawing shows the states, if it is the drawing of this blueprint's file."""
+        """The places of the states (scene units): as in the drawing if it is of the same file."""
         if blueprint.file == self._session.blueprint.file and not self._run.foreign:
             return self._session.places.shown(branch)
         return place_states(branch)
@@ -273,7 +276,7 @@ class RunCanvas(QWidget):
                 _set(button, "live", live and len(names) > 1)
 
     def _branch_words(self, blueprint: Blueprint, states: Mapping[str, str]) -> list[str]:
-        """SBs with their active states, as far as there is room left of the tools."""
+        """The labels of the SB buttons: with active states if there is room beside the tools."""
         names = list(blueprint.branches)
         if len(names) < 2:
             return names
@@ -290,13 +293,13 @@ class RunCanvas(QWidget):
         return [metrics.elidedText(plain_text(name), middle, share) for name in names]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the buttons of the SBs into the new width."""
+        """Fit the labels of the SB buttons into the new width."""
         super().resizeEvent(event)
         self._name_branches(self._blueprint())
         self._fit_steps()
 
     def _fit_steps(self) -> None:
-        """How far the run is, where it does not run into the tools."""
+        """Show the number of steps only where it does not reach the tools."""
         wide = self._steps.fontMetrics().horizontalAdvance(self._steps.text()) + PADDING
         self._steps.setVisible(
             self._buttons.sizeHint().width() + wide <= self.width() - self._tools_wide
@@ -304,7 +307,7 @@ class RunCanvas(QWidget):
 
     @property
     def _tools_wide(self) -> int:
-        """Pixels that the tools at the right take."""
+        """The width of the tools at the right (pixels)."""
         more = 0 if self.to_drawing.isHidden() else self.to_drawing.sizeHint().width()
         return TOOLS + more
 
@@ -326,7 +329,7 @@ class RunCanvas(QWidget):
 
 
 def _filling(branch: StateBranch, places: dict[str, Position]) -> dict[str, Position]:
-    """A picture nobody arranged is made a little taller, because the run's canvas is upright."""
+    """The places, stretched in height if nobody placed a state, because this canvas is upright."""
     if branch.notes.layout or len(places) < 3:
         return places
     wide, high = (max(side) - min(side) for side in zip(*places.values(), strict=True))

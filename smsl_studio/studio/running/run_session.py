@@ -1,7 +1,7 @@
-"""One run at a time, as the window holds it: a frozen blueprint, its runner, its story.
+"""The run of a window: its blueprint, its runner thread, its status and story.
 
-Widgets read it and listen to ``changed``; they command it by the commands of supervision. The run
-holds the blueprint it was started with, whatever is drawn meanwhile.
+Widgets read it and listen to ``changed``. They command it by the commands of supervision. The run
+keeps the blueprint with which it was started, whatever is drawn meanwhile.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ from smsl_studio.world.protocol import Shape
 
 PLANNING = "the way is being planned"
 FRAME = 33
-"""Milliseconds between two looks at the run."""
+"""Milliseconds between two readings of the run's news."""
 
 
 @dataclass(frozen=True)
 class RunChoice:
-    """What a person chose to run. ``start`` and ``goal`` are addresses; empty: the defaults.
+    """What a person chose to run. ``start`` and ``goal`` are addresses; empty means the default.
 
     ``levels`` are those that were set for this run (see ``blueprint.levels``).
     """
@@ -58,30 +58,30 @@ class RunChoice:
 
 
 def nobody_named() -> str:
-    """Where nobody said who works here."""
+    """The name in a record if nobody gave a name."""
     return PERSON
 
 
 class RunSession(QObject, Commands):
-    """The run of this window. There is at most one; a new one ends the old.
+    """The run of this window. There is at most one; a new one ends the old one.
 
-    It is told what to do by the methods of ``Commands``, in the name of ``who`` works here. A
-    command is taken at the next tick; whether it was done, or refused and why, is told by the run's
-    events (``commanded``).
+    It is commanded by the methods of ``Commands``. ``who`` returns the person in whose name. A
+    command takes effect at the next tick. The run's events (``commanded``) tell whether it was done
+    or refused.
     """
 
     who = staticmethod(nobody_named)
 
     changed = Signal()
-    """The status or the story went on."""
+    """The status or the story has changed."""
     events_told = Signal(object)
-    """A tuple of run events, in order."""
+    """tuple[Event]: new events of the run, in order."""
     opened = Signal()
-    """The world stands: shapes can be drawn."""
+    """The world is ready, so its shapes can be drawn."""
     exists_changed = Signal(bool)
-    """Whether there is a run that can be stopped."""
+    """bool: whether there is a run that can be stopped."""
     refused = Signal(object)
-    """A StudioError: the run could not be opened; nothing moved."""
+    """A StudioError: the run could not be opened, and nothing moved."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -91,7 +91,7 @@ class RunSession(QObject, Commands):
         self.shapes: tuple[Shape, ...] = ()
         self.sensors: tuple[SensorInfo, ...] = ()
         self.faults: tuple[str, ...] = ()
-        """What can be injected into the world of the run."""
+        """The faults that can be injected into the world of the run."""
         self.choice: RunChoice | None = None
         self.foreign = False
         """Whether another file was opened since this run began."""
@@ -102,56 +102,57 @@ class RunSession(QObject, Commands):
         self._steps_first = False
         self._goes_on = False
         self.recordings: Path | None = None
-        """The folder into which the next run is recorded; None: it is not."""
+        """The folder for the log of the next run; None if it is not recorded."""
         self.record: Path | None = None
-        """The log of the run that is there, or was the last one."""
+        """The log of the present or last run; None if it was not recorded."""
         self.spare: Spare | None = None
-        """A child in waiting for the next run; None: each starts its own."""
+        """A child process kept ready for the next run; None if each run starts its own."""
         self._clock = QTimer(self)
         self._clock.setInterval(FRAME)
         self._clock.timeout.connect(self._listen)
 
     @property
     def exists(self) -> bool:
-        """Whether a run is there that has not ended."""
+        """Whether there is a run that has not ended."""
         return self._exists
 
     @property
     def shown(self) -> bool:
-        """Whether there is anything to show: the run, or the results of the last one."""
+        """Whether there is something to show: a run, or the results of the last one."""
         return self.blueprint is not None and (self._exists or self.status is not None)
 
     def is_another(self, drawn: Blueprint) -> bool:
-        """Whether what is shown is not what is drawn: another file, or another meaning."""
+        """Whether the shown run differs from the drawing: it is of another file, or of other
+        content."""
         held = self.blueprint
         if not self.shown or held is None:
             return False
         before = self._compared
         if before is None or before[0] is not held or before[1] is not drawn:
-            # It is asked at every frame, and to compare large blueprints takes a while.
+            # This is called for every frame, and comparing large blueprints is slow.
             before = self._compared = (held, drawn, held is not drawn and held != drawn)
         return self.foreign or before[2]
 
     @property
     def story(self) -> Story:
-        """How the run stands and what has been, as far as its events have told it."""
+        """What has happened so far, folded from the events of the run."""
         return self._told.story
 
     @property
     def phase(self) -> str:
-        """One word for how the run stands: the dispatcher's phase, or why it ended."""
+        """The phase of the run in one word, or why it ended; empty without a run."""
         if self._runner is None:
             return ""
         return "opening" if self.status is None else self.story.moment.phase
 
     @property
     def time(self) -> float:
-        """The simulated seconds that are shown; 0 without a run."""
+        """The simulated time in seconds; 0 without a run."""
         return max(self.story.moment.time, self.status.time if self.status is not None else 0.0)
 
     @property
     def sentence(self) -> str:
-        """Why the run holds or ended; the empty text while it goes on."""
+        """Why the run holds or ended; empty while it goes on."""
         if self.story.moment.finished is not None:
             return self.story.moment.sentence
         if self.status is None:
@@ -161,23 +162,26 @@ class RunSession(QObject, Commands):
 
     @property
     def latency(self) -> float | None:
-        """Wall seconds that the world's process needs for a tick; None where there is none."""
+        """The wall time in seconds that the world's process needs for a tick.
+
+        None without a run.
+        """
         return self._runner.latency if self._runner is not None and self._exists else None
 
     @property
     def world_process(self) -> int | None:
-        """The number of the process in which the world runs; None where there is none."""
+        """The process id of the world; None if it runs in no process of its own."""
         host = self._dispatcher.host if self._dispatcher is not None else None
         world = host.inner if isinstance(host, WithRemote) else host
         return world.pid if isinstance(world, ProcessHost) else None
 
     @property
     def pausing(self) -> bool:
-        """Whether it will pause by itself: it was started with a step, or carries one out."""
+        """Whether the run will pause by itself, because it was told to make one step."""
         return self._steps_first or (self.status is not None and self.status.pausing)
 
     def play_on(self) -> None:
-        """Go on as soon as the run has paused by itself; any other command calls this off."""
+        """Continue as soon as the run has paused by itself. Any other command cancels this."""
         self._goes_on = True
 
     def begin(
@@ -188,10 +192,11 @@ class RunSession(QObject, Commands):
         stepping: bool = False,
         loaded: Loaded | None = None,
     ) -> None:
-        """Start a run of ``blueprint`` as it is now; a run that is there is closed first.
+        """Start a run of ``blueprint`` as it is now; the present run is closed first.
 
-        ``stepping`` carries out one operation and pauses. ``loaded`` are the plugins as
-        they were found last: the run loads those anew that its world needs.
+        ``speed`` is simulated seconds per wall second. ``stepping`` carries out one operation and
+        then pauses. ``loaded`` are the plugins as they were found last; the run loads those anew
+        that its world needs.
         """
         self.close()
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
@@ -201,7 +206,7 @@ class RunSession(QObject, Commands):
         request = _request(blueprint, choice)
 
         def record() -> RunLog | None:
-            """The record of the run that begins; None where it is not recorded."""
+            """The log of this run; None if it is not recorded."""
             log = _log(request, loaded, folder, who) if folder is not None else None
             self.record = log.path if log is not None else None
             return log
@@ -221,20 +226,20 @@ class RunSession(QObject, Commands):
         self.changed.emit()
 
     def set_speed(self, speed: float) -> None:
-        """Set the simulated seconds per wall second; does nothing without a run."""
+        """Set the simulated seconds per wall second; without a run it does nothing."""
         if self._runner is not None:
             self._runner.set_speed(speed)
 
     def poses(self) -> tuple[float, ...]:
-        """The newest poses, straight from the world's shared memory."""
+        """The newest poses from the world's shared memory."""
         return self._dispatcher.host.poses() if self._dispatcher is not None else ()
 
     def words(self) -> Mapping[str, str]:
-        """The world's short words for people."""
+        """Short words of the world for people, by name."""
         return self._dispatcher.host.status() if self._dispatcher is not None else {}
 
     def remote(self) -> RemoteView | None:
-        """The network of sensors that are elsewhere; None where there are none."""
+        """The state of the sensors that are elsewhere; None if there are none."""
         opened = self._dispatcher.opened if self._dispatcher is not None else None
         return opened.remote.view() if opened and opened.remote else None
 
@@ -250,7 +255,7 @@ class RunSession(QObject, Commands):
         self._set_exists(False)
 
     def forget(self) -> None:
-        """Let go of a run that has ended, as if there had been none."""
+        """Forget a run that has ended, as if there had been none."""
         if not self._exists and self.blueprint is not None:
             self.close()
             self.blueprint, self.status, self.choice = None, None, None
@@ -260,7 +265,7 @@ class RunSession(QObject, Commands):
             self.changed.emit()
 
     def take(self, command: Command) -> None:
-        """Have the run obey before its next tick, in the name of who works here."""
+        """Send a command, in the name of ``who`` unless it already has a name."""
         self._goes_on = False
         if self._runner is not None and self._exists:
             named = command.by not in ("", PERSON)
@@ -287,7 +292,7 @@ class RunSession(QObject, Commands):
         if self.story.moment.finished is not None:
             self._clock.stop()
             self._set_exists(False)
-        # The first news of a run are older than the step with which it was started.
+        # The first news can be older than the step with which the run was started.
         self._steps_first &= status.phase == "running" and not status.pausing
         if self._goes_on and not self.pausing and status.phase != "waiting":
             self._goes_on = False
@@ -302,7 +307,7 @@ class RunSession(QObject, Commands):
             self.changed.emit()
 
     def _break(self, error: Exception) -> None:
-        """What nobody expected must not end in silence: it is raised where the window hears it."""
+        """Raise an unexpected error in the window's thread, so that it is reported."""
         if self.sender() is self._runner:
             self.close()
             self.changed.emit()
@@ -315,7 +320,7 @@ class RunSession(QObject, Commands):
 
 
 def _request(blueprint: Blueprint, choice: RunChoice) -> RunRequest:
-    """The run that a person chose, in a world of its own and attended."""
+    """The request for the run that a person chose, with a person present to answer."""
     return RunRequest(
         blueprint,
         choice.world,
@@ -329,7 +334,7 @@ def _request(blueprint: Blueprint, choice: RunChoice) -> RunRequest:
 
 
 def _log(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
-    """The log of a run that begins now. SaveError where there can be none."""
+    """Start the log of a run; raises SaveError if it cannot be written."""
     agent = supervisor_of(Levels(request.blueprint, request.levels))
     path = new_recording(folder, request.blueprint.file, datetime.now())
     return start_log(replace(request, log=path, supervisor=agent, person=who), loaded)

@@ -1,7 +1,7 @@
-"""The loop of a run in the window: it owns the dispatcher, paces it, and hands on what happened.
+"""The thread of a run: it owns the dispatcher, paces it, and hands over what happened.
 
-The dispatcher lives in this thread and its world in a child process, so that neither can hold up
-the window. Wall time only paces: it decides when a tick is taken, never what the tick does.
+The dispatcher lives in this thread and its world in a child process, so neither can block the
+window. Wall time only paces: it decides when a tick is made, never what a tick does.
 """
 
 from __future__ import annotations
@@ -30,36 +30,37 @@ from smsl_studio.studio.running.inbox import Inbox
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
 WATCH = 0.05
-"""Wall seconds between two looks at the world's process while a run stands still."""
+"""Wall seconds between two checks of the world's process while a run is paused."""
 LAG = 0.25
-"""Wall seconds a run may fall behind its pace before it stops trying to catch up."""
+"""Wall seconds by which a run may be late before it gives up catching up."""
 FASTEST = 1e6
-"""Stands for "as fast as it can", in simulated seconds per wall second."""
+"""The speed that means "as fast as possible", in simulated seconds per wall second."""
 LOOK, LONGEST_LOOK = 0.01, 1.0
-"""Wall seconds in which routes are looked for that are only shown; of a run that stands still it is
-twice as long each time, up to the longest."""
+"""Wall seconds for planning routes that are only shown.
+
+While a run is paused the time doubles with each try, up to the longest.
+"""
 
 News = tuple[tuple[Event, ...], DispatchStatus]
 
 
 def _no_log() -> None:
-    """Runs that nobody records."""
+    """No log, for runs that are not recorded."""
 
 
 class Runner(QThread):
-    """Runs one dispatcher until it is closed. Commands may be given from the window's thread.
+    """Runs one dispatcher until it is closed. Other threads may send commands.
 
-    ``make`` and ``record`` are called in the runner's thread: the dispatcher, and the log into
-    which the run is recorded. SaveError of ``record`` refuses the start. ``acting`` is a script
-    under which the run goes.
+    ``make`` (returns the dispatcher) and ``record`` (starts the log) are called in this thread. If
+    ``record`` raises SaveError, the run is refused. ``acting`` is a script that commands the run.
     """
 
     opened = Signal(object)
-    """The dispatcher, once its world stands (read ``host.poses`` and ``opened`` from it only)."""
+    """Dispatcher: its world is ready. Read only ``host.poses`` and ``opened`` of it."""
     refused = Signal(object)
     """A StudioError: the run could not be opened."""
     broke = Signal(object)
-    """An error nobody expected; the run is over."""
+    """Exception: an unexpected error ended the run."""
 
     def __init__(
         self,
@@ -78,28 +79,30 @@ class Runner(QThread):
         self._lock = threading.Lock()
         self._news: News | None = None
         self.latency = 0.0
-        """Wall seconds the slowest of the newest ticks took, from command to answer."""
+        """The wall seconds of the slowest recent tick."""
 
     def command(self, command: Command) -> None:
-        """Have the run obey before its next tick.
+        """Send a command to the run; it takes effect before the next tick.
 
-        What the run is at is called off for it: its planning for any command, all else for a stop.
+        It interrupts what the run is doing: any command interrupts planning, and a stop interrupts
+        everything.
         """
         self._inbox.say(command)
 
     def set_speed(self, speed: float) -> None:
-        """Simulated seconds per wall second; ``FASTEST`` runs as fast as it can."""
+        """Set the simulated seconds per wall second; ``FASTEST`` is as fast as possible."""
 
         def change(_: Dispatcher) -> None:
-            """Take the speed in the run's own thread."""
+            """Set the speed in the run's own thread."""
             self._speed = speed
 
         self._inbox.put(change)
 
     def take(self) -> News | None:
-        """What happened since this was asked last, and how things stand; None where nothing did.
+        """The events since the last call, and the present status; None if there are no news.
 
-        It is asked for, not sent: a window that is busy must not find a queue of old news.
+        The window asks for news instead of receiving signals, so that a busy window does not
+        collect a queue of old ones.
         """
         with self._lock:
             news, self._news = self._news, None
@@ -111,9 +114,10 @@ class Runner(QThread):
             self._news = ((*before, *events), status)
 
     def close(self) -> None:
-        """End the loop and the world; returns when both are gone.
+        """End the loop and the world; returns when both have ended.
 
-        The world is ended from here, so that nobody waits for one that hangs or is still opening.
+        The calling thread ends the world, so that a world that hangs or is still opening delays
+        nobody.
         """
         self._inbox.close()
         dispatcher = self._dispatcher
@@ -122,7 +126,7 @@ class Runner(QThread):
         self.wait()
 
     def run(self) -> None:
-        """The thread: open, tick until closed, free the world."""
+        """The body of the thread: open, tick until closed, end the world."""
         try:
             self._live()
         except StudioError as error:
@@ -156,14 +160,14 @@ class Runner(QThread):
             recording.close()
 
     def _stopped(self, last: Event | None) -> DispatchStatus:
-        """How a run stands that was stopped before its world did."""
+        """The status of a run that was stopped before its world was ready."""
         assert isinstance(last, RunFinished)
         return look_at_nothing("stopped", (), last)
 
     def _loop(self, dispatcher: Dispatcher, recording: Recorder, heard: list[Event]) -> None:
-        """Tick until closed. ``heard`` are the events that the window was not told of yet."""
+        """Tick until closed. ``heard`` are the events that were not reported to the window yet."""
         opened = dispatcher.opened
-        # Sensors elsewhere speak in wall time, and have to be waited for.
+        # Sensors elsewhere send in wall time, so simulated time must not be faster.
         most = 1.0 if opened is not None and opened.remote is not None else math.inf
         pace = _Pace(dispatcher.time, min(self._speed, most))
         reported, slowest, told = -math.inf, 0.0, None
@@ -179,7 +183,7 @@ class Runner(QThread):
                 reported = monotonic()
             obeyed = self._inbox.obey(dispatcher, _patience(dispatcher, pace))
             if still and not obeyed:
-                # Nothing asks the world anything now, and its process may end all the same.
+                # No tick asks the world now, but its process may still die.
                 recording.tell(self._heeded(dispatcher.watch()))
                 continue
             if obeyed or pace.speed != min(self._speed, most):
@@ -194,7 +198,7 @@ class Runner(QThread):
             recording.end("stopped", LET_GO, dispatcher)
 
     def _seen(self, dispatcher: Dispatcher, still: bool) -> DispatchStatus:
-        """How the run stands, as far as it is known in the time there is to look."""
+        """The status, with routes as far as they can be planned in the given time."""
         self._inbox.until = monotonic() + self._look
         with heeding(lambda: self._inbox.heed(dispatcher)):
             status = dispatcher.status
@@ -204,11 +208,11 @@ class Runner(QThread):
         return status
 
     def _ticked(self, dispatcher: Dispatcher, told: DispatchStatus | None) -> tuple[Event, ...]:
-        """One tick; while it plans for long, the window is told so."""
+        """Make one tick. If it plans for long, report that to the window."""
         late = monotonic() + FRAME
 
         def listen() -> None:
-            """Take commands while a long search goes on, and tell that it takes its time."""
+            """Take commands during a long search, and report that it takes long."""
             nonlocal told
             self._inbox.heed(dispatcher)
             if told is not None and not told.planning and is_restartable() and monotonic() > late:
@@ -224,32 +228,32 @@ class Runner(QThread):
             self._acting.hear(events)
 
     def _says(self, dispatcher: Dispatcher) -> bool:
-        """Whether a script has something to say to a run that nobody else lets go on."""
+        """Whether the script has a command for a run that is paused."""
         return self._acting is not None and self._acting.has_something(dispatcher)
 
     def _heeded(self, events: tuple[Event, ...]) -> tuple[Event, ...]:
-        """What a tick told. Whoever closes a run ends its world, which is no failure of it."""
+        """The events of a tick, without the failure that closing a run causes in its world."""
         last = events[-1] if events else None
         failed = isinstance(last, RunFinished) and last.reason == "failed"
         return events[:-2] if failed and self._inbox.closed else events
 
 
 def _patience(dispatcher: Dispatcher, pace: _Pace) -> float | None:
-    """Wall seconds to wait for a command; None: until one comes."""
+    """Wall seconds to wait for a command; None waits without a limit."""
     if dispatcher.finished:
         return None
     return WATCH if dispatcher.phase == "paused" else pace.ahead(dispatcher.time)
 
 
 class _Pace:
-    """How far simulated time is ahead of the wall; a run that lags far behind lets go of it."""
+    """Compares simulated time with wall time. A run that is very late starts to count anew."""
 
     def __init__(self, start: float, speed: float) -> None:
         self.speed = speed
         self._start, self._begun = start, monotonic()
 
     def ahead(self, time: float) -> float:
-        """Wall seconds to wait before the next tick, a frame at most; 0 to tick at once."""
+        """Wall seconds to wait before the next tick, half a frame at most; 0 to tick at once."""
         early = (time - self._start) / self.speed - (monotonic() - self._begun)
         if early < -LAG:
             self._start, self._begun = time, monotonic()

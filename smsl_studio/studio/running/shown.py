@@ -1,4 +1,4 @@
-"""What the widgets of a run read: a run that goes on, or one that is told again."""
+"""What the widgets of a run read. Both a live run and a replay offer it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from smsl_studio.studio.document.places import Places
 
 
 class DrawnPlaces(Protocol):
-    """Where the drawing stands that a run may differ from."""
+    """The drawing, from which a run may differ."""
 
     @property
     def blueprint(self) -> Blueprint:
@@ -19,11 +19,11 @@ class DrawnPlaces(Protocol):
 
     @property
     def places(self) -> Places:
-        """Where its states stand."""
+        """The places of its states."""
 
 
 class ShownRun(Protocol):
-    """A run as it is shown. ``exists`` says whether it can be commanded."""
+    """A run that is shown, live or replayed."""
 
     @property
     def blueprint(self) -> Blueprint | None:
@@ -31,7 +31,7 @@ class ShownRun(Protocol):
 
     @property
     def status(self) -> DispatchStatus | None:
-        """How the run stands; None while that is not known."""
+        """The status of the run; None while it is not known."""
 
     @property
     def story(self) -> Story:
@@ -54,8 +54,8 @@ class ShownRun(Protocol):
 
     @property
     def phase(self) -> str:
-        """What the run does now, in one word; empty without a run."""
+        """The phase of the run in one word; empty without a run."""
 
     @property
     def sentence(self) -> str:
-        """Why the run stands as it does."""
+        """Why the run holds or ended; empty while it goes on."""

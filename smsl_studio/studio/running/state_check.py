@@ -1,4 +1,4 @@
-"""The state check that is awaited, term by term: true, false or not yet known."""
+"""The view of the state check, term by term: true, false or not yet known."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ VERDICTS = {True: ("True", "good"), False: ("Not true", "held"), None: ("Not yet
 
 
 class StateCheckView(QWidget):
-    """C_state(s) of the target while an operation runs, of the active state otherwise."""
+    """Shows C_state(s) of the target while an operation runs, otherwise of the active state."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,13 +42,13 @@ class StateCheckView(QWidget):
         self.show_check(None, None, waiting=False)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens, self._shown = tokens, None
 
     def show_check(
         self, blueprint: Blueprint | None, check: CheckResult | None, waiting: bool
     ) -> None:
-        """Show one result; ``waiting`` says that an operation that leads there still runs."""
+        """Show one result; ``waiting`` says that the operation to that state still runs."""
         key = (check, waiting, blueprint is None)
         if key == self._shown:
             return

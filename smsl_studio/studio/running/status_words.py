@@ -1,4 +1,4 @@
-"""What the status line says about a run: how it goes, and what it stands on."""
+"""The words of the status line about a run: world, seed, time, pace and process."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Words = tuple[tuple[str, ...], tuple[str, ...]]
 
 
 def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
-    """(left, right)."""
+    """The texts for the left and the right side of the status line."""
     choice, status = run.choice, run.status
     if choice is None:
         return ("No run yet",), ("Simulation only",)

@@ -1,7 +1,7 @@
 """The timeline: states, operations and facts over simulated time, in lanes.
 
-The lanes are drawn by one item, so that a long run costs what is visible and no more. The wheel
-zooms in time at the cursor, a drag pans, a double click shows all again and follows the run.
+One item draws all lanes, so that a long run costs only what is visible. The wheel zooms in time at
+the pointer, a drag pans, a double click shows everything and follows the run.
 """
 
 from __future__ import annotations
@@ -23,23 +23,26 @@ from smsl_studio.studio.base.tips import tip_text
 
 AXIS = 27
 LABELS, WIDEST, EMPTY = 94, 190, 160
-"""Pixels for the names of the lanes: at least, at most, and while there are none."""
+"""Width of the lane names: at least, at most, and without lanes (pixels)."""
 EARLY = 0.0125
-"""The share of the shown time that lies before the start, so that "0 s" has room."""
+"""The part of the visible time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
 NARROW = 2.0
-"""Pixels below which a block has no corners and no words."""
+"""A block narrower than this (pixels) has no round corners and no words."""
 BESIDE = 4.0
-"""Pixels between a block and its words where they stand behind it."""
+"""Pixels between a block and words behind it."""
 SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
-"""Simulated seconds shown of a run that is young; later the whole run is shown."""
+"""The visible simulated seconds of a young run; a longer run is shown whole."""
 
 
 class Timeline(QScrollArea):
-    """Lanes over time. ``show_lanes`` replaces them; the view follows the run until it is moved."""
+    """Lanes over time; ``show_lanes`` replaces them.
+
+    The view follows the run until a person moves it.
+    """
 
     time_wanted = Signal(float)
-    """A click, at this simulated second."""
+    """float: a click at this simulated time in seconds."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,16 +68,16 @@ class Timeline(QScrollArea):
 
     @property
     def lanes(self) -> tuple[Lane, ...]:
-        """What is shown, for keyboards and tests."""
+        """The lanes that are shown, for tests."""
         return self._lanes.lanes
 
     @property
     def plot(self) -> pg.PlotWidget:
-        """Where the lanes are drawn."""
+        """The plot that draws the lanes."""
         return self._plot
 
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
-        """Show these lanes, with the present at ``time`` (simulated s)."""
+        """Show these lanes; ``time`` is the present in simulated seconds."""
         if [lane.label for lane in lanes] != [lane.label for lane in self._lanes.lanes]:
             self._labels.show_lanes(lanes)
             self._inner.setMinimumHeight(AXIS + sum(PITCH[lane.kind] for lane in lanes) + 4)
@@ -88,7 +91,7 @@ class Timeline(QScrollArea):
         self._place_badge()
 
     def follow(self) -> None:
-        """Show everything, and go on doing so."""
+        """Show everything, and follow the run from now on."""
         self._following = True
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
         needed = max(self._time * 1.05, *ends) if ends else SPANS[-1]
@@ -98,7 +101,7 @@ class Timeline(QScrollArea):
         self._box.setXRange(-EARLY * end, end, padding=0)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._plot.setBackground(tokens.surf)
         self._now.setPen(pg.mkPen(tokens.acc, width=2))
         self._axis.setPen(pg.mkPen(tokens.line))
@@ -139,7 +142,7 @@ class Timeline(QScrollArea):
         plot.addItem(self._now, ignoreBounds=True)
 
     def _fit_height(self) -> None:
-        """One unit upwards is one pixel, so that lanes have the heights of the design."""
+        """Make one vertical unit one pixel, so that lanes have the heights of the design."""
         self._box.setYRange(0, max(self._box.height(), 1.0), padding=0)
         self._place_badge()
 
@@ -160,7 +163,7 @@ class Timeline(QScrollArea):
 
 
 class _Labels(QWidget):
-    """The names of the lanes, at their left."""
+    """The names of the lanes at the left."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -169,7 +172,7 @@ class _Labels(QWidget):
         self.setFixedWidth(EMPTY)
 
     def show_lanes(self, lanes: Sequence[Lane]) -> None:
-        """Show the names of other lanes, as wide as the longest needs."""
+        """Show the names of these lanes; the width fits the longest."""
         self._lanes = lanes
         metrics = QFontMetricsF(text_font(12))
         needed = max((metrics.horizontalAdvance(lane.label) for lane in lanes), default=0.0) + 22
@@ -179,7 +182,7 @@ class _Labels(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the name of each lane beside it."""
+        """Paint the name of each lane."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.tokens.surf)
         middle = Qt.AlignmentFlag.AlignVCenter
@@ -202,28 +205,28 @@ class _Labels(QWidget):
 
 
 class _Seconds(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
-    """Ticks that say their unit."""
+    """A time axis whose tick labels have their unit."""
 
     def __init__(self, orientation: str) -> None:
         super().__init__(orientation)
         self._hidden = (0.0, 0.0)
 
     def hide_from_to(self, low: float, high: float) -> None:
-        """Leave out the labels that the badge of the present would cover."""
+        """Leave out the labels between two times, where the badge of the present covers them."""
         if (low, high) != self._hidden:
             self._hidden = (low, high)
             self.picture = None
             self.update()
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
-        """The seconds at the ticks; none where the mark of now would cover them."""
+        """The labels of the ticks in seconds; empty where the badge of the present covers them."""
         digits = 0 if spacing >= 1 else 1 if spacing >= 0.1 else 2
         low, high = self._hidden
         return ["" if low < v < high else f"{v:.{digits}f} s" for v in values]
 
 
 class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
-    """A view box that moves in time only, and says when a person moved it."""
+    """A view box that moves only in time, and emits a signal when a person moved it."""
 
     moved = pg.QtCore.Signal()
     reset = pg.QtCore.Signal()
@@ -235,28 +238,28 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
         self.setLimits(minXRange=0.05)
 
     def wheelEvent(self, event: object, axis: int | None = None) -> None:
-        """Zoom in time at the pointer, and tell that a person moved it."""
+        """Zoom in time at the pointer."""
         self.moved.emit()
         super().wheelEvent(event, axis)
 
     def mouseDragEvent(self, event: object, axis: int | None = None) -> None:
-        """Pan in time, and tell that a person moved it."""
+        """Pan in time."""
         self.moved.emit()
         super().mouseDragEvent(event, axis)
 
     def mouseDoubleClickEvent(self, event: object) -> None:
-        """Tell that all is wanted again."""
+        """Ask to show everything again."""
         self.reset.emit()
 
     def mouseClickEvent(self, event: Any) -> None:
-        """Tell the time that was clicked, in simulated seconds."""
+        """Emit the clicked time in simulated seconds."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(self.mapSceneToView(event.scenePos()).x())
             event.accept()
 
 
 class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
-    """Paints the blocks of every lane in pixels, so that text and corners stay sharp."""
+    """Paints the blocks of all lanes in pixels, so that texts and corners stay sharp."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -266,7 +269,7 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.time = 0.0
 
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
-        """Show other lanes; ``time`` is now, in simulated seconds."""
+        """Show other lanes; ``time`` is the present in simulated seconds."""
         self.prepareGeometryChange()
         if lanes is not self.lanes:
             self._starts = [[block.start for block in lane.blocks] for lane in lanes]
@@ -274,13 +277,13 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.update()
 
     def boundingRect(self) -> QRectF:
-        """Simulated seconds across, pixels down."""
+        """The area: simulated seconds across, pixels down."""
         high = float(sum(PITCH[lane.kind] for lane in self.lanes))
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
         return QRectF(0, 0, max(self.time, *ends, 1.0) if ends else 1.0, max(high, 1.0))
 
     def paint(self, painter: QPainter, *_: object) -> None:
-        """Paint the blocks that are in view."""
+        """Paint the visible blocks."""
         view = self.getViewBox()
         (left, right), _y = view.viewRange()
         transform = painter.transform()
@@ -311,8 +314,10 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.restore()
 
     def beside(self, until: float, width: float) -> float:
-        """Pixels that the words of the last blocks need at their right, where ``until`` simulated
-        seconds are shown in ``width`` pixels; at most a third of them."""
+        """The pixels that words need behind the last blocks, a third of ``width`` at most.
+
+        ``until`` simulated seconds are shown in ``width`` pixels.
+        """
         needed = 0.0
         for lane in self.lanes:
             for block in lane.blocks[-1:]:
@@ -323,8 +328,10 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         return min(needed, width / 3)
 
     def _say_beside(self, painter: QPainter, room: QRectF, kind: str, block: Block) -> None:
-        """The last words of a lane stand behind their block where that is too short for them, so
-        that the goal of a long run can be read."""
+        """Paint the last words of a lane behind their block if the block is too short for them.
+
+        So the goal of a long run can be read.
+        """
         if block.look == "predicted":
             return
         painter.setFont(_font(kind))
@@ -334,7 +341,7 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, plain_text(block.words))
 
     def _holds(self, block: Block) -> bool:
-        """Whether a past moment is shown, and this block held then."""
+        """Whether a past moment is shown and the block covers it."""
         return block.end is not None and block.start <= self.time < block.end
 
     def _paint(
@@ -372,15 +379,17 @@ def _font(kind: str) -> QFont:
 
 
 def _wide(kind: str, words: str) -> float:
-    """Pixels that the words of a block need."""
+    """The width of a block's words (pixels)."""
     return QFontMetricsF(_font(kind)).horizontalAdvance(words) + 6
 
 
 def _seen(
     blocks: Sequence[Block], starts: Sequence[float], left: float, right: float, pixel: float
 ) -> Iterator[int]:
-    """Which blocks lie between two times. Of those that share a place the first, and the last: it
-    may go on for long."""
+    """The blocks between two times.
+
+    If several fall on one pixel, it takes the first and the last, which may continue for long.
+    """
     at = max(bisect_right(starts, left) - 1, 0)
     while at < len(blocks) and starts[at] <= right:
         yield at

@@ -1,4 +1,4 @@
-"""What the features of one window share."""
+"""The parts that all features of one window share."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from smsl_studio.studio.document.session import Session
 
 @dataclass(frozen=True)
 class WindowParts:
-    """Made by the shell before any feature; ``tokens`` are the colours that it begins in."""
+    """The shared parts, made by the shell before any feature.
+
+    ``tokens`` are the colours at the start.
+    """
 
     session: Session
     files: Files
