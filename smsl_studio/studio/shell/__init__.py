@@ -1,1 +1,1 @@
-"""The shell: the application, its windows, and the frame that the features are put into."""
+"""The shell: the application, its windows, and the frame around the features."""

@@ -1,10 +1,10 @@
-"""What scroll areas are for assistive tools.
+"""A replacement for Qt's accessible interface of scroll areas, which can crash the process.
 
-Qt has an interface for them whose children are those parts that are shown just then: a scroll bar
-is one while there is something to scroll. ``child`` does not look how many there are, so a reader
-who counted before the scroll bar went reads beyond the end of a list, and the process dies
-(seen with Qt 6.11). Here every part is a child all the time, as with any other widget, and one that
-is hidden says so: the count stays, and there is no child beyond it.
+In Qt's interface the children are the parts that are visible at the moment, so a scroll bar is a
+child only sometimes. ``child`` does not check its index. If a scroll bar disappears after a reader
+has counted the children, the reader gets a child beyond the end of the list, and the process
+crashes (seen with Qt 6.11). Here every part is always a child, as in any other widget, and a hidden
+one says that it is hidden. So the number stays the same.
 """
 
 from __future__ import annotations
@@ -14,11 +14,17 @@ from PySide6.QtGui import QAccessible, QAccessibleInterface
 from PySide6.QtWidgets import QAbstractScrollArea, QAccessibleWidget
 
 WITH_QT_S_OWN = ("QScrollArea", "QAbstractScrollArea")
-"""The classes that Qt has the interface for; lists, tables and texts have others, which do look."""
+"""The classes with Qt's faulty interface.
+
+Lists, tables and texts have other interfaces, which check the index.
+"""
 
 
 def area_of(class_name: str, thing: QObject) -> QAccessibleInterface | None:
-    """The interface of a scroll area; None for all else. Qt keeps it until the area goes."""
+    """The interface of a scroll area; None for all other objects.
+
+    Qt keeps it until the area is deleted.
+    """
     if class_name in WITH_QT_S_OWN and isinstance(thing, QAbstractScrollArea):
         return QAccessibleWidget(thing, QAccessible.Role.Client)
     return None

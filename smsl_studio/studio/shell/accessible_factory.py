@@ -1,4 +1,4 @@
-"""What assistive tools find in the window where Qt's own answer does not do."""
+"""Accessible interfaces for objects whose interface in Qt is missing or faulty."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ INSTALLED = "smsl accessible factory"
 class Factory:
     """Makes the interface of a canvas or a scroll area when an assistive tool asks for it.
 
-    Qt asks with the name of each class of a thing, from its own to the most general one.
+    Qt calls it with the name of each class of an object, from the most special to the most general.
     """
 
     def __init__(self) -> None:
@@ -31,10 +31,7 @@ class Factory:
 
 
 def install(application: QCoreApplication) -> None:
-    """Let assistive tools see the states of every canvas and the parts of every scroll area.
-
-    Once an application.
-    """
+    """Install the factory, once for each application."""
     if not application.property(INSTALLED):
         application.setProperty(INSTALLED, True)
         QAccessible.installFactory(Factory())

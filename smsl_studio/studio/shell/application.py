@@ -1,4 +1,4 @@
-"""The window's door: one application, a window for each file."""
+"""The start of the window program: one application, with a window for each file."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ if TYPE_CHECKING:
 
 
 def open_window(paths: Sequence[str], mode: str = "draw") -> int:
-    """Show a window for each file (an empty one for none) until they are closed; exit status."""
+    """Show a window for each file, or an empty one, until all are closed.
+
+    Returns the exit status.
+    """
     application = make_application(sys.argv)
     from smsl_studio.host.spare import Spare
 
@@ -43,9 +46,10 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     sys.excepthook = crash_hook(windows.keep, windows.warn)
     stop = _let_interrupts_through(application)
     known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
-    # Under nohup the end of the terminal is to be ignored, and stays so.
+    # Under nohup SIGHUP is ignored, and it must stay ignored.
     ends = [end for end in known if end and signal.getsignal(end) is not signal.SIG_IGN]
-    # Python hears it at any place, also in the middle of a drawing: nothing is closed there.
+    # A signal can arrive at any place, even while a window is painted, so the windows are closed
+    # later.
     hear = partial(QTimer.singleShot, 0, application, windows.leave)
     before = [signal.signal(end, lambda *_: hear()) for end in ends]
     try:
@@ -60,7 +64,7 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
 
 
 def make_application(argv: Sequence[str]) -> QApplication:
-    """The one application of this process, named."""
+    """The one application of this process, with its name and icon."""
     present = QApplication.instance()
     application = present if isinstance(present, QApplication) else QApplication(list(argv[:1]))
     application.setApplicationName("smsl-studio")
@@ -72,7 +76,7 @@ def make_application(argv: Sequence[str]) -> QApplication:
 
 
 def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
-    """A window that shows a file; where it cannot be read the window says why."""
+    """Show a window with a file. If the file cannot be read, the window says why."""
     with uncollected():
         window = Window(windows)
         window.show()
@@ -85,7 +89,7 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
 
 
 def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
-    """Offer what windows have left behind that did not close; None where there is nothing."""
+    """Offer the journals of windows that crashed; None if there are none."""
     from smsl_studio.studio.document.journal.leftovers import left_behind
 
     found = left_behind(folder_of(windows.settings.folder))
@@ -102,11 +106,11 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
         return None
 
     def recover(one: Left) -> bool:
-        """Bring work back into the first window while that is untouched, else into a new one."""
+        """Recover into the first window if nothing was done in it, else into a new window."""
         return (window if window.safety.untouched else make_window(windows)).safety.recover(one)
 
     def show_difference(one: Left) -> bool:
-        """Show how the kept work differs from the files."""
+        """Show the difference between the kept work and the files."""
         return window.features.draw.show_difference(one.entry, window.tokens, offer)
 
     offer = RecoveryOffer(left, recover, show_difference, window)
@@ -115,7 +119,7 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
 
 
 def main(argv: Sequence[str]) -> int:
-    """``open``: file arguments and ``--mode``."""
+    """The command ``open``: files and ``--mode``."""
     parser = argparse.ArgumentParser(prog="smsl-studio open", description="Open the window.")
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
     parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
@@ -124,7 +128,10 @@ def main(argv: Sequence[str]) -> int:
 
 
 def _let_interrupts_through(application: QApplication) -> QTimer:
-    """Ctrl+C in the terminal closes the windows: Python sees it only while it runs."""
+    """Let Ctrl+C in the terminal end the program.
+
+    Python handles a signal only while Python code runs, so a timer runs some regularly.
+    """
     signal.signal(signal.SIGINT, lambda *_: application.quit())
     timer = QTimer()
     timer.timeout.connect(lambda: None)

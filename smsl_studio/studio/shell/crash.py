@@ -1,4 +1,4 @@
-"""When something of ours crashes: the work is kept in the journal, and the person is told."""
+"""What happens after an unexpected error: the journal is written, and the person is told."""
 
 from __future__ import annotations
 
@@ -13,10 +13,14 @@ Hook = Callable[[type[BaseException], BaseException, TracebackType | None], None
 
 
 def crash_hook(keep: Callable[[], bool], say: Callable[[str], None]) -> Hook:
-    """An excepthook: print the trace, keep the unsaved work, say so, and go on."""
+    """An excepthook that prints the trace, keeps unsaved work, tells the person, and goes on.
+
+    ``keep`` writes the journals and returns whether there is unsaved work. ``say`` shows a
+    sentence.
+    """
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-        """Print the error, keep the unsaved work and tell the person."""
+        """Print the error, keep unsaved work, and tell the person."""
         print(whole_text("".join(traceback.format_exception(kind, error, trace))), file=sys.stderr)
         if issubclass(kind, KeyboardInterrupt):
             raise SystemExit(130)

@@ -1,4 +1,4 @@
-"""What is asked before a window closes: everything first, and only then is anything done."""
+"""The questions before a window closes. All are asked before anything is done."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from smsl_studio.studio.document.files.files import Files
 
 
 class Departure:
-    """The answers of one window. A window that ``agreed`` closes without another question.
+    """The questions of one window, and their answers.
 
-    ``may_end`` says whether the run may end; it is given what asks the person.
+    After ``agreed`` is set, the window closes without asking.
+
+    ``may_end`` returns whether the run may end. Its argument asks the person.
     """
 
     def __init__(
@@ -22,10 +24,10 @@ class Departure:
         self.agreed = False
 
     def ask(self, several: bool = False) -> bool:
-        """Ask whether the run may end and whether to save; False where the window shall stay.
+        """Ask whether the run may end and whether to save; False if the window shall stay open.
 
-        Nothing is done yet. ``several`` windows are asked about: each question says more of the
-        file, so that it is known which one is meant.
+        Nothing is done yet. ``several`` says that several windows are asked about. The question
+        then says more about the file.
         """
         self._save = False
         if not self._may_end(self._dialogs.may_end_run):
@@ -35,9 +37,9 @@ class Departure:
         return answer != "cancel"
 
     def save(self) -> bool:
-        """Save where that was the answer; False where it could not be done, or was called off."""
+        """Save if that was the answer; False if that failed or was cancelled."""
         return not self._save or self._files.save()
 
     def may_close(self) -> bool:
-        """Whether the window may close now; it asks unless it has ``agreed``."""
+        """Whether the window may close now. It asks, unless ``agreed`` is set."""
         return self.agreed or (self.ask() and self.save())

@@ -1,4 +1,4 @@
-"""The table of features: each by its name, and what each is handed of its neighbours."""
+"""The table of features of a window, and what each gets from the others."""
 
 from __future__ import annotations
 
@@ -30,22 +30,23 @@ if TYPE_CHECKING:
 
 
 class Features(QObject):
-    """What one window can do. Iterating gives the features in the order of their menus.
+    """All features of one window. Iterating yields them in the order of their menus.
 
-    The drawing is there at once. Whatever has to do with a run is made together when somebody first
-    asks for it; replay when the first recording is opened.
+    The drawing is made at once. The parts of a run are made together when one of them is needed.
+    The replay is made when the first recording is opened.
     """
 
     said = Signal()
-    """Other ``words`` tell how what is shown stands."""
+    """The result of ``words`` changed."""
     named = Signal()
-    """``other`` may be another one than it was."""
+    """The result of ``other`` may have changed."""
     caret_moved = Signal(int, int)
     """Line and column of the caret in the source, from 1."""
     run_exists = Signal(bool)
     """Whether there is a run that can be stopped."""
     phase_shown = Signal(str, str, str)
-    """Words and kind of the phase of the run, and the sentence about it."""
+    """The word for the run's phase, its kind (which selects the colour), and the sentence about
+    it."""
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
@@ -72,7 +73,7 @@ class Features(QObject):
         return self.run.pane.run, self.run.pane.levels
 
     def _introduce(self, pane: RunPane) -> None:
-        """There can be a run now: whoever shows or commands it, or is asked by it, hears of it."""
+        """Connect the parts of a run with each other, after they were made."""
         supervise, people = self.supervise.part(), self.people.part()
         pane.monitor_wanted.connect(self.monitor.toggle)
         supervise.begin_wanted.connect(pane.play)
@@ -91,63 +92,63 @@ class Features(QObject):
         verbs.replay.opened.connect(lambda *_: self.named.emit())
 
     def words(self, mode: str) -> Words:
-        """What the status line says: of the replay while that is shown, else of the run."""
+        """The texts of the status line: about the replay in its mode, else about the run."""
         if mode == "replay":
             return self.replay.verbs.pane.words
         pane = self.run.part.made
         return pane.words if pane is not None else ((), ())
 
     def other(self, mode: str) -> str:
-        """The file that a mode shows in place of the drawing; the empty text where it is that."""
+        """The file that a mode shows instead of the drawing; empty if it shows the drawing."""
         if mode in ("run", "supervise"):
             return self.run.pane.other
         return self.replay.file if mode == "replay" else ""
 
     def tell_caret(self) -> None:
-        """Tell ``caret_moved`` again, while one works in the source."""
+        """Emit ``caret_moved`` again, if the source has the focus."""
         self.draw.source.tell_caret()
 
     def below(self, top: QWidget) -> QWidget:
-        """The top of the window, with the bar below it that asks about a changed file."""
+        """The widget ``top`` with the bar below it that asks about a changed file."""
         return self.draw.safety.below(top)
 
     def open_palette(self, corner: QPoint) -> None:
-        """Find anything by typing, in a list below ``corner``."""
+        """Open the command palette below a point of the screen."""
         self.draw.palette.open(corner)
 
     def mode_shown(self) -> None:
-        """Another mode is shown: a run may begin in it."""
+        """Tell the run that another mode is shown, in which a run may begin."""
         self.run.mode_shown()
 
     def keep_unsaved(self) -> bool:
-        """Write the journal now; whether there is unsaved work."""
+        """Write the journal now; returns whether there is unsaved work."""
         return self.draw.safety.journal.flush()
 
     def leave_behind(self) -> bool:
-        """Keep unsaved work for the next start; whether there is any."""
+        """Keep unsaved work for the next start; returns whether there is any."""
         return self.draw.safety.journal.leave_behind()
 
     def may_leave(self, ask: Callable[[str], bool]) -> bool:
-        """Whether the window may go; ``ask`` asks the person about a run that has not ended."""
+        """Whether the window may close; ``ask`` asks the person about a run that has not ended."""
         return self.run.may_leave(ask)
 
     def stop_run(self) -> None:
-        """A controlled stop of the run."""
+        """Stop the run under control."""
         self.run.stop_run()
 
     def stop(self) -> None:
-        """The window goes away: the run is ended first, and nothing unsaved is given up before."""
+        """End all work, because the window closes. The run ends first."""
         self.end_run()
         for feature in (self.replay, self.draw):
             feature.stop()
 
     def end_run(self) -> None:
-        """Stop the run and let go of it, with the page beside it."""
+        """Stop the run, release it, and close the monitor."""
         self.monitor.stop()
         self.run.stop()
 
     def _light_source(self, active: Mapping[str, str], _: str) -> None:
-        """Light in the text where the run stands."""
+        """Highlight the active states in the source."""
         there = active if self.run.pane.run.exists else {}
         self.draw.source.set_active(Address(sb, state) for sb, state in there.items())
 

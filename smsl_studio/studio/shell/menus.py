@@ -1,4 +1,4 @@
-"""The table of actions: the rows of each feature, and those of the shell, in their order."""
+"""The rows of all actions: those of each feature, and those of the shell."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from smsl_studio.studio.base.feature import Feature, Shell
 
 
 def all_actions(features: Iterable[Feature], shell: Shell) -> tuple[Action, ...]:
-    """Every row, menu by menu."""
+    """All rows, in the order of the features."""
     rows = [action for feature in features for action in feature.actions()]
     return (*rows, *help_actions(shell))
 
 
 def help_actions(shell: Shell) -> tuple[Action, ...]:
-    """The Help menu."""
+    """The rows of the Help menu."""
     return (
         Action("shortcuts", "Keyboard shortcuts", shell.show_shortcuts, "Help", "", ("F1",)),
         Action("about", "About SMSL Studio", shell.show_about, "Help"),

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 WIDTH, TALLEST = 620, 280
 BESIDES = 190
-"""The height of the question, what it means, and the buttons."""
+"""Height of the question, its explanation and the buttons (pixels)."""
 WHY = (
     "Its code would run with your rights, each time the window opens and in every run. "
     "Allow it only if you know where it comes from. Until then nothing of it runs."
@@ -33,9 +33,9 @@ WHY = (
 
 
 class PluginQuestion(QDialog):
-    """Asks about one plugin; ``decided`` tells of ``allow`` or ``forbid``.
+    """The question about one plugin; ``decided`` carries ``allow`` or ``forbid``.
 
-    Escape, and closing it, leaves the plugin as it is.
+    Escape and closing decide nothing.
     """
 
     decided = Signal(str)
@@ -76,10 +76,10 @@ class PluginQuestion(QDialog):
 
 
 class PluginQuestions(QObject):
-    """Asks about every plugin that waits, one after the other, in the window it belongs to.
+    """Asks about all undecided plugins, one after the other.
 
-    Of several windows the one that is in front asks. ``refused`` tells of a decision that could
-    not be kept.
+    If there are several windows, the one in front asks. ``refused`` carries the error if a decision
+    could not be stored.
     """
 
     refused = Signal(StudioError)
@@ -97,9 +97,9 @@ class PluginQuestions(QObject):
             self._ask()
 
     def _ask(self) -> None:
-        """Ask about the next plugin that nobody was asked about yet, if there is one.
+        """Ask about the next undecided plugin, if there is one.
 
-        After the last one the plugins are looked for again, where something was decided.
+        After the last question the plugins are searched again, if something was decided.
         """
         if self._question is not None:
             return
@@ -130,7 +130,10 @@ class PluginQuestions(QObject):
 
 
 def _facts_of(found: FoundPlugin, wide: int, tallest: int) -> QWidget:
-    """What is known of a plugin without running it, in a dialog so ``wide``."""
+    """What is known of a plugin without running it.
+
+    ``wide`` is the width of the dialog (pixels).
+    """
     words = found.manifest
     assert words is not None
     facts = {"Version": words.version, "From": found.location, "About": words.description}
@@ -156,7 +159,7 @@ def _facts_of(found: FoundPlugin, wide: int, tallest: int) -> QWidget:
 
 
 def _wrapped(text: str) -> QLabel:
-    """A text in several lines, that can be marked and copied."""
+    """A label that wraps its text and lets a person select and copy it."""
     made = label(text, "second")
     made.setWordWrap(True)
     made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

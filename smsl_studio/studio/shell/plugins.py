@@ -1,4 +1,7 @@
-"""What the installed plugins offer, as all windows know it. Their code never runs here."""
+"""What the installed plugins offer, shared by all windows.
+
+Their code never runs in this process.
+"""
 
 from __future__ import annotations
 
@@ -15,21 +18,22 @@ if TYPE_CHECKING:
     from smsl_studio.library.survey import FoundPlugin
 
 SOON = 150
-"""Milliseconds from the first window to the look for plugins: it is drawn first."""
+"""Milliseconds from the first window to the search for plugins, so that the window is drawn
+first."""
 
 
 def described() -> Loaded:
-    """What the plugins offer; what that takes is loaded when it is first asked for."""
+    """What the plugins offer. The needed modules are imported only here."""
     from smsl_studio.host.plugin_offers import describe
 
     return describe()
 
 
 class Plugins(QObject):
-    """The plugins that were found last; ``look`` finds them, beside the window's own work.
+    """The plugins found last; ``look`` searches for them in a second thread.
 
-    ``known`` says whether they were looked for at all. A run always loads its plugins anew, in its
-    own process: looking again is for what the window offers.
+    ``known`` says whether a search has ended. A run always loads its plugins anew, in its own
+    process. This search is only for what the window offers.
     """
 
     changed = Signal()
@@ -38,7 +42,7 @@ class Plugins(QObject):
         super().__init__()
         self.loaded, self.known, self.looking = Loaded(), False, False
         self.news = ""
-        """What looking again has found, in a sentence; empty the first time."""
+        """A sentence about the result of a repeated search; empty after the first one."""
         self._look = look
         self._asked: set[tuple[str, str]] = set()
         self._once_more = False
@@ -49,15 +53,16 @@ class Plugins(QObject):
         self._soon.timeout.connect(self.look)
 
     def look_soon(self) -> None:
-        """Look for them once the window is drawn, where nobody has looked yet."""
+        """Search after the window is drawn, unless a search was made or is in progress."""
         if not self.known and not self.looking:
             # The wait begins when the event loop has nothing else to do.
             QTimer.singleShot(0, self._soon, self._soon.start)
 
     def look(self) -> None:
-        """Look for them (again); ``changed`` tells when that is done.
+        """Search again; ``changed`` is emitted at the end.
 
-        Asked for while it is being done, it is done once more: something may have changed since.
+        A call during a search makes another search after it, because something may have changed
+        meanwhile.
         """
         if self.looking:
             self._once_more = True
@@ -67,12 +72,15 @@ class Plugins(QObject):
         self._beside.do(self._found, self._take)
 
     def look_anew(self) -> None:
-        """Look for them because a person wants it: what they left open is asked again."""
+        """Search because a person wants it. Undecided plugins are asked about again."""
         self._asked.clear()
         self.look()
 
     def unasked(self) -> FoundPlugin | None:
-        """A plugin that is new or has changed; from now on somebody was asked about it."""
+        """A new or changed plugin about which nobody was asked; it then counts as asked.
+
+        None if there is none.
+        """
         for found in self.loaded.waiting:
             key = found.location, found.digest
             if not found.is_forbidden and key not in self._asked:
@@ -81,7 +89,7 @@ class Plugins(QObject):
         return None
 
     def stop(self) -> None:
-        """Nobody is told any more, and no thread waits for more work."""
+        """Emit no further signals, and end the thread."""
         self._soon.stop()
         if self._beside is not None:
             self._beside.stop()

@@ -1,4 +1,4 @@
-"""F8 stops a run from anywhere in the program, also where a dialog holds the keys."""
+"""F8 stops a run from anywhere in the program, even while a dialog has the keyboard focus."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 
 class StopKey(QObject):
-    """Sees every key of the application while a run exists, and none otherwise."""
+    """Filters all keys of the application while a run exists."""
 
     def __init__(
         self, application: QApplication, stop: Callable[[], object], parent: QObject
@@ -19,13 +19,13 @@ class StopKey(QObject):
         self._application, self._stop = application, stop
 
     def listen(self, wanted: bool) -> None:
-        """Listen while a run exists."""
+        """Begin or end filtering."""
         self._application.removeEventFilter(self)
         if wanted:
             self._application.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """F8 stops the run, and nobody else hears of that key."""
+        """Stop the run on F8; nobody else receives that key."""
         pressed = event.type() == QEvent.Type.KeyPress
         if pressed and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_F8:
             self._stop()

@@ -39,7 +39,7 @@ from smsl_studio.studio.shell.windows import Windows
 
 
 class Window(QMainWindow):
-    """One window on one blueprint."""
+    """One window with one blueprint."""
 
     def __init__(self, windows: Windows) -> None:
         super().__init__()
@@ -81,8 +81,10 @@ class Window(QMainWindow):
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
     def _name_parts(self) -> None:
-        """The parts of the features, each under a name of its own, for whoever works a window from
-        outside. The shell asks ``features``."""
+        """Give the parts of the features names at the window, for tests and scripts.
+
+        The shell itself uses ``features``.
+        """
         draw = self.features.draw
         self.canvas, self.editor, self.fix_card = draw.canvas, draw.editor, draw.fix_card
         self.drawing, self.clipping = draw.drawing, draw.clipping
@@ -136,11 +138,11 @@ class Window(QMainWindow):
         features.named.connect(self._captions.show_title)
         features.phase_shown.connect(self.mode_bar.show_phase)
 
-    # What the features ask of the shell.
+    # What the features may ask of the shell.
 
     @property
     def mode(self) -> str:
-        """The mode that is shown, such as "draw"."""
+        """The current mode, such as "draw"."""
         return self._modes.shown
 
     @property
@@ -150,11 +152,11 @@ class Window(QMainWindow):
 
     @property
     def program(self) -> AllWindows:
-        """What all windows share."""
+        """The program with all its windows."""
         return self._windows
 
     def new_window(self) -> None:
-        """Show another window, empty, on what the plugins offer here."""
+        """Show another empty window, a little below this one."""
         self._beside()
 
     def _beside(self) -> Window:
@@ -164,7 +166,7 @@ class Window(QMainWindow):
         return window
 
     def set_mode(self, mode: str) -> None:
-        """Show Draw, Run, Supervise or Replay."""
+        """Switch to Draw, Run, Supervise or Replay."""
         if mode != self.mode:
             self._modes.show(mode, self.width())
             self.features.mode_shown()
@@ -173,7 +175,7 @@ class Window(QMainWindow):
         self.actions_table.refresh()
 
     def wear(self, tokens: Tokens) -> None:
-        """Paint everything in these colours."""
+        """Use the colours of another theme."""
         self.tokens = tokens
         frame = (self.menu_row, self.mode_bar, self.toast, self.actions_table)
         for part in (*self.features, *frame):
@@ -186,7 +188,7 @@ class Window(QMainWindow):
         return self.files.name
 
     def open_path(self, path: Path) -> None:
-        """Show a file: that of a feature, such as a recorded run, or a blueprint."""
+        """Open a file: a blueprint, or what a feature can open, such as a recorded run."""
         if not any(feature.open_path(path) for feature in self.features):
             self.files.open(path)
 
@@ -195,54 +197,55 @@ class Window(QMainWindow):
         self.features.stop_run()
 
     def end_run(self) -> None:
-        """Stop the run under control and let go of it; nothing is asked."""
+        """Stop the run under control and release it, without a question."""
         self.features.end_run()
 
     def keep_unsaved(self) -> bool:
-        """Write the journal now; whether there is unsaved work."""
+        """Write the journal now; returns whether there is unsaved work."""
         return self.features.keep_unsaved()
 
     def leave_behind(self) -> bool:
-        """Keep unsaved work for the next start; whether there is any."""
+        """Keep unsaved work for the next start; returns whether there is any."""
         return self.features.leave_behind()
 
     def warn(self, words: str) -> None:
-        """Say something that went wrong."""
+        """Show that something went wrong."""
         self.toast.warn(words)
 
     def open_palette(self) -> None:
-        """Find anything by typing."""
+        """Open the command palette."""
         self.features.open_palette(self.search_corner())
 
     def search_corner(self) -> QPoint:
-        """Below the search field; where that has no room, below the bar."""
+        """The point of the window below the search field, or below the bar if the field is
+        hidden."""
         box = self.mode_bar.search
         if box.isVisible():
             return box.mapTo(self, QPoint(box.width(), box.height() + 4))
         return QPoint(self.width() - 12, self.body.y() + 8)
 
     def corner_below(self, action: str) -> QPoint:
-        """A point of the screen below the button of an action."""
+        """The point of the screen below the button of an action."""
         return self.mode_bar.below(action)
 
     def show_tab(self, name: str) -> None:
-        """Bring the panel of this name to the front."""
+        """Show the panel of this name."""
         self.docks.show_tab(name)
 
     def show_count(self, panel: str, count: int) -> None:
-        """Say on the tab of a panel how much is in it."""
+        """Show a number on the tab of a panel."""
         self.docks.bottom_tabs.set_count(panel, count)
 
     def show_segment(self, name: str, shown: bool) -> None:
-        """Offer a mode in the mode bar, or no longer."""
+        """Show or hide the button of a mode in the mode bar."""
         self.mode_bar.segments.show_segment(name, shown)
 
     def add_badge(self, badge: QWidget) -> None:
-        """Show a badge at the right of the menus."""
+        """Add a badge at the right of the menus."""
         self.menu_row.add_badge(badge)
 
     def say_findings(self, words: str) -> None:
-        """Say in the status line what was found."""
+        """Show the number of findings in the status line."""
         self.status_line.show_findings(words)
 
     def show_shortcuts(self) -> None:
@@ -251,13 +254,13 @@ class Window(QMainWindow):
         shortcuts_dialog(self.actions_table, own, self).open()
 
     def show_about(self) -> None:
-        """Show what this program is, and its version."""
+        """Show the name of the program and its version."""
         about_dialog(self).open()
 
     # What is shown.
 
     def show_plugins(self) -> None:
-        """What the installed plugins offer; those that did not load are named."""
+        """Hand what the installed plugins offer to the features, and name a plugin that failed."""
         plugins = self._windows.plugins
         for feature in self.features:
             feature.set_plugins(plugins.loaded, plugins.known)
@@ -267,7 +270,7 @@ class Window(QMainWindow):
             self.toast.say(plugins.news)
 
     def settle(self) -> None:
-        """What is still being typed counts: leaving a field takes it over, then one goes on."""
+        """Take over what is still being typed; the focus stays in its field."""
         for feature in self.features:
             feature.settle()
         take_over(self.focusWidget())
@@ -277,7 +280,7 @@ class Window(QMainWindow):
         self._stop_key.listen(exists)
 
     def _show_said(self) -> None:
-        """The status line speaks of what the mode shows."""
+        """Show the texts of the mode in the status line."""
         self.status_line.show_run(self.features.words(self.mode))
 
     # Qt's events.
@@ -287,7 +290,7 @@ class Window(QMainWindow):
         self._modes.restore()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Follow the screen that the window is on."""
+        """Keep the window on its screen."""
         super().showEvent(event)
         self._room.shown()
 
@@ -297,7 +300,7 @@ class Window(QMainWindow):
         self._modes.fit_width(self.width())
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Close once all that is asked is answered; then end the run and keep the places."""
+        """Close if the person agrees; then end the run and remember the places of the panels."""
         if self._closes or not self.leaving.may_close():
             event.ignore()
             return
@@ -309,7 +312,7 @@ class Window(QMainWindow):
         self._settings.sync()
         self._stop_key.listen(False)
         self.inspector.stop()
-        # The history empties itself when it goes, and nobody is left to be told.
+        # The history is cleared when it is deleted, and its listeners are gone by then.
         self.session.history.blockSignals(True)
         self._windows.remove(self)
         event.accept()

@@ -1,4 +1,4 @@
-"""All windows of the program: what they share, and what is done to every one of them."""
+"""All windows of the program: what they share, and actions on all of them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class OpenWindow(Protocol):
-    """What is asked of each window."""
+    """What the program needs of each window."""
 
     @property
     def session(self) -> Session:
@@ -31,23 +31,23 @@ class OpenWindow(Protocol):
 
     @property
     def leaving(self) -> Departure:
-        """What asks before it closes."""
+        """The questions before it closes."""
 
     @property
     def name(self) -> str:
-        """The name it goes by in questions about several windows."""
+        """Its name in questions about several windows."""
 
     def wear(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
 
     def stop_run(self) -> None:
         """Stop its run."""
 
     def keep_unsaved(self) -> bool:
-        """Write the journal now; answers whether there is unsaved work."""
+        """Write the journal now; returns whether there is unsaved work."""
 
     def leave_behind(self) -> bool:
-        """Keep unsaved work for the next start; answers whether there is any."""
+        """Keep unsaved work for the next start; returns whether there is any."""
 
     def settle(self) -> None:
         """Take over what is still being typed."""
@@ -56,17 +56,17 @@ class OpenWindow(Protocol):
         """End its run, so that the window can close."""
 
     def warn(self, words: str) -> None:
-        """Say something to the person who works here."""
+        """Show that something went wrong."""
 
     def isActiveWindow(self) -> bool:
-        """Whether it has the keys."""
+        """Whether it has the keyboard focus."""
 
     def deleteLater(self) -> None:
-        """Go, once the event loop is reached again."""
+        """Delete it when the event loop runs again."""
 
 
 class Windows(QObject):
-    """The windows that are open, oldest first; each tells when it comes and goes."""
+    """The open windows, the oldest first. Windows call ``add`` and ``remove`` themselves."""
 
     def __init__(
         self,
@@ -82,7 +82,7 @@ class Windows(QObject):
         self.persons = Persons(settings)
         self._open: list[OpenWindow] = []
         self._closed: list[OpenWindow] = []
-        # A method, not a lambda: it is let go of with this object.
+        # A method and not a lambda, so that Qt disconnects it when this object is deleted.
         application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
     def __iter__(self) -> Iterator[OpenWindow]:
@@ -93,17 +93,18 @@ class Windows(QObject):
         self._open.append(window)
 
     def remove(self, window: OpenWindow) -> None:
-        """The window was closed; it is let go of with all that it held."""
+        """Remove a closed window and free it with all that it holds."""
         if window in self._open:
             self._open.remove(window)
-            # Its own connections would keep it for ever.
+            # Without this, its own signal connections would keep it alive.
             window.deleteLater()
-            # One that is let go of while it is being closed takes Qt along.
+            # Qt crashes if a window is deleted while it closes, so it is kept until the event loop
+            # runs.
             self._closed.append(window)
             QTimer.singleShot(0, self, self._closed.clear)
 
     def is_in_front(self, window: object) -> bool:
-        """Whether this window has the keys, or none has and it is the oldest."""
+        """Whether this window has the focus; if none has it, whether it is the oldest."""
         active = (shown for shown in self if shown.isActiveWindow())
         return next(active, next(iter(self), None)) is window
 
@@ -114,21 +115,21 @@ class Windows(QObject):
 
     @property
     def tokens(self) -> Tokens:
-        """The colours of the theme that is chosen."""
+        """The colours of the chosen theme."""
         return tokens_of(self.theme, self.application)
 
     def set_theme(self, theme: str) -> None:
-        """Dress everything in light, dark, or what the desktop asks for; remembered."""
+        """Set and remember the theme: light, dark, or system."""
         self.settings.theme = theme
         dress(self.application, self.tokens)
-        # The palette is the application's, so every window of it changes.
+        # All windows share the palette of the application.
         for window in self:
             window.wear(self.tokens)
 
     def quit(self) -> None:
-        """Close every window, once all that is asked about each is answered.
+        """Close all windows after all questions are answered.
 
-        Where one shall stay, all stay as they are.
+        If one window shall stay, all stay open.
         """
         several = len(self._open) > 1
         for window in self:
@@ -140,28 +141,31 @@ class Windows(QObject):
             self.application.closeAllWindows()
 
     def look_for_plugins(self) -> None:
-        """Look at the installed plugins again, for all windows."""
+        """Search for installed plugins again, for all windows."""
         self.plugins.look_anew()
 
     def stop_every_run(self) -> None:
-        """Stop the runs of all windows: who presses F8 does not look which one is in front."""
+        """Stop the runs of all windows: who presses F8 does not check which window is in front."""
         for window in self:
             window.stop_run()
 
     def warn(self, words: str) -> None:
-        """Say something in every window."""
+        """Show in every window that something went wrong."""
         for window in self:
             window.warn(words)
 
     def keep(self) -> bool:
-        """Write the journal of every window now; whether one of them holds unsaved work."""
+        """Write the journals of all windows now; returns whether one has unsaved work."""
         kept = [window.keep_unsaved() for window in self]
         return any(kept)
 
     def leave(self) -> None:
-        """Close without a question: the session or the terminal ends. Unsaved work is kept."""
+        """Close without questions, because the session or the terminal ends.
+
+        Unsaved work is kept.
+        """
         for window in self:
-            # Closing takes over what is being typed: by then it would be asked about.
+            # Closing would take over what is being typed and then ask about it.
             window.settle()
             if window.leave_behind():
                 said = f"unsaved work in {window.name} is kept, and offered at the next start"

@@ -1,1 +1,1 @@
-"""The frame of the window: menus, bars, docks, tabs, and what they say."""
+"""The frame of the window: menus, bars, docks, tabs and status line."""

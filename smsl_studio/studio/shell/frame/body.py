@@ -1,4 +1,4 @@
-"""The middle of the window: one page for each mode, of which only the shown one asks for room."""
+"""The middle of the window: one page for each mode. Only the visible page asks for room."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QWidget
 
 LEAST = QSize(120, 80)
-"""What stays of a page in the smallest window."""
+"""The size of a page in the smallest window."""
 
 
 class PageBody(QScrollArea):
-    """Shows one page. In a window that is too small for the page it is scrolled, never cut."""
+    """Shows one page. If the window is too small for it, the page scrolls."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -22,33 +22,34 @@ class PageBody(QScrollArea):
         self.setWidget(self.pages)
 
     def add_page(self, page: QWidget) -> None:
-        """A page more; the first one is shown."""
+        """Add a page. The first one is shown."""
         self.pages.addWidget(page)
 
     def show_page(self, page: QWidget) -> None:
-        """Show a page; the panels around it take the room it does not need."""
+        """Show a page. The panels around it take the room that it does not need."""
         self.pages.setCurrentWidget(page)
         self.pages.updateGeometry()
         self.updateGeometry()
 
     def sizeHint(self) -> QSize:
-        """As large as the page that is shown."""
+        """The size of the visible page."""
         return self.pages.sizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        """The least size of the page that is shown; a larger one is scrolled."""
+        """The smallest size of the visible page, limited to ``LEAST``, because a page can
+        scroll."""
         return self.pages.minimumSizeHint().boundedTo(LEAST)
 
 
 class _Pages(QStackedWidget):
-    """A stack whose hidden pages do not keep the window wide."""
+    """A stack in which hidden pages do not keep the window wide."""
 
     def sizeHint(self) -> QSize:
-        """As large as the page that is shown."""
+        """The size of the visible page."""
         page = self.currentWidget()
         return page.sizeHint() if page is not None else super().sizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        """The least size of the page that is shown."""
+        """The smallest size of the visible page."""
         page = self.currentWidget()
         return page.minimumSizeHint() if page is not None else super().minimumSizeHint()

@@ -1,4 +1,4 @@
-"""Captions: what the frame of the window says of what is open, and of where one is in it."""
+"""The title of the window, and the place in the file for the status line."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 
 class Captions(QObject):
-    """Keeps the title and the status line in step with session and files."""
+    """Updates the title and the status line when session or files change."""
 
     def __init__(
         self,
@@ -31,7 +31,7 @@ class Captions(QObject):
         self._session, self._files, self._tell_caret = session, files, tell_caret
         self._row, self._line, self._window = row, line, window
         self.other: Callable[[], str] = lambda: ""
-        """The file that is shown in place of the drawing; the empty text for none."""
+        """Returns the file that is shown instead of the drawing; empty for none."""
         session.blueprint_changed.connect(lambda *_: self._show_blueprint())
         session.selection_changed.connect(lambda *_: self._show_place())
         session.branch_changed.connect(lambda *_: self._show_place())
@@ -49,11 +49,12 @@ class Captions(QObject):
         session = self._session
         chosen = next(iter(session.selection), Address(session.branch))
         self._line.show_place(session.blueprint, chosen)
-        # Whoever types wants to know where the caret is, not where the graph follows it.
+        # While somebody types in the source, the status line shows the caret, not the selected
+        # element.
         self._tell_caret()
 
     def show_title(self) -> None:
-        """Name what the window shows: the drawing, or the file of a run that is another one."""
+        """Show the name of the drawing, or of the file of a run that is another one."""
         other = self.other()
         title = Title(other, "") if other else self._files.title
         self._row.show_title(title.name, title.edited)

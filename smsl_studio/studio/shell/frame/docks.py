@@ -1,4 +1,4 @@
-"""The docks around the canvas: left, right, bottom; below 1280 pixels the left one is a drawer."""
+"""The docks around the canvas: left, right, bottom. Below 1280 pixels the left one is a drawer."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
 NARROWEST = 200
 FORM = 288
-"""The width that no form is cut in, with its scroll bar."""
+"""The width at which no form is cut, with its scroll bar (pixels)."""
 LAYOUT_VERSION = 1
 
 
 class Docks(QObject):
-    """Three docks with panels of their own; they remember their places."""
+    """The three docks with their panels. Their places are remembered."""
 
     changed = Signal()
     """A dock was shown or hidden."""
@@ -59,26 +59,26 @@ class Docks(QObject):
         self._widths = {"Properties": PROPERTIES, "Source": SOURCE}
         self._tab = "Properties"
         self.right_tabs.changed.connect(self._resize_right)
-        # Tab goes through the panels in the order in which they come into the window.
+        # The order of adding is the order in which Tab visits the panels.
         tabs = {"right": self.right_tabs, "bottom": self.bottom_tabs}
         for panel in panels:
             if panel.side in tabs:
                 tabs[panel.side].add(panel.name, panel.widget, panel.tools)
 
     def set_first_sizes(self) -> None:
-        """The sizes of the design, where nothing is remembered."""
+        """Set the sizes of the design, if none are remembered."""
         sideways, upright = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self._window.resizeDocks([self.left, self.right], [LEFT, self._widths[self._tab]], sideways)
         self._window.resizeDocks([self.bottom], [BOTTOM], upright)
 
     def show_mode(self, mode: str) -> None:
-        """The docks belong to Draw mode."""
+        """Show the docks in Draw mode and hide them in all others."""
         self.drawer.close_drawer()
         for dock in (self.left, self.right, self.bottom):
             dock.setVisible(mode == "draw" and not (dock is self.left and self._narrow))
 
     def save(self) -> QByteArray:
-        """The places of the docks; a drawer is remembered as the dock it stands for."""
+        """The state of the docks to be remembered. A drawer is remembered as a dock."""
         if self._narrow:
             self.left.show()
         state = self._window.saveState(LAYOUT_VERSION)
@@ -86,14 +86,17 @@ class Docks(QObject):
         return state
 
     def restore(self, state: QByteArray) -> bool:
-        """Put the docks where they were; False where that was not remembered."""
+        """Restore a remembered state; False if there is none."""
         done = not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
         if self._narrow:
             self.left.hide()
         return done
 
     def fit_width(self, width: int) -> bool:
-        """Turn the left dock into a drawer where the window is narrow; True where it is."""
+        """Turn the left dock into a drawer if the window is narrow.
+
+        Returns whether it is narrow.
+        """
         narrow = width < NARROW
         if narrow != self._narrow:
             self._narrow = narrow
@@ -141,7 +144,7 @@ class Docks(QObject):
         self.changed.emit()
 
     def show_tab(self, name: str) -> None:
-        """Bring a panel to the front, wherever it is."""
+        """Show the panel of this name."""
         for tabs, dock in ((self.right_tabs, self.right), (self.bottom_tabs, self.bottom)):
             if name in tabs.names:
                 dock.show()
@@ -149,7 +152,7 @@ class Docks(QObject):
         self.changed.emit()
 
     def enter_tab(self, name: str) -> bool:
-        """Bring a panel to the front with the keys in it; False where they are there already."""
+        """Show a panel and give it the keyboard focus; False if it has the focus already."""
         self.show_tab(name)
         tabs = self.right_tabs if name in self.right_tabs.names else self.bottom_tabs
         page, focus = tabs.page(name), QApplication.focusWidget()
@@ -159,7 +162,8 @@ class Docks(QObject):
         return True
 
     def _resize_right(self, name: str) -> None:
-        """The source is wider than a form; each keeps the width it was given."""
+        """Restore the width of the right dock for a tab, because the source is wider than a
+        form."""
         if name != self._tab and self.right.isVisible():
             self._widths[self._tab] = self.right.width()
             self._window.resizeDocks(
@@ -179,7 +183,7 @@ class Docks(QObject):
 
 
 class Drawer(QFrame):
-    """The left panel laid over the canvas of a narrow window; it goes when the focus leaves it."""
+    """The left panel over the canvas of a narrow window. It closes when the focus leaves it."""
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
@@ -196,14 +200,14 @@ class Drawer(QFrame):
         window.installEventFilter(self)
 
     def take(self, widget: QWidget) -> None:
-        """Hold this widget from now on."""
+        """Put this widget into the drawer."""
         layout = self.layout()
         assert layout is not None
         layout.addWidget(widget)
         self._content = widget
 
     def toggle(self) -> None:
-        """Open the drawer and give the keys to what is in it, or close it."""
+        """Open the drawer and give it the keyboard focus, or close it."""
         if self.isVisible():
             self.close_drawer()
         else:
@@ -218,13 +222,13 @@ class Drawer(QFrame):
         self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep its place when the window changes its size."""
+        """Stay in place when the window changes its size."""
         if event.type() == QEvent.Type.Resize and self.isVisible():
             self._place()
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape closes the drawer and gives the keys to the body."""
+        """Escape closes the drawer and gives the keyboard focus to the page."""
         if event.key() == Qt.Key.Key_Escape:
             self.close_drawer()
             self._body().setFocus()

@@ -1,4 +1,4 @@
-"""Files that are dragged onto a window from elsewhere."""
+"""Files that a person drops onto a window."""
 
 from __future__ import annotations
 
@@ -11,9 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 
 class DroppedFiles(QObject):
-    """Opens what is dropped on a window: the first of several files takes the place of what is
-    there, each other one gets a window of its own.
-    """
+    """Opens dropped files: the first one in this window, each other one in a new window."""
 
     def __init__(
         self, open_here: Callable[[Path], object], open_beside: Callable[[Path], object],
@@ -25,7 +23,7 @@ class DroppedFiles(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Accept local files that are dragged over the window, and open those that are dropped."""
+        """Accept local files that are dragged over the window, and open dropped ones."""
         if isinstance(event, QDragEnterEvent):
             if any(url.isLocalFile() for url in event.mimeData().urls()):
                 event.acceptProposedAction()
@@ -35,7 +33,7 @@ class DroppedFiles(QObject):
             paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
             if paths:
                 event.acceptProposedAction()
-                # Whoever drags waits until this returns; a question may come up first.
+                # The other program waits until this method returns, and opening may ask questions.
                 QTimer.singleShot(0, self, lambda: self._open(paths))
             return True
         return super().eventFilter(watched, event)

@@ -1,4 +1,4 @@
-"""The two windows of the Help menu: the keys, and what this program is."""
+"""The two dialogs of the Help menu: keyboard shortcuts, and about."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from smsl_studio.studio.shell.frame.menu_row import MENUS
 
 
 def shortcuts_dialog(actions: Actions, own: Iterable[KeyList], parent: QWidget) -> QDialog:
-    """Every key: those of the features, then by menu."""
+    """All shortcuts: ``own`` are those that are no actions; the others follow by menu."""
     dialog = QDialog(parent)
     dialog.setWindowTitle("Keyboard shortcuts")
     open_at(dialog, 560, 620)
@@ -61,7 +61,7 @@ def shortcuts_dialog(actions: Actions, own: Iterable[KeyList], parent: QWidget) 
 
 
 def about_dialog(parent: QWidget) -> QDialog:
-    """What this program is, and what it is not."""
+    """The name, version and purpose of the program, and what it must not be used for."""
     dialog = QDialog(parent)
     dialog.setWindowTitle("About SMSL Studio")
     dialog.setFixedWidth(440)

@@ -1,8 +1,7 @@
-"""Where the keys of a window are at home: they come back there from what is gone, and act there.
+"""The keyboard focus of a window returns to the page of its mode.
 
-Qt hands the focus of a widget that hides or is disabled on to the next one in its chain. That may
-be a mode button at the other end of the window, and a key for the run would do nothing then, or
-leave the mode.
+Qt gives the focus of a hidden or disabled widget to the next one in its chain. That may be a mode
+button at the other end of the window. A key for the run would then do nothing, or change the mode.
 """
 
 from __future__ import annotations
@@ -15,14 +14,14 @@ from shiboken6 import isValid
 from smsl_studio.studio.shell.frame.modes import DRAW, Modes
 
 HEARD = "supervise"
-"""In this mode letters and digits are commands, except while somebody types text."""
+"""In this mode letters and digits are commands, unless somebody types text."""
 
 
 class KeysHome(QObject):
-    """Gives the keys of a window to what takes them in its mode.
+    """Returns the keyboard focus to the widget that takes the keys of the mode.
 
-    ``bars`` are around the page. In Draw the keys may go on to the next field of a form, but not
-    from one that is gone to a bar.
+    ``bars`` are the bars around the page. In Draw mode the focus may go on to the next field of a
+    form, but not from a vanished widget to a bar.
     """
 
     def __init__(self, modes: Modes, bars: tuple[QWidget, ...], window: QWidget) -> None:
@@ -46,8 +45,8 @@ class KeysHome(QObject):
             self._modes.take_focus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """A letter or digit that no widget used goes to the page, also if a button of a bar has the
-        focus."""
+        """Send a letter or digit that no widget used to the page, even if a button in a bar has
+        the focus."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             return self._hear(event)
         return super().eventFilter(watched, event)
@@ -62,7 +61,7 @@ class KeysHome(QObject):
             or not text
         ):
             return False
-        # What the page does not take comes up to the window, and is heard once only.
+        # A key that the page ignores comes back to the window, and must not be sent again.
         self._heard = True
         QApplication.sendEvent(self._modes.home, event)
         self._heard = False

@@ -1,4 +1,4 @@
-"""The top row: mark, menus, the file's name in the middle, and the badges that bear on trust."""
+"""The top row: logo, menus, the file name in the middle, and badges at the right."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ Fill = Callable[[QMenu], None]
 
 
 class MenuRow(QWidget):
-    """Menus come from the table of actions; ``submenus`` are filled each time they open."""
+    """The top row.
+
+    Its menus come from the table of actions; ``submenus`` are filled each time they open.
+    """
 
     def __init__(
         self, actions: Actions, tokens: Tokens, submenus: Mapping[str, tuple[str, Fill]]
@@ -51,13 +54,13 @@ class MenuRow(QWidget):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._logo.setPixmap(_logo(tokens, self.devicePixelRatioF()))
         self.badge.set_tokens(tokens)
         self._title.set_tokens(tokens)
 
     def add_badge(self, badge: QWidget) -> None:
-        """Another badge, before the one of trust; the title keeps clear of it while it is shown."""
+        """Add a badge before the badge "Uninspected". The title does not cover it."""
         self._badges = (badge, *self._badges)
         layout = self.layout()
         assert isinstance(layout, QHBoxLayout)
@@ -65,29 +68,29 @@ class MenuRow(QWidget):
         badge.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Place the title again when something in the row has changed."""
+        """Place the title again after a badge changed."""
         kind = QEvent.Type
         if event.type() in (kind.Show, kind.Hide, kind.Move, kind.Resize):
             self._place()
         return super().eventFilter(watched, event)
 
     def show_title(self, name: str, edited: str) -> None:
-        """The file's name, and what has unsaved changes; empty for nothing."""
+        """Show the file name, and words about unsaved changes (empty if there are none)."""
         self._title.show_name(name, edited)
         self._place()
 
     @property
     def title(self) -> str:
-        """The file's name, and whether it was edited, as shown."""
+        """The shown file name with the words about unsaved changes."""
         return self._title.words
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the title in the middle of the new width."""
+        """Place the title for the new width."""
         super().resizeEvent(event)
         self._place()
 
     def _place(self) -> None:
-        """The title in the middle of the window, but never over the menus or a badge."""
+        """Put the title into the middle of the window, but not over menus or badges."""
         size = self._title.sizeHint()
         left = self.menus.geometry().right() + 16
         shown = [badge for badge in self._badges if not badge.isHidden()]
@@ -124,17 +127,17 @@ class _Title(QWidget):
 
     @property
     def words(self) -> str:
-        """What is shown, in one text."""
+        """The name and the words about unsaved changes."""
         return self._name.text() + (
             f" {self._edited.text()}" if not self._edited.isHidden() else ""
         )
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._dot.setPixmap(pixmap("dot", tokens.acc, tokens.win, 16, self.devicePixelRatioF()))
 
     def show_name(self, name: str, edited: str) -> None:
-        """Show a name, and words for unsaved changes; those are empty where there are none."""
+        """Show a name, and words about unsaved changes (empty if there are none)."""
         self._name.setText(name)
         self._edited.setText(edited)
         self._dot.setVisible(bool(edited))
@@ -143,7 +146,7 @@ class _Title(QWidget):
 
 
 class Badge(QWidget):
-    """A small box with a mark; a dashed line says that it is not settled."""
+    """A small box with icon and words. Its dashed border means that something is not settled."""
 
     def __init__(self, words: str, icon: str, tokens: Tokens) -> None:
         super().__init__()
@@ -157,7 +160,7 @@ class Badge(QWidget):
         return QSize(round(QFontMetricsF(self._font).horizontalAdvance(self._words)) + 38, 22)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 

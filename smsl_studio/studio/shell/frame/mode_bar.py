@@ -1,4 +1,4 @@
-"""The mode bar: which mode, what can be drawn, search and Run; or the transport of a run."""
+"""The mode bar: the modes, and at their right the drawing tools or the controls of a run."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ DRAW_TOOLS = (
     ("tidy",),
 )
 SEARCH = 248
-"""Pixels of the search field; it gives way where the bar is narrow."""
+"""Largest width of the search field; it becomes narrower in a narrow bar (pixels)."""
 WORDS = 560
-"""Pixels of the drawing tools from which their buttons have words."""
+"""The width of the drawing tools from which their buttons have words (pixels)."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
 PASSING = ("mode_replay",)
-"""Modes that are offered only while there is something to show in them."""
+"""Modes that are offered only while they have something to show."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
-"""Qt's own word for: as wide as you like."""
+"""Qt's value for no maximum width."""
 COMMANDING = ("run", "supervise")
-"""Modes whose rows have a Stop of their own, at the same place."""
+"""Modes whose rows have a Stop button of their own, at the same place."""
 
 
 class ModeBar(QToolBar):
-    """One fixed bar; its middle part changes with the mode."""
+    """The bar below the menus. Its middle part changes with the mode."""
 
     search_wanted = Signal()
 
@@ -80,8 +80,8 @@ class ModeBar(QToolBar):
         self._run_exists, self._mode = False, "draw"
         self._draw_tools = _DrawTools(actions, self.search, self.run)
         self._middle = QStackedWidget()
-        # What does not fit gives way by itself. Else the bar would put everything, Stop too, out of
-        # sight.
+        # The middle part can shrink by itself. Otherwise the tool bar would hide all of it, and
+        # Stop too.
         self._middle.setMinimumWidth(1)
         self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
@@ -102,14 +102,14 @@ class ModeBar(QToolBar):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
         self.stop.set_tokens(tokens)
         self.search.set_tokens(tokens)
         self._no_margins()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """A tool bar takes its margins from the style when it is shown; ours are our own."""
+        """Remove the margins that the style sets when a tool bar is shown."""
         super().showEvent(event)
         self._no_margins()
 
@@ -120,25 +120,26 @@ class ModeBar(QToolBar):
             layout.setSpacing(0)
 
     def add_row(self, mode: str, row: QWidget) -> None:
-        """What a mode shows in place of the drawing tools."""
+        """Set the row that a mode shows instead of the drawing tools."""
         self._rows[mode] = row
         self._middle.addWidget(row)
 
     def show_stop(self, shown: bool) -> None:
-        """Stop stays visible while a run exists, also in a mode whose row has none of its own."""
+        """Show Stop while a run exists, unless the row of the mode has its own Stop."""
         self._run_exists = shown
         self._show_stop()
         self._draw_tools.show_run(not shown)
 
     def show_phase(self, words: str, kind: str, tip: str) -> None:
-        """Say beside Stop how the run stands, so that one sees what a Stop has done."""
+        """Show the word for the run's phase beside Stop, so that a person sees the effect of
+        Stop."""
         before = self.phase.text()
         self.phase.show_phase(words, kind, tip)
         if self.phase.text() != before:
             self._precedence.fit()
 
     def show_mode(self, mode: str) -> None:
-        """Show the row of a mode, at the height that it needs."""
+        """Show the row of a mode, with the height that it needs."""
         self._mode = mode
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
         self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
@@ -151,7 +152,7 @@ class ModeBar(QToolBar):
         self._precedence.fit()
 
     def below(self, name: str) -> QPoint:
-        """The point of the screen below an action's button."""
+        """The point of the screen below the button of an action."""
         for button in self._draw_tools.findChildren(QToolButton):
             if button.defaultAction() is self._actions[name]:
                 return button.mapToGlobal(QPoint(0, button.height() + 4))
@@ -159,18 +160,18 @@ class ModeBar(QToolBar):
 
 
 class _Whole(QWidget):
-    """The row of the whole bar, in which the word of a run gives way before Stop does."""
+    """The content of the bar. If it is narrow, the word for the phase is hidden before Stop."""
 
     precedence: Precedence
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Decide anew what gives way."""
+        """Decide again which parts are hidden."""
         super().resizeEvent(event)
         self.precedence.fit()
 
 
 class _DrawTools(QWidget):
-    """The buttons of drawing, search and Run. Where it is narrow words go first, then buttons."""
+    """The drawing buttons, search and Run. In a narrow row first words are hidden, then buttons."""
 
     def __init__(self, actions: Actions, search: SearchBox, run: QPushButton) -> None:
         super().__init__()
@@ -198,12 +199,12 @@ class _DrawTools(QWidget):
         self._precedence = Precedence(self, rules[1], buttons["tidy"], rules[0], *last, search, run)
 
     def show_run(self, shown: bool) -> None:
-        """Whether Run has its place here; Stop has it while a run exists."""
+        """Show or hide Run. While a run exists Stop takes its place."""
         self._precedence.want(self._run, shown)
         self._precedence.fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out words first, then buttons, where the row is narrow."""
+        """Hide words first, then buttons, if the row is narrow."""
         super().resizeEvent(event)
         for button in self._worded:
             _set_worded(button, self.width() >= WORDS)
@@ -214,7 +215,7 @@ class _DrawTools(QWidget):
 
 
 class Segments(QFrame):
-    """The modes side by side, exactly one of them chosen."""
+    """The buttons of the modes; exactly one is checked."""
 
     def __init__(self, modes: list[tuple[str, QAction, str]]) -> None:
         super().__init__()
@@ -238,12 +239,12 @@ class Segments(QFrame):
         self.setFixedHeight(34)
 
     def show_segment(self, name: str, shown: bool) -> None:
-        """Offer a mode, or no longer."""
+        """Show or hide the button of a mode."""
         self._buttons[name].setVisible(shown)
 
 
 class SearchBox(QAbstractButton):
-    """Looks like a field and opens the command palette."""
+    """A button that looks like a search field and opens the command palette."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -267,12 +268,12 @@ class SearchBox(QAbstractButton):
         return QSize(44, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a field with icon, words and key."""
+        """Paint a field with icon, words and shortcut."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         edge = self.palette().color(QPalette.ColorRole.Accent) if self.hasFocus() else tokens.nl
@@ -311,7 +312,7 @@ def _tool(action: QAction, icon_only: bool = False) -> QToolButton:
 
 
 def _set_worded(button: QToolButton, worded: bool) -> None:
-    """Show the words beside the icon, or the icon alone."""
+    """Show words beside the icon, or the icon alone."""
     style = Qt.ToolButtonStyle
     wanted = style.ToolButtonTextBesideIcon if worded else style.ToolButtonIconOnly
     role = "tool" if worded else "small"

@@ -1,4 +1,4 @@
-"""The modes of a window: what each puts into the body and the bar, and what had the focus in it."""
+"""The modes of a window: the page, the row of the mode bar, and the keyboard focus of each."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ DRAW = "draw"
 
 
 class Modes:
-    """Shows one mode at a time. The docks belong to Draw, whose panels are remembered.
+    """Shows one mode at a time. Only Draw has docks, and their places are remembered.
 
-    ``pages`` make the page of each mode, which happens when it is first shown.
+    ``pages`` make the page of each mode when it is shown for the first time.
     """
 
     def __init__(
@@ -36,7 +36,7 @@ class Modes:
         body.add_page(self._pages[DRAW].body)
 
     def dress(self, bar: ModeBar, line: StatusLine) -> None:
-        """The bars that follow the mode."""
+        """Set the bars that follow the mode."""
         self._bar, self._line = bar, line
 
     def _page(self, name: str) -> Page:
@@ -49,7 +49,7 @@ class Modes:
         return page
 
     def show(self, name: str, width: int) -> None:
-        """Show another mode in a window so wide."""
+        """Show another mode; ``width`` is the width of the window (pixels)."""
         self.keep()
         page, self.shown = self._page(name), name
         self._body.show_page(page.body)
@@ -60,28 +60,28 @@ class Modes:
             self._docks.restore(self._settings.bytes_of("panels/draw"))
         self.fit_width(width)
         self._bar.show()
-        # What had the focus may be gone, and keys would end up in whatever Qt finds next.
+        # The widget with the focus may be hidden now, and Qt would give the focus to any other.
         self.take_focus()
 
     @property
     def home(self) -> QWidget:
-        """What takes the keys in the mode that is shown."""
+        """The widget that takes the keys in the present mode."""
         return self._pages[self.shown].focus
 
     def take_focus(self) -> None:
-        """Give the keys to what takes them in the mode that is shown."""
+        """Give the keyboard focus to the widget that takes the keys in the present mode."""
         self.home.setFocus()
 
     def restore(self) -> None:
-        """Put the panels where they were when the last window closed."""
+        """Restore the places of the panels from the last window."""
         if not self._docks.restore(self._settings.bytes_of("panels/draw")):
             self._docks.set_first_sizes()
 
     def keep(self) -> None:
-        """Remember where the panels are."""
+        """Remember the places of the panels."""
         self._settings.store(f"panels/{self.shown}", self._docks.save())
 
     def fit_width(self, width: int) -> None:
-        """A narrow window has a drawer, and a button for it, in place of the left dock."""
+        """In a narrow window show a drawer and its button instead of the left dock."""
         narrow = self.shown == DRAW and self._docks.fit_width(width)
         self._bar.left_button.setVisible(narrow)

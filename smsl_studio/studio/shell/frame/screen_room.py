@@ -1,4 +1,4 @@
-"""How large a window may be on its screen, with the frame that the desktop draws around it."""
+"""The size of a window on its screen, including the frame that the desktop draws around it."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from smsl_studio.studio.base.screens import room
 
 SIZE, SMALLEST = QSize(1440, 900), QSize(900, 560)
 FRAME_MS = 200
-"""After how long a desktop has drawn the frame around a window that it shows."""
+"""Milliseconds after which a desktop has drawn the frame around a new window."""
 
 
 class ScreenRoom(QObject):
-    """Keeps a window, frame and all, on the screen that it is on."""
+    """Keeps a window with its frame on its screen."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window, self._shown = window, False
         self._first = QSize()
-        """The size that was chosen before the frame was known."""
+        """The size of the window before its frame was known."""
         self.limit()
 
     def shown(self) -> None:
-        """The window is on a screen: follow it to others, and look at the frame it gets."""
+        """The window was shown: follow it to other screens, and fit it when its frame is known."""
         handle = self._window.windowHandle()
         if not self._shown and handle is not None:
             self._shown = True
@@ -31,23 +31,23 @@ class ScreenRoom(QObject):
             QTimer.singleShot(FRAME_MS, self, self.fit)
 
     def limit(self) -> None:
-        """Let the window be as small as the screen, where that is smaller than we wish."""
+        """Set the smallest size of the window, limited to its screen."""
         self._window.setMinimumSize(SMALLEST.boundedTo(self._inner()))
 
     def restore(self, remembered: QByteArray) -> None:
-        """Give the window the size and place it had, else its first size."""
+        """Restore the remembered size and place, else use the first size."""
         self._window.resize(SIZE.boundedTo(self._inner()))
         self._window.restoreGeometry(remembered)
         self._first = self._window.size()
 
     def fit(self) -> None:
-        """Once the frame is known: take back what lies beyond the screen.
+        """Move and shrink the window into the screen, now that its frame is known.
 
-        A window that was sized since, by a person or a desktop, stays as it is.
+        A window that a person or the desktop has resized meanwhile stays as it is.
         """
         window = self._window
         sized = window.size() != self._first
-        # A frame that is smaller than it was taken for may let the least size grow.
+        # The real frame may be smaller than estimated, so the limit may grow.
         self.limit()
         if sized or window.isMaximized() or window.isFullScreen():
             return
@@ -79,5 +79,6 @@ class ScreenRoom(QObject):
 
 
 def _inside(at: int, wide: int, start: int, room: int) -> int:
-    """Where something so wide begins, moved as little as needed to lie in the room."""
+    """The start nearest to ``at`` with which a length fits between ``start`` and ``start +
+    room``."""
     return max(start, min(at, start + room - wide))

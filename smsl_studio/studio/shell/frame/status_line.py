@@ -1,4 +1,4 @@
-"""The status line: what there is, how it is written, where one is, and what this is not."""
+"""The status line: counts and place in Draw mode, the run in the others, and a notice."""
 
 from __future__ import annotations
 
@@ -19,15 +19,20 @@ from smsl_studio.studio.base.words import counted
 
 ENDING = "Not a medical device"
 LONG = 64
-"""Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
+"""A part wider than this may be shortened, so that the notice at the end is never cut (pixels)."""
 SENTENCES = {3: 100, 5: 1}
-"""Where a run, one that is over and one that goes on, has its sentence: it takes what is left.
-While a run goes on its pace stands in the first of these, and has its room before the sentence."""
+"""The stretch of the parts that can have a run's sentence: the fourth after the run, the sixth
+during it.
+
+During a run the fourth part is the pace, which gets its room first.
+"""
 
 
 class StatusLine(QStatusBar):
-    """Draw: counts at the left, form and place at the right. Run: how it goes, and what it stands
-    on. The standing notice ends both."""
+    """In Draw mode: counts at the left, form and place at the right. In other modes: the run.
+
+    The notice "Not a medical device" is always at the end.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -51,7 +56,7 @@ class StatusLine(QStatusBar):
         self._show_parts()
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
-        """How much there is."""
+        """Show the numbers of State Branches, states and operations."""
         words = (
             counted(len(blueprint), "State Branch", "State Branches"),
             counted(blueprint.state_count, "state"),
@@ -61,11 +66,12 @@ class StatusLine(QStatusBar):
             part.setText(said)
 
     def show_findings(self, said: str) -> None:
-        """What the findings come to, or that they are being looked for."""
+        """Show the number of findings, or that an inspection is in progress."""
         self.counts[3].setText(said)
 
     def show_place(self, blueprint: Blueprint, address: Address) -> None:
-        """Where an element is written, and how; another file than the blueprint's own is named."""
+        """Show the line and column of an element, the form of its file, and the file if it is
+        imported."""
         home = blueprint.home(address.branch)
         place = home.place(address.path if address.branch else ())
         where = f"line {place.line}, column {place.column}"
@@ -76,29 +82,29 @@ class StatusLine(QStatusBar):
         self.form.setText(f"{WORDS[home.form]}, UTF-8{bom}{ends}")
 
     def show_caret(self, line: int, column: int) -> None:
-        """Where the caret stands in the source."""
+        """Show the line and column of the caret in the source."""
         self.place.setText(f"Line {line}, column {column}")
 
     def show_run(self, said: tuple[tuple[str, ...], tuple[str, ...]]) -> None:
-        """How the run stands: sentences for the left and for the right."""
+        """Show the texts about a run, for the left and the right side."""
         for parts, words in zip((self.run, self.run_right), said, strict=True):
             for at, part in enumerate(parts):
                 part.setText(words[at] if at < len(words) else "")
         self._show_parts()
 
     def show_mode(self, mode: str) -> None:
-        """All modes but Draw speak of the run."""
+        """Show the parts of a mode: all modes but Draw are about the run."""
         self._running = mode != "draw"
         self._show_parts()
 
     @property
     def words(self) -> str:
-        """Everything that is said at the left."""
+        """All texts at the left, for tests."""
         shown = self.run if self._running else self.counts
         return " | ".join(part.text() for part in shown if part.text())
 
     def _show_parts(self) -> None:
-        """The parts of the mode. A hint takes the left side while it is there."""
+        """Show the parts of the mode. A hint replaces the left side while it is shown."""
         free = not self.currentMessage()
         for part in self.counts:
             part.setVisible(free and not self._running)
@@ -111,7 +117,7 @@ class StatusLine(QStatusBar):
 
 
 class _Segment(QWidget):
-    """One saying, with a line after it."""
+    """One text, with a line after it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -121,24 +127,24 @@ class _Segment(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
 
     def text(self) -> str:
-        """What it says now."""
+        """The present text."""
         return self._label.text()
 
     def setText(self, text: str) -> None:
-        """Say something else; a long text is a tip too."""
+        """Set the text; a long text is also the tooltip."""
         self._label.setText(text)
         self._label.setToolTip(tip_text(text if self._label.sizeHint().width() > LONG else ""))
 
 
 class _Saying(Label):
-    """Ends in an ellipsis where there is no room; the tooltip has it all."""
+    """A text that ends in an ellipsis if there is no room; the tooltip has all of it."""
 
     def minimumSizeHint(self) -> QSize:
-        """Never wider than ``LONG``: the text is shortened."""
+        """At most ``LONG`` wide, because the text can be shortened."""
         return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the text, with an ellipsis where it is too long."""
+        """Paint the text, with an ellipsis if it is too long."""
         painter = QPainter(self)
         painter.setPen(self.palette().windowText().color())
         room = self.contentsRect()
