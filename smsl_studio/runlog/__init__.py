@@ -1,1 +1,3 @@
-"""What happened: one stream of frozen events that file, highlight, timeline and tests read."""
+"""The record of a run: one stream of frozen events. The log, the window, the timeline and tests
+read it.
+"""

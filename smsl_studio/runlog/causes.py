@@ -1,5 +1,6 @@
-"""Who caused what a run tells of: a command or an answer stands before its effects, at the same
-time."""
+"""Who caused the events of a run. A command or an answer comes before its effects, at the same
+simulated time.
+"""
 
 from __future__ import annotations
 
@@ -11,13 +12,13 @@ from smsl_studio.runlog.command_word import CommandWord, CommandWords
 from smsl_studio.runlog.events import Event
 
 FACT, OPERATION = "fact", "operation"
-"""The kinds of tasks of which an answer has effects that another event tells."""
+"""The kinds of tasks whose answers have effects that are told by another event."""
 
 
 class Causes:
-    """Whose command or answer events are due to. Each event of a run is looked at once, in order.
+    """Finds who caused each event of a run. It must get all events once, in order.
 
-    ``commands`` are those that may stand in it, ``asked`` its tasks (see ``RunMoment``).
+    ``commands`` are the commands that the run may contain, ``asked`` its tasks (see ``RunMoment``).
     """
 
     def __init__(self, commands: CommandWords, asked: Mapping[str, run.TaskOpened]) -> None:
@@ -25,14 +26,16 @@ class Causes:
         self._asked = asked
         self._time = 0.0
         self._by: dict[str, str] = {}
-        """By command: who gave it at this moment."""
+        """Who gave each command at this time."""
         self._said: dict[str, str] = {}
-        """By fact: who has said at this moment what it is."""
+        """Who has answered each question for a fact at this time."""
         self._did: dict[str, str] = {}
-        """By operation: who has said that it was carried out, until its end is told."""
+        """Who has answered that an operation was carried out, until the end of the operation is
+        told.
+        """
 
     def of(self, event: Event) -> str:
-        """Who it was; the empty text where the event is due to nobody's command or answer."""
+        """Return who caused an event, or the empty text if no command or answer did."""
         if event.t != self._time:
             self._time, self._by, self._said = event.t, {}, {}
         match event:
@@ -60,7 +63,7 @@ class Causes:
 
 
 def _explaining(commands: CommandWords) -> Mapping[str, tuple[str, ...]]:
-    """The commands that explain each event, first those that it must follow."""
+    """Return the commands that explain each event. Those that must cause it come first."""
     found: dict[str, list[CommandWord]] = {}
     for one in commands.values():
         for event in one.explains:

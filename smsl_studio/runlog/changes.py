@@ -30,7 +30,7 @@ def after(before: RunMoment, event: Event) -> RunMoment:
 
 
 def moment_after(events: Iterable[Event]) -> RunMoment:
-    """How the run stood after these events, the first ones of it."""
+    """Return the state of a run after its first events."""
     fold = RunFold()
     for event in events:
         take(fold, event)
@@ -38,7 +38,9 @@ def moment_after(events: Iterable[Event]) -> RunMoment:
 
 
 def _clear(fold: RunFold, t: float, good: bool = False) -> None:
-    """Clear what is being carried out; ``good``: it was wanted so."""
+    """Clear the operations that are being carried out. ``good`` says that they ended as they
+    should.
+    """
     if fold.history is not None:
         fold.history.end_all(fold.index, t, good)
     fold.started, fold.own, fold.stack = {}, {}, []
@@ -88,7 +90,9 @@ def _state_checked(fold: RunFold, event: run.StateChecked) -> None:
 
 
 def _next(fold: RunFold, t: float) -> None:
-    """Find the function that runs now: a base's own runs after its subs moved, without an event."""
+    """Set the function that runs now: that of the newest operation whose function has not ended.
+    The function of a base goes on without an event after its sub-SBs have moved.
+    """
     while fold.stack and fold.stack[-1] not in fold.own:
         fold.stack.pop()
     fold.running = fold.stack[-1] if fold.stack else ""
@@ -117,7 +121,7 @@ def _relocalised(fold: RunFold, event: run.Relocalised) -> None:
 
 
 def _fail(fold: RunFold, t: float) -> None:
-    """End what is carried out; a single operation that was asked for is done."""
+    """End what is being carried out. If it was a single operation, the wish for it is done."""
     fold.once = fold.once and not fold.started
     _clear(fold, t)
 
@@ -161,7 +165,7 @@ def _commanded(fold: RunFold, event: run.Commanded) -> None:
         case "step":
             fold.once, fold.paused, fold.frozen = True, False, False
         case "ask":
-            # What a pause held until now, a question, is no longer what the run waits for.
+            # A question that a pause has frozen is no longer what the run waits for.
             fold.frozen = False
             fold.paused = fold.paused or (fold.held is not None and not fold.by_hand)
         case "set_automatic":
@@ -183,7 +187,9 @@ def _resumed(fold: RunFold, event: run.Resumed) -> None:
 
 
 def _latch(fold: RunFold, t: float) -> None:
-    """Clear what was going on and what was asked for, because neither goes on by itself."""
+    """Clear what was being carried out and what was asked for, because neither goes on by
+    itself.
+    """
     _clear(fold, t)
     fold.held, fold.paused, fold.frozen, fold.once = None, False, False, False
     fold.tasks = {}

@@ -1,4 +1,6 @@
-"""What a reader of a log must know of the commands; ``dispatch`` has the table of them."""
+"""The properties of a command that a reader of a log needs. ``dispatch`` has the table of
+commands.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from typing import Protocol
 
 
 class CommandWord(Protocol):
-    """A command as it stands in a log."""
+    """A command as a log shows it."""
 
     @property
     def word(self) -> str:
@@ -15,32 +17,33 @@ class CommandWord(Protocol):
 
     @property
     def refused(self) -> Mapping[str, str]:
-        """The run states in which it is never carried out, each with the reason."""
+        """The run states in which the command is never carried out, each with the reason."""
 
     @property
     def owes(self) -> str:
-        """The event that must follow where it was carried out, before anything else is commanded
-        and before time goes on; empty where none must."""
+        """The event that must follow if the command was carried out, before the next command and at
+        the same time. Empty if there is none.
+        """
 
     @property
     def explains(self) -> tuple[str, ...]:
-        """The events that are told in the name of whoever commanded it."""
+        """The events that are attributed to the person who gave the command."""
 
     @property
     def must_name(self) -> bool:
-        """Whether it names an operation wherever it is carried out."""
+        """Whether the command always names an operation if it is carried out."""
 
     @property
     def may_name(self) -> bool:
-        """Whether it may name one."""
+        """Whether the command may name an operation."""
 
     @property
     def has_value(self) -> bool:
-        """Whether it has a value."""
+        """Whether the command has a value."""
 
     def told(self, address: str, value: str) -> str:
-        """What an account says of it; empty where it has no words for such a value."""
+        """Return the sentence of an account, or the empty text if there is none for this value."""
 
 
 CommandWords = Mapping[str, CommandWord]
-"""Commands by their words."""
+"""The commands by their words."""

@@ -1,4 +1,4 @@
-"""Events from what a log says of them: every value is checked, because a log is a foreign file."""
+"""Events from the lines of a log. Every value is checked, because a log comes from outside."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.runlog.events import Event
 
 Json = Any
 LARGEST = 2.0**53
-"""Times and costs are smaller than this: beyond it they would not be exact."""
+"""Times and costs are smaller than this. Larger numbers are not exact."""
 
 
 def _known() -> Iterator[type[Event]]:
@@ -23,15 +23,15 @@ def _known() -> Iterator[type[Event]]:
 
 
 EVENTS: Mapping[str, type[Event]] = MappingProxyType({one.event: one for one in _known()})
-"""Every event there is, by its word."""
+"""All events by their words."""
 
 _HINTS = MappingProxyType({word: get_type_hints(kind) for word, kind in EVENTS.items()})
 
 
 def event_of(values: Mapping[str, Json]) -> Event:
-    """The event that plain values tell of; ValueError with a sentence where they tell of none.
+    """Return the event with these values. ValueError, with a sentence, if there is none.
 
-    What has a default may be missing: a log may be older than a field.
+    A field with a default may be missing, because the log may be older than the field.
     """
     word = values.get("event")
     if not isinstance(word, str):
@@ -67,7 +67,7 @@ _WORDS: Mapping[Any, str] = MappingProxyType(
 
 
 def _taken(hint: Any, value: Json) -> Json:
-    """A value as its field has it; ValueError with the word for what it should have been."""
+    """Return a value in the type of its field. ValueError names the type that it should have."""
     if hint is float:
         number = _is_whole(value) or isinstance(value, float)
         return _if(number and abs(value) < LARGEST, hint, value)

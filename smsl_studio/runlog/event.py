@@ -1,4 +1,6 @@
-"""The base of all run events: a frozen value with a word, a simulated time and a line of JSON."""
+"""The base of all run events: a frozen value with a word and a simulated time, written as a line of
+JSON.
+"""
 
 from __future__ import annotations
 
@@ -14,13 +16,15 @@ Json = Any
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Event:
-    """What every event has: its word and its simulated time."""
+    """A run event. ``event`` is its word and ``t`` the simulated time (s)."""
 
     event: ClassVar[str] = ""
     t: float
 
     def as_json(self) -> dict[str, Json]:
-        """The event as plain values, its word first, times rounded to a microsecond."""
+        """Return the event as plain values. The word comes first, and numbers are rounded to six
+        decimals.
+        """
         values: dict[str, Json] = {"event": self.event}
         for item in fields(self):
             value = getattr(self, item.name)
@@ -28,7 +32,7 @@ class Event:
         return values
 
     def line(self) -> str:
-        """The event as one line of JSON, in which what is hidden is spelled as an escape."""
+        """Return the event as one line of JSON, with invisible characters as escapes."""
         return json_text(json.dumps(self.as_json(), ensure_ascii=False, separators=(",", ":")))
 
 

@@ -1,9 +1,9 @@
-"""Run events: the one story of a run, in simulated time.
+"""The events of a run, in simulated time.
 
-An event carries no wall time, host, path or process number (those stand in the log's header), so
-that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text. Events
-of motion and sensing stand here, those of people and supervisors in ``regulation``; both are
-imported from this module.
+An event has no wall time, host, path or process number, so equal runs print equal bytes. These
+values stand in the log's header. ``t`` is simulated seconds. Addresses are texts. This file has the
+events of motion and sensing, ``regulation`` those of people and supervisors. All are imported from
+here.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunStarted(Event):
-    """The run begins: every SB's start state was confirmed by its state check."""
+    """The run begins. All start states have passed their state checks, which are told next."""
 
     event: ClassVar[str] = "run_started"
     world: str
@@ -76,12 +76,12 @@ class RunStarted(Event):
     start: Mapping[str, str]
     goals: tuple[str, ...]
     behaviour: str = ""
-    """SHA-256 of the blueprint's behaviour: which drawing this run holds."""
+    """SHA-256 of the blueprint's behaviour. It identifies the blueprint."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RoutePlanned(Event):
-    """The cheapest way to the goal from here: addresses in the order they will be carried out."""
+    """A cheapest route to the goal was planned. ``operations`` are the addresses in order."""
 
     event: ClassVar[str] = "route_planned"
     goal: str
@@ -91,8 +91,9 @@ class RoutePlanned(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SubsBypassed(Event):
-    """The run goes by an edge with ``subs: load``, or a person asked for one: its function sets the
-    facts of these SBs by itself, and none of their operations is carried out."""
+    """An edge with ``subs: load`` is used. Its function sets the facts of these sub-SBs directly,
+    and none of their operations is carried out.
+    """
 
     event: ClassVar[str] = "subs_bypassed"
     address: str
@@ -102,7 +103,7 @@ class SubsBypassed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationStarted(Event):
-    """An edge is being carried out; ``function`` is empty where it runs none."""
+    """An edge is being carried out. ``function`` is empty if it has none."""
 
     event: ClassVar[str] = "operation_started"
     address: str
@@ -112,7 +113,9 @@ class OperationStarted(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationEnded(Event):
-    """The library function of an edge ended: returned, failed, raised, timed_out or cancelled."""
+    """The function of an edge, or a person, has finished it. ``outcome`` is ``returned``,
+    ``failed``, ``raised``, ``timed_out``, ``cancelled`` or ``lost``.
+    """
 
     event: ClassVar[str] = "operation_ended"
     address: str
@@ -122,7 +125,10 @@ class OperationEnded(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StateChecked(Event):
-    """A state check on sensed facts: true, false or unknown, with the facts that are not true."""
+    """A state check on sensed facts. ``result`` is ``true``, ``false`` or ``unknown``.
+
+    ``misses`` are the facts with another value, ``unknown`` those without a value.
+    """
 
     event: ClassVar[str] = "state_checked"
     address: str
@@ -133,7 +139,9 @@ class StateChecked(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Committed(Event):
-    """Edges that became true together, and every SB whose active state changed with them."""
+    """Edges were committed together. ``configuration`` has the new state of every SB that has
+    moved.
+    """
 
     event: ClassVar[str] = "committed"
     operations: tuple[str, ...]
@@ -142,7 +150,7 @@ class Committed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationRefused(Event):
-    """A guard said no; nothing moved."""
+    """A guard has refused an operation. Nothing has moved."""
 
     event: ClassVar[str] = "operation_refused"
     address: str
@@ -151,7 +159,7 @@ class OperationRefused(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationRisky(Event):
-    """A failed operation is tagged risky; routing bypasses it until it is restored."""
+    """A failed operation is tagged risky. Routes avoid it until it is restored."""
 
     event: ClassVar[str] = "operation_risky"
     address: str
@@ -160,7 +168,7 @@ class OperationRisky(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationPruned(Event):
-    """A person shut an edge out, with a reason, until it is restored."""
+    """An edge was excluded on request, with a reason, until it is restored."""
 
     event: ClassVar[str] = "operation_pruned"
     address: str
@@ -177,7 +185,7 @@ class OperationRestored(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FactChanged(Event):
-    """A sensed fact took another value; None is unknown, with the reason."""
+    """A sensed fact has another value. None means unknown, with the reason."""
 
     event: ClassVar[str] = "fact_changed"
     branch: str
@@ -188,7 +196,11 @@ class FactChanged(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mismatch(Event):
-    """Integrity is broken: sensed facts and flags differ, or an outcome is not the target."""
+    """Sensed facts and believed states differ, or an operation did not reach its target.
+
+    ``facts`` says which facts differ, ``candidates`` are the configurations that fit the sensed
+    facts.
+    """
 
     event: ClassVar[str] = "mismatch"
     facts: tuple[str, ...]
@@ -197,7 +209,7 @@ class Mismatch(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relocalised(Event):
-    """The scene was read again and a configuration adopted."""
+    """The scene was read again, and the run continues from this configuration."""
 
     event: ClassVar[str] = "relocalised"
     configuration: Mapping[str, str]
@@ -205,11 +217,11 @@ class Relocalised(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Held(Event):
-    """The run holds and says why; nobody moves until someone decides.
+    """The run holds until somebody decides. ``reason`` says why.
 
-    ``kind`` is ``no_route`` where nothing permitted leads to the goal, ``guard_lost`` where a
-    critical fact or one that a running operation requires is false or unknown,
-    ``goal_unconfirmed`` where the state check of a goal is not true, else ``held``.
+    ``kind`` is ``no_route`` if no permitted route leads to the goal. It is ``guard_lost`` if a
+    critical fact, or one that a running operation requires, is false or unknown. It is
+    ``goal_unconfirmed`` if the state check of a goal is not true, and ``held`` otherwise.
     """
 
     event: ClassVar[str] = "held"
@@ -220,7 +232,7 @@ class Held(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Paused(Event):
-    """The run is paused: no operation goes on until it is resumed."""
+    """The run is paused. No operation goes on until it is resumed."""
 
     event: ClassVar[str] = "paused"
 
@@ -234,7 +246,7 @@ class Resumed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GoalReached(Event):
-    """One goal is reached."""
+    """One goal was reached."""
 
     event: ClassVar[str] = "goal_reached"
     goal: str
@@ -242,7 +254,10 @@ class GoalReached(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunFinished(Event):
-    """The last event. ``reason``: goal_reached, no_route, held, refused, stopped or failed."""
+    """The last event of a run.
+
+    ``reason`` is ``goal_reached``, ``no_route``, ``held``, ``refused``, ``stopped`` or ``failed``.
+    """
 
     event: ClassVar[str] = "run_finished"
     reason: str
@@ -253,7 +268,9 @@ class RunFinished(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EdgeSwept(Event):
-    """One edge of a sweep: started in its source state, run, source and target checked."""
+    """One edge of a sweep was carried out. ``source`` and ``target`` are the results of their state
+    checks (``true``, ``false`` or ``unknown``).
+    """
 
     event: ClassVar[str] = "edge_swept"
     address: str
@@ -265,7 +282,7 @@ class EdgeSwept(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SweepFinished(Event):
-    """The last event of a sweep: how many edges were run, how many passed, which failed."""
+    """The last event of a sweep: the number of edges, how many passed, and which failed."""
 
     event: ClassVar[str] = "sweep_finished"
     edges: int

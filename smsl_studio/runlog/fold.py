@@ -1,7 +1,7 @@
-"""The fold of a run: its state after each event, changed in place.
+"""The fold of a run: the state of the run after each event, changed in place.
 
-An event costs the same however long the run is, and however many facts it has. ``changes`` has
-what each event changes; ``moment`` is the frozen value that is shown.
+The cost of an event does not grow with the length of the run or its number of facts. ``changes``
+says what each event changes. ``moment`` makes the frozen value that is shown.
 """
 
 from __future__ import annotations
@@ -18,10 +18,13 @@ from smsl_studio.runlog.moment import Entered, Phased, RunMoment, Sensed
 
 @dataclass(slots=True)
 class RunFold(Phased):
-    """The fields of ``RunMoment``, which explains them. ``planned`` is the whole route that was
-    planned last, ``passed`` how many of its operations have begun; ``started`` and ``own`` are
-    sets that keep their order. ``stack`` has those of ``own`` in their order, and some that have
-    ended since. ``history`` is written along where there is one."""
+    """The state of a run, changed in place. ``RunMoment`` explains most fields.
+
+    ``planned`` is the whole route that was planned last, and ``passed`` the number of its
+    operations that have begun. ``started`` and ``own`` are dictionaries that serve as ordered sets.
+    ``stack`` has the operations of ``own`` in order, and some that have ended since. ``history`` is
+    None, or is written as well.
+    """
 
     index: int = 0
     time: float = 0.0
@@ -58,7 +61,7 @@ class RunFold(Phased):
 
     @staticmethod
     def of(told: RunMoment) -> RunFold:
-        """A fold that goes on from a moment."""
+        """Return a fold that goes on from a moment."""
         values: dict[str, Any] = {name: getattr(told, name) for name in _ALIKE}
         copies: dict[str, Any] = {name: dict(getattr(told, name)) for name in _MAPS}
         return RunFold(
@@ -71,7 +74,7 @@ class RunFold(Phased):
         )
 
     def moment(self) -> RunMoment:
-        """The state of the run now, as a frozen value."""
+        """Return the state of the run now, as a frozen value."""
         values: dict[str, Any] = {name: getattr(self, name) for name in _ALIKE}
         copies: dict[str, Any] = {name: dict(getattr(self, name)) for name in _MAPS}
         return RunMoment(
@@ -84,7 +87,7 @@ class RunFold(Phased):
 
     @property
     def size(self) -> int:
-        """How many values ``moment`` copies, about."""
+        """The approximate number of values that ``moment`` copies."""
         left = len(self.planned) - self.passed
         maps = sum(len(getattr(self, name)) for name in _MAPS)
         return left + len(self.started) + len(self.own) + maps

@@ -1,4 +1,6 @@
-"""What a run's state checks rest on: in its log's header, so that a log can be held against it."""
+"""What the state checks of a run compare, for the header of its log. With it a log can be
+checked.
+"""
 
 from __future__ import annotations
 
@@ -11,17 +13,17 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 Json = Any
 MOST = 1000
-"""So many states, and so many sensed facts, stand in a header: it is one line of a log."""
+"""The largest number of states and of sensed facts in a header, because it is one line of a log."""
 
 
 def grounds_of(blueprint: Blueprint, sensed: Iterable[FactKey]) -> Mapping[str, Json]:
-    """What each state wants of its facts, which ``subs`` expand which, and which are ``sensed``.
+    """Return the values that each state needs, the facts that sub-SBs expand, and the ``sensed``
+    facts.
 
-    ``states`` has for each SB and state the value of every fact, digit 0 first, null where a
-    sub-SB expands the digit. An SB with which there would be more than 1,000 states is left out
-    whole; of more than 1,000 sensed facts none is named. ``subs`` has for each of these SBs and
-    each digit that is expanded the sub-SB, its ACTIVATING and INITIAL, and the states of the SB
-    where the digit is on.
+    ``states`` has for each SB and state the value of every fact, digit 0 first, and null if a
+    sub-SB expands the digit. An SB that would exceed 1,000 states in total is left out. If more
+    than 1,000 facts are sensed, none is named. ``subs`` has for each of these SBs and each expanded
+    digit the sub-SB, its ACTIVATING and INITIAL, and the states of the SB in which the digit is on.
     """
     states: dict[str, Json] = {}
     subs: dict[str, Json] = {}
@@ -43,8 +45,10 @@ def _values(branch: StateBranch, state: str) -> list[str | None]:
 
 
 def _expanded(blueprint: Blueprint, branch: StateBranch) -> Mapping[str, Json]:
-    """By digit, as text: a JSON object has no other keys. A sub-SB that is not drawn is left out:
-    no run begins with it."""
+    """Return the expanded digits of an SB. The keys are texts, because JSON has no others.
+
+    A sub-SB that is not drawn is left out, because no run begins with it.
+    """
     drawn = {one.name: one for one in blueprint}
     return {
         str(digit): {

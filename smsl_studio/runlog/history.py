@@ -1,7 +1,6 @@
-"""What has been in a run: spans of states, operations and facts, and the edges that it took.
+"""The history of a run: spans of states, operations and facts, and the edges that were committed.
 
-The fold writes it (``changes``); nothing else reads events for it, so that a recorded run shows
-what the live one showed.
+Only the fold writes it (``changes``). So a recorded run shows the same as the live run did.
 """
 
 from __future__ import annotations
@@ -21,7 +20,9 @@ Key = TypeVar("Key")
 
 @dataclass(slots=True)
 class Span:
-    """Something that held from ``start`` to ``end`` (simulated s); ``end`` None: it still does."""
+    """Something that lasted from ``start`` to ``end`` (simulated s). ``end`` is None if it still
+    lasts.
+    """
 
     start: float
     words: str
@@ -30,9 +31,11 @@ class Span:
 
 
 class RunHistory:
-    """What has been so far. Lanes are lists of spans in order of time; in ``operations`` those of
-    several SBs may overlap. What happens more than once (a state is entered, an edge committed) has
-    the number of events after which it first had, so that every moment of a long run is as near.
+    """The history of a run up to now.
+
+    A lane is a list of spans in order of time. In ``operations``, spans of several SBs may overlap.
+    ``entered`` and ``committed`` keep, for each state and each edge, after how many events it
+    happened first. So any moment of a long run is found quickly.
     """
 
     def __init__(self) -> None:
@@ -42,13 +45,15 @@ class RunHistory:
         self.entered: dict[str, dict[str, int]] = {}
         self.committed: dict[str, dict[Address, int]] = {}
         self.took: dict[str, list[tuple[int, float]]] = {}
-        """By function: after how many events it had succeeded, and in how many simulated s."""
+        """For each function: after how many events it succeeded, and how long it took (simulated
+        s).
+        """
         self.functions: dict[str, str] = {}
         self._open: dict[str, Span] = {}
-        """By address: the operations that are under way, of each SB one at most."""
+        """The operations that are under way, by address. Each SB has one at most."""
 
     def enter(self, index: int, time: float, configuration: Mapping[str, str]) -> None:
-        """SBs came into these states."""
+        """Note that SBs have entered these states."""
         for branch, state in configuration.items():
             lane = self.states.setdefault(branch, [])
             if not lane or lane[-1].words != state:
@@ -56,12 +61,14 @@ class RunHistory:
                 self.entered.setdefault(branch, {}).setdefault(state, index)
 
     def sense(self, time: float, key: FactKey, value: str | None) -> None:
-        """A fact took another value; None: it is unknown."""
+        """Note the new value of a fact. None means unknown."""
         words = "?" if value is None else value
         _next(self.facts.setdefault(key, []), time, words, value is not None)
 
     def begin(self, index: int, time: float, address: str, function: str) -> None:
-        """An operation began. Those of a base and of its sub-SB are under way together."""
+        """Note that an operation has begun. Operations of a base and of its sub-SB may be under way
+        together.
+        """
         branch = address.partition("/")[0]
         for other in [one for one in self._open if one.partition("/")[0] == branch]:
             self.end(index, time, other)
@@ -70,7 +77,7 @@ class RunHistory:
         self.operations.append(span)
 
     def end(self, index: int, time: float, address: str, good: bool = True) -> None:
-        """An operation ended, if it was under way."""
+        """Note that an operation has ended, if it was under way."""
         span = self._open.pop(address, None)
         if span is None:
             return
@@ -80,12 +87,12 @@ class RunHistory:
             self.took.setdefault(function, []).append((index, time - span.start))
 
     def end_all(self, index: int, time: float, good: bool) -> None:
-        """Nothing is carried out any more."""
+        """Note that nothing is carried out any more."""
         for address in list(self._open):
             self.end(index, time, address, good)
 
     def commit(self, index: int, time: float, operations: Iterable[str]) -> None:
-        """Edges were committed together."""
+        """Note that edges were committed together."""
         for text in operations:
             self.end(index, time, text)
             address = Address.read(text)
@@ -93,7 +100,7 @@ class RunHistory:
                 self.committed.setdefault(address.branch, {}).setdefault(address, index)
 
     def close(self, time: float) -> None:
-        """Nothing more is told: what still holds is shown until then."""
+        """End all open spans at this time, because no more events will come."""
         last = (lane[-1:] for lane in (*self.states.values(), *self.facts.values()))
         for span in chain(self.operations, *last):
             if span.end is None:
@@ -102,22 +109,26 @@ class RunHistory:
 
 @dataclass(frozen=True, slots=True)
 class Story:
-    """What had been in a run until a moment; ``history`` may go on behind it."""
+    """The history of a run up to a moment. ``history`` may have later events, which do not
+    count.
+    """
 
     moment: RunMoment
     history: RunHistory
 
     def visited(self, branch: str) -> frozenset[str]:
-        """The states of an SB that were active and are no more."""
+        """Return the states of an SB that were active before and are not now."""
         states = _until(self.moment.index, self.history.entered.get(branch, {}))
         return frozenset(states) - {self.moment.configuration.get(branch)}
 
     def trail(self, branch: str) -> tuple[Address, ...]:
-        """The edges of an SB that were committed, in the order in which they first were."""
+        """Return the edges of an SB that were committed, in the order of their first commits."""
         return tuple(_until(self.moment.index, self.history.committed.get(branch, {})))
 
     def expected(self, operation: str) -> float | None:
-        """How long an operation's function took before (the median, simulated s); None: never."""
+        """Return the median time (simulated s) of an operation's function so far, None if it never
+        succeeded.
+        """
         took = self.history.took.get(self.history.functions.get(operation, ""), ())
         before = takewhile(lambda one: one[0] <= self.moment.index, took)
         times = [seconds for _, seconds in before]
@@ -125,7 +136,7 @@ class Story:
 
 
 def _until(index: int, first: Mapping[Key, int]) -> Iterable[Key]:
-    """What had happened after so many events; ``first`` is in the order in which it did."""
+    """Yield what had happened after ``index`` events. ``first`` is in order of time."""
     return (key for key, _ in takewhile(lambda one: one[1] <= index, first.items()))
 
 

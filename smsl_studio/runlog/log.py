@@ -1,14 +1,14 @@
-"""The run log that is being written: hash-chained JSON Lines.
+"""The run log that is being written: JSON Lines with a chain of hashes.
 
-The first line is the header: what events must not carry (wall time, host, versions, the file) and
-what was asked for. Then one event a line, byte for byte as a run prints it, with its link of the
-chain behind it (see ``seal.chain``). The last line is the head: how many events there are, and the
+The first line is the header. It has what the events do not have (wall time, host, versions, the
+file) and what was asked for. Then each event has a line: the bytes that the run prints, followed by
+a link of the chain (see ``seal.chain``). The last line is the head: the number of events, and the
 SHA-256 of all bytes before it. A log without a head was cut, or its run did not come to an end.
 
-Each line is one unbuffered write before anybody hears of its event, so that the death of this
-process, by kill -9 too, loses none. The disk is waited for (fsync) after the header and after the
-head only: in between a stop would have to wait for it, too. A power failure may therefore take the
-last seconds of a run that was going on, which its missing head shows.
+Each line is one unbuffered write before anybody is told of its event. So no event is lost if this
+process dies, not even by kill -9. The log waits for the disk (fsync) only after the header and
+after the head, because a stop would have to wait too. A power failure may therefore lose the last
+seconds of a run. The missing head then shows this.
 """
 
 from __future__ import annotations
@@ -32,22 +32,24 @@ if TYPE_CHECKING:
 Json = Any
 FORMAT = "smsl-run"
 VERSION = 3
-"""1 had no chain. In 2 goals were told without a fresh check, and the header had no ``grounds``."""
+"""Version 1 had no chain. In version 2 goals were told without a fresh check, and the header had no
+``grounds``.
+"""
 FORMER = 2
-"""The version before, which is still read."""
+"""The former version, which can still be read."""
 
 LONGEST = 1 << 24
-"""So many bytes has a line at most; who reads a log keeps to it as well."""
+"""The largest number of bytes of a line, for writing and for reading."""
 
 _NO_DISK = (errno.EINVAL, errno.ENOTSUP, errno.EROFS)
-"""What fsync answers on a file system that does not know it."""
+"""The errors of fsync on a file system that does not support it."""
 
 
 class RunLog:
-    """A log that is being written. SaveError where it cannot be, before anything has run.
+    """A log that is being written. SaveError if it cannot be written, before anything has run.
 
-    UsageError where the file holds something already: a record is never written over. It is an
-    ordinary file, and no link: a record that goes through a pipe cannot be waited for.
+    UsageError if the file is not empty, because a record is never overwritten. The file must be an
+    ordinary file and not a link, because nobody can wait for the disk behind a pipe.
     """
 
     def __init__(self, path: Path, header: Mapping[str, Json]) -> None:
@@ -66,20 +68,20 @@ class RunLog:
             raise
 
     def write(self, events: Iterable[Event]) -> None:
-        """Append events; when it returns, they survive the death of this process."""
+        """Append events. When it returns, they survive the death of this process."""
         for event in events:
             self._linked(event.line())
             self._count += 1
 
     def finish(self) -> None:
-        """Append the head and end the log; when it returns, the disk has all of it."""
+        """Append the head and end the log. When it returns, everything is on the disk."""
         head = {"head": {"count": self._count, "hash": self._chain.digest}}
         self._put(_line(head).encode("ascii") + b"\n")
         self._settle()
         self.close()
 
     def close(self) -> None:
-        """End the log as it stands, without a head; calling it twice is harmless."""
+        """End the log as it is, without a head. A second call does nothing."""
         self._file.close()
 
     def __enter__(self) -> RunLog:

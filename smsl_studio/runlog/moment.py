@@ -1,4 +1,4 @@
-"""A moment of a run: how it stood after so many of its events, live or told again."""
+"""A moment of a run: its state after some of its events, live or recorded."""
 
 from __future__ import annotations
 
@@ -10,11 +10,13 @@ from smsl_studio.runlog import events as run
 from smsl_studio.runlog.phase import RunMode
 
 _MOVES = ("ready", "running")
-"""Before it has begun a run is in none of these."""
+"""A run that has not begun is in none of these phases, but ``idle``."""
 
 
 def waiting_words(questions: Sequence[str]) -> str:
-    """What a run waits for, of which people are asked these; empty where they are asked nothing."""
+    """Return the sentence of a run that waits for answers to these questions, empty if there are
+    none.
+    """
     if not questions:
         return ""
     more = f" (and {len(questions) - 1} more)" if len(questions) > 1 else ""
@@ -23,7 +25,7 @@ def waiting_words(questions: Sequence[str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Sensed:
-    """A fact as it was sensed last; ``value`` None is unknown, with the reason."""
+    """The last sensed value of a fact. ``value`` None means unknown, and ``reason`` says why."""
 
     value: str | None
     reason: str
@@ -32,14 +34,14 @@ class Sensed:
 
 @dataclass(frozen=True, slots=True)
 class Entered:
-    """When an SB came into its state (simulated s), and by which operation (empty: by none)."""
+    """When an SB entered its state (simulated s), and by which operation (empty if by none)."""
 
     since: float
     by: str = ""
 
 
 class Phased(RunMode):
-    """What follows from how a run stands: its phase, why it stands so, and what is said of it."""
+    """The phase of a run and the words for it, which follow from the other fields."""
 
     __slots__ = ()
     held: run.Held | None
@@ -50,7 +52,9 @@ class Phased(RunMode):
 
     @property
     def phase(self) -> str:
-        """The run state, in the words of a run that goes on; why it ended where it has."""
+        """The phase of a run that goes on, one of ``RUN_STATES``. The reason of its end if it has
+        ended.
+        """
         if self.finished is not None:
             return self.finished.reason
         phase = self.phase_while(bool(self.started), bool(self.tasks))
@@ -58,14 +62,16 @@ class Phased(RunMode):
 
     @property
     def reason(self) -> str:
-        """Why it ended, or of what kind a hold is; empty where it goes on."""
+        """The reason of the end, or the kind of a hold. Empty if the run goes on."""
         if self.finished is not None:
             return self.finished.reason
         return self.held.kind if self.held is not None else ""
 
     @property
     def sentence(self) -> str:
-        """Why it ended or holds, who has stopped it or taken it over, or what people are asked."""
+        """Why the run ended or holds, who has stopped it or taken it over, or what people are
+        asked.
+        """
         if self.finished is not None:
             return self.finished.sentence
         if self.stopped:
@@ -79,12 +85,13 @@ class Phased(RunMode):
 
 @dataclass(frozen=True, slots=True)
 class RunMoment(Phased):
-    """How a run stood after its first ``index`` events. Addresses are text, times simulated s.
+    """The state of a run after its first ``index`` events. Addresses are texts, times simulated
+    seconds.
 
-    ``started`` are the operations that have begun and not committed, ``own`` those of them whose
-    function has not ended, ``running`` the one whose function runs or settles. ``held`` says why
-    it cannot go on by itself, ``tasks`` what people are asked, ``asked`` all that they ever were.
-    ``disturbed`` has the kinds of disturbances of each sensor. ``stopped`` and ``taken_over`` name
+    ``started`` are the operations that have begun and are not committed. ``own`` are those whose
+    function has not ended, and ``running`` is the newest of them. ``held`` says why the run cannot
+    go on by itself. ``tasks`` are the open questions to people, ``asked`` all questions so far.
+    ``disturbed`` has the kinds of disturbance of each sensor. ``stopped`` and ``taken_over`` name
     who did it.
     """
 

@@ -1,4 +1,4 @@
-"""What people call the facts, states and operations of a run: in its log's header, bounded."""
+"""The names that people use for facts, states and operations, for the header of a log."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from smsl_studio.runlog.events import Event
 
 Json = Any
 MOST = 1000
-"""So many names of each kind stand in a header: it is one line of a log, which people open."""
+"""The largest number of names of each kind in a header, because it is one line that people read."""
 LONGEST = 200
-"""At most so many characters of a name are kept."""
+"""The largest number of characters of a name. The rest is cut."""
 KINDS = ("facts", "states", "operations", "values")
 _ADDRESSES = ("address", "goal", "target", "operations", "route", "goals")
 _CONFIGURATIONS = ("configuration", "start")
 
 
 def names_of(blueprint: Blueprint) -> Mapping[str, Json]:
-    """The names that a blueprint gives, by kind; what it does not name is left out.
+    """Return the names in a blueprint, by kind. An element without a name is left out.
 
-    Facts are written ``SB/digit``, their values ``SB/digit/value``, states ``SB/State``,
-    operations ``SB/Operation`` or ``SB/State/Operation``, as ``_operations`` has them.
+    The keys are ``SB/digit`` for facts, ``SB/digit/value`` for their values, ``SB/State`` for
+    states, and ``SB/Operation`` or ``SB/State/Operation`` for operations, as in ``_operations``.
     """
     of_all = (_facts, _states, _operations, _values)
     found = zip(KINDS, (of(blueprint) for of in of_all), strict=True)
@@ -37,7 +37,7 @@ def names_of(blueprint: Blueprint) -> Mapping[str, Json]:
 
 @dataclass(frozen=True, slots=True)
 class HeaderNames:
-    """The names that a header gives. A name stands beside what it names, never instead of it."""
+    """The names in a header. A name is shown beside the address, and never instead of it."""
 
     facts: Mapping[str, str] = field(default_factory=dict)
     states: Mapping[str, str] = field(default_factory=dict)
@@ -46,21 +46,27 @@ class HeaderNames:
 
     @staticmethod
     def of_header(said: Json) -> HeaderNames:
-        """What is no map of texts is left out: a log is a foreign file."""
+        """Return the names in a header. Anything but a map of texts is left out, because a log
+        comes from outside.
+        """
         given = said if isinstance(said, dict) else {}
         return HeaderNames(*(_texts(given.get(kind)) for kind in KINDS))
 
     def fact(self, branch: str, digit: int) -> str:
-        """The name of a fact, ``Fact 1`` (counted from 1) where it has none."""
+        """Return the name of a fact, or ``Fact 1`` (counted from 1) if it has none."""
         return self.facts.get(fact_text(branch, digit)) or f"Fact {digit + 1}"
 
     def value(self, fact: str, value: str) -> str:
-        """A value of the fact ``SB/digit`` with what it means, where that is said: ``0 "free"``."""
+        """Return a value of the fact ``SB/digit`` with its meaning, such as ``0 "free"``, if it has
+        one.
+        """
         name = self.values.get(f"{fact}/{escape(value)}")
         return f'{value} "{name}"' if name else value
 
     def address(self, text: str) -> str:
-        """``SB/State/Operation`` with the title that it has: ``SB/State/Operation "Fix it"``."""
+        """Return an address with its title, such as ``SB/State/Operation "Fix it"``, if it has
+        one.
+        """
         parts = Address.split(text)
         if len(parts) == 3:
             name = self.operations.get(text) or self.operations.get(_operation(parts[0], parts[2]))
@@ -69,7 +75,7 @@ class HeaderNames:
         return f'{text} "{name}"' if name else text
 
     def told_in(self, event: Event) -> Event:
-        """The same event, with every address that has a name as ``address`` writes it."""
+        """Return the same event with titles in its addresses, as ``address`` writes them."""
         if not (self.states or self.operations):
             return event
         changed = {name: value for name, value in self._named(event) if value}
@@ -79,7 +85,7 @@ class HeaderNames:
         for item in fields(event):
             value = getattr(event, item.name)
             if item.name == "target" and isinstance(value, str):
-                # An event names the state that an operation leads to without its SB.
+                # This field has the target state of an operation without its SB.
                 branch = Address.split(getattr(event, "address", ""))[0]
                 yield item.name, self._state(branch, value)
             elif item.name in _ADDRESSES and isinstance(value, str):

@@ -1,4 +1,4 @@
-"""The phase of a run: who lets it move now, the plan, a person, or nobody."""
+"""The phase of a run: whether the plan, a person or nobody lets it move now."""
 
 from __future__ import annotations
 
@@ -19,31 +19,31 @@ RUN_STATES = (
     "done",
 )
 NO_ROUTE = "no_route"
-"""A hold of this kind, and the run state in which it leaves a run."""
+"""The kind of a hold without a route, and the run state that it causes."""
 _ENDS: Mapping[str, str] = MappingProxyType(
     {"goal_reached": "done", "no_route": NO_ROUTE, "stopped": "stopped", "refused": "idle"}
 )
 
 
 def phase_at_end(reason: str) -> str:
-    """The run state in which a run ended for this reason."""
+    """Return the state of a run that has ended for this reason."""
     return _ENDS.get(reason, "fault_hold")
 
 
 class HoldKind(Protocol):
-    """Why a run holds, as far as its phase depends on it."""
+    """The part of a hold that the phase of a run depends on."""
 
     @property
     def kind(self) -> str:
-        """``no_route`` where nothing permitted leads to the goal."""
+        """The kind of the hold. ``no_route`` means that no permitted route leads to the goal."""
 
 
 class RunMode:
-    """What the phase of a run follows from, besides what is carried out.
+    """The fields that the phase of a run follows from, besides the operations that are carried out.
 
-    ``by_hand``: it waits to be asked. ``paused``: a person paused it. ``once``: one operation, then
-    wait again. ``frozen``: paused in the middle of a joint step. ``held``: why it cannot go on by
-    itself. ``taken_over``, ``stopped``: who did it.
+    ``by_hand``: the run waits for requests. ``paused``: a person has paused it. ``once``: it
+    carries out one operation and then waits again. ``frozen``: it is paused in the middle of a
+    joint step. ``held``: why it cannot go on by itself. ``stopped`` and ``taken_over``: who did it.
     """
 
     __slots__ = ()
@@ -56,8 +56,10 @@ class RunMode:
     taken_over: str
 
     def phase_while(self, carrying: bool, asking: bool) -> str:
-        """One of ``RUN_STATES`` between ``ready`` and ``stopped``, while an operation is carried
-        out (``carrying``) or people are asked (``asking``)."""
+        """Return the phase of a run that has begun and not ended, one of ``RUN_STATES``.
+
+        ``carrying`` says that an operation is carried out, ``asking`` that people are asked.
+        """
         if self.stopped:
             return "stopped"
         if self.taken_over:
@@ -74,5 +76,5 @@ class RunMode:
 
     @property
     def by(self) -> str:
-        """Who has stopped it or taken it over."""
+        """The name of the person who has stopped the run or taken it over."""
         return self.stopped or self.taken_over

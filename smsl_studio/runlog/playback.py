@@ -1,8 +1,8 @@
-"""A run from its events alone, while it goes on and when it is over.
+"""A run that is known from its events alone, live or recorded.
 
-``changes.take`` is one step of the fold. ``RunObserver`` hears a run that goes on, ``Playback`` has
-a whole one, with snapshots in between so that any moment of a long run is near. No world, no
-blueprint and no dispatcher is asked.
+``RunObserver`` is told the events of a live run. ``Playback`` has a whole run, with snapshots
+between its events, so any moment of a long run is found quickly. No world, blueprint or dispatcher
+is needed.
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from smsl_studio.runlog.history import RunHistory, Story
 from smsl_studio.runlog.moment import RunMoment
 
 EVERY = 64
-"""Events between two snapshots, at least. A run that holds many values has them further apart, so
-that all snapshots together are no larger than its log."""
+"""The least number of events between two snapshots. It is larger if the run has many values, so
+that all snapshots together are no larger than its log.
+"""
 
 
 class RunObserver:
-    """A run that goes on; ``story`` is how it stands and what has been."""
+    """A live run. ``story`` is its state and its history."""
 
     def __init__(self, by_hand: bool = False) -> None:
         self._history = RunHistory()
@@ -30,16 +31,19 @@ class RunObserver:
         self.story = Story(self._fold.moment(), self._history)
 
     def tell(self, events: Iterable[Event]) -> None:
-        """Go on with what happened next."""
+        """Go on with the next events."""
         for event in events:
             take(self._fold, event)
         self.story = Story(self._fold.moment(), self._history)
 
 
 class Playback:
-    """A whole run: ``at`` says how it stood after so many events, ``index_at`` after how many at
-    a time. ``by_hand`` is how it began, which stands in the header of its log. ``history`` is
-    written along. ``going`` hears meanwhile how many events are told, and may raise."""
+    """A whole run. ``at`` gives its state after a number of events, ``index_at`` the number at a
+    time.
+
+    ``by_hand`` is the mode at the beginning, from the header of the log. ``history`` is filled if
+    it is given. ``going`` is called with the number of events that were read so far, and may raise.
+    """
 
     def __init__(
         self,
@@ -68,11 +72,13 @@ class Playback:
 
     @property
     def end(self) -> float:
-        """Simulated seconds of the whole run."""
+        """The simulated seconds of the whole run."""
         return self._times[-1] if self._times else 0.0
 
     def at(self, index: int) -> RunMoment:
-        """How it stood after the first ``index`` events, held to 0 and their number."""
+        """Return the state after the first ``index`` events. An index out of range counts as the
+        nearest one.
+        """
         index = min(max(index, 0), len(self.events))
         near = bisect_right(self._snapshots, index, key=lambda told: told.index) - 1
         told = self._snapshots[near]
@@ -84,9 +90,9 @@ class Playback:
         return fold.moment()
 
     def index_at(self, time: float) -> int:
-        """How many events have happened until a time (simulated s), those at it included."""
+        """Return the number of events until a time (simulated s), with those at this time."""
         return bisect_right(self._times, time)
 
     def time_of(self, index: int) -> float:
-        """When the event before ``index`` happened."""
+        """Return the simulated time of the last of the first ``index`` events, 0 for none."""
         return self._times[min(index, len(self._times)) - 1] if index > 0 and self._times else 0.0

@@ -1,6 +1,7 @@
-"""Events of regulation: what people, supervisors and scripts do to a run, and what they are asked.
+"""Events of regulation: what people, supervisors and scripts do to a run, and what people are
+asked.
 
-``by`` names who did it: a person, an agent, a script; never empty.
+``by`` names who did it: a person, an agent or a script. It is never empty.
 """
 
 from __future__ import annotations
@@ -14,10 +15,11 @@ from smsl_studio.runlog.event import Event
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Commanded(Event):
-    """Somebody commanded something; ``refused`` says why it was not done, empty where it was.
+    """Somebody has given a command. ``refused`` says why it was not carried out, and is empty if it
+    was.
 
-    ``command`` is a word of ``dispatch``: pause, veto, full_map ... ``value`` and ``reason`` are
-    what was said with it.
+    ``command`` is a word of the table in ``dispatch``, such as ``pause`` or ``full_map``. ``value``
+    and ``reason`` were given with it.
     """
 
     event: ClassVar[str] = "commanded"
@@ -31,7 +33,7 @@ class Commanded(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TakenOver(Event):
-    """A person took over: automation is locked out, the dispatcher only observes."""
+    """A person has taken over. Automation is locked out, and the dispatcher only observes."""
 
     event: ClassVar[str] = "taken_over"
     by: str
@@ -39,7 +41,9 @@ class TakenOver(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GivenBack(Event):
-    """The person gave back; the configuration that was located and accepted."""
+    """The person has given the run back, in a configuration that was found in the scene and
+    accepted.
+    """
 
     event: ClassVar[str] = "given_back"
     by: str
@@ -48,7 +52,9 @@ class GivenBack(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunStopped(Event):
-    """A controlled stop: braked and latched. In a run that nobody attends it is also the end."""
+    """A controlled stop: the world is braked and the stop is latched. A run without attendance ends
+    too.
+    """
 
     event: ClassVar[str] = "stopped"
     by: str
@@ -56,8 +62,11 @@ class RunStopped(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunReset(Event):
-    """The stop is unlatched to paused; ``unknown`` are the facts (``SB/digit``) that the stopped
-    operation may have touched, unknown until they are sensed anew."""
+    """The stop is released, and the run is paused.
+
+    ``unknown`` are the facts (``SB/digit``) that the stopped operation may have changed. They are
+    unknown until they are sensed again.
+    """
 
     event: ClassVar[str] = "reset"
     by: str
@@ -66,7 +75,9 @@ class RunReset(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaskOpened(Event):
-    """People are asked something. ``deadline`` is simulated s; ``persons`` how many must agree."""
+    """People are asked a question. ``deadline`` is simulated seconds, ``persons`` how many must
+    agree.
+    """
 
     event: ClassVar[str] = "task_opened"
     task: str
@@ -81,7 +92,7 @@ class TaskOpened(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaskEscalated(Event):
-    """Half the time has passed: another role is asked as well."""
+    """Half of the time has passed, so another role is asked too."""
 
     event: ClassVar[str] = "task_escalated"
     task: str
@@ -90,9 +101,10 @@ class TaskEscalated(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaskAnswered(Event):
-    """One person answered; the answer itself stays hidden until all are in (``task_closed``).
+    """One person has answered. The answer is hidden until all answers are given (``task_closed``).
 
-    ``refused`` says why it does not count: too late, already answered, no such option.
+    ``refused`` says why the answer does not count, such as: too late, already answered, no such
+    option.
     """
 
     event: ClassVar[str] = "task_answered"
@@ -104,9 +116,11 @@ class TaskAnswered(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaskClosed(Event):
-    """A task is over: ``answered`` (all agree), ``disagreed``, ``timed_out`` or ``withdrawn``.
+    """A task is over. ``outcome`` is ``answered`` (all agree), ``disagreed``, ``timed_out`` or
+    ``withdrawn``.
 
-    ``answers`` maps each person to what they said; ``answer`` is what all said, else empty.
+    ``answers`` has the answer of each person. ``answer`` is the common answer, empty if they do not
+    agree.
     """
 
     event: ClassVar[str] = "task_closed"
@@ -118,7 +132,9 @@ class TaskClosed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Disturbed(Event):
-    """Sensors are disturbed from now on; ``kind`` none ends it (see ``monitor.disturbance``)."""
+    """Sensors are disturbed from now on. The kind ``none`` ends it (see
+    ``monitor.disturbance``).
+    """
 
     event: ClassVar[str] = "disturbed"
     target: str
@@ -129,7 +145,9 @@ class Disturbed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FaultInjected(Event):
-    """Something goes wrong in the world on purpose, by the name its plugin gave it."""
+    """A fault was caused in the world on purpose. ``fault`` is the name that its plugin
+    registered.
+    """
 
     event: ClassVar[str] = "fault_injected"
     fault: str
@@ -138,9 +156,11 @@ class FaultInjected(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CostsChanged(Event):
-    """Edges have another price now, by a person or by cost functions; only those that changed.
+    """Edges have new costs, set by a person or by cost functions. ``costs`` has only the changed
+    ones.
 
-    ``faults`` are cost functions that failed: what is declared of their edges stands."""
+    ``faults`` are the cost functions that failed. The declared costs of their edges remain.
+    """
 
     event: ClassVar[str] = "costs_changed"
     costs: Mapping[str, float]

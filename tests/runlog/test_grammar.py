@@ -253,7 +253,7 @@ def test_an_event_costs_the_same_however_much_has_begun() -> None:
     events += [RoutePlanned(t=1.0, goal="S0/A", operations=steps, cost=1.0)]
     events += [OperationStarted(t=1.0, address=step, target="B") for step in steps]
     grammar = Grammar({}, COMMANDS)
-    grammar._said.begun = _Walked()
+    grammar._memory.begun = _Walked()
     assert {grammar.follow(one) for one in events} == {""}
 
 

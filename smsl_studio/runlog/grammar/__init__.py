@@ -1,1 +1,1 @@
-"""Which sequences of events a log can have: an automaton that checks them one by one."""
+"""The order of events that a log can have. An automaton checks the events one by one."""

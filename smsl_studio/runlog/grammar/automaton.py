@@ -1,8 +1,8 @@
-"""The automaton: whether an event may follow what a log has told so far, and if not, why.
+"""The automaton: whether an event may follow the events before it in a log, and if not, why.
 
-``TABLE`` has a row for each event: in which part of the story it may stand, and the function that
-says what is wrong with it. What every event must obey stands in ``_always``. The blueprint is not
-asked, so the order is judged and whether the story agrees with itself, and nothing else.
+``TABLE`` has a row for each event: in which part of a log it may stand, and the rule that says what
+is wrong with it. ``_always`` has the rules for all events. The blueprint is not read, so only the
+order of events is judged, and whether they agree with each other and with the header.
 """
 
 from __future__ import annotations
@@ -25,10 +25,11 @@ NO_END = "the log ends, and the run that it tells of does not"
 
 
 class EventRow(NamedTuple):
-    """Where an event may stand, and what is wrong with one that may not stand there.
+    """Where an event may stand, and its rule.
 
-    ``before``: also before ``run_started``, while people are asked about the start. ``starting``:
-    between ``run_started`` and the last state check of the start.
+    ``wrong`` yields a sentence for each fault of the event. ``before`` says that it may also stand
+    before ``run_started``, while people are asked about the start. ``starting`` says that it may
+    stand between ``run_started`` and the last state check of the start.
     """
 
     wrong: Callable[[Memory, Any], Iterator[str]]
@@ -71,56 +72,56 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.RunFinished: EventRow(bounds.run_finished),
     }
 )
-"""The rule of every event of a run; events of a sweep have none."""
+"""The rows of all events of a run. Events of a sweep have none."""
 
 
 class Grammar:
-    """One reading of a story; ``header`` is that of its log, ``commands`` are those that it may
-    tell of.
+    """Checks the events of one log. ``commands`` are the commands that it may contain.
 
-    ``follow`` takes the next event. Once it has said why an event is impossible, it says nothing
-    more: what comes after is judged by nothing.
+    ``follow`` takes the next event. After it has rejected one event, it accepts all others, because
+    nothing after the first fault can be judged.
     """
 
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
-        self._said = Memory(header, commands)
+        self._memory = Memory(header, commands)
         self._over = False
 
     def follow(self, event: Event) -> str:
-        """Why the next event is impossible, as a sentence without its full stop; empty where it
-        is possible."""
+        """Return why the next event is impossible, as a sentence without its full stop, or the
+        empty text if it is possible.
+        """
         if self._over:
             return ""
-        said = self._said
-        said.now = event.t
-        why = next(_wrong(said, event), "")
+        memory = self._memory
+        memory.now = event.t
+        why = next(_wrong(memory, event), "")
         if why:
             self._over = True
             return why
-        follow(said, event)
-        take(said.fold, event)
-        said.last = event
+        follow(memory, event)
+        take(memory.fold, event)
+        memory.last = event
         return ""
 
     def end(self) -> str:
-        """Why the log cannot end here; empty where it can."""
-        return "" if self._over or self._said.fold.finished is not None else NO_END
+        """Return why the log cannot end here, or the empty text if it can."""
+        return "" if self._over or self._memory.fold.finished is not None else NO_END
 
 
-def _wrong(said: Memory, event: Event) -> Iterator[str]:
+def _wrong(memory: Memory, event: Event) -> Iterator[str]:
     row = TABLE.get(type(event))
     if row is None:
         yield f"a run does not tell of {event.event}"
         return
-    yield from _always(said, event, row)
-    yield from row.wrong(said, event)
+    yield from _always(memory, event, row)
+    yield from row.wrong(memory, event)
 
 
-def _always(said: Memory, event: Event, row: EventRow) -> Iterator[str]:
-    """The reasons why an event of any kind cannot stand here."""
-    fold, last, word = said.fold, said.last, event.event.replace("_", " ")
+def _always(memory: Memory, event: Event, row: EventRow) -> Iterator[str]:
+    """Yield the reasons why an event of any kind cannot stand here."""
+    fold, last, word = memory.fold, memory.last, event.event.replace("_", " ")
     if last is None:
-        yield from misshapen(said.header)
+        yield from misshapen(memory.header)
     if fold.finished is not None:
         yield f"{word} stands behind the end of the run"
     before = last.t if last is not None else 0.0
@@ -128,8 +129,8 @@ def _always(said: Memory, event: Event, row: EventRow) -> Iterator[str]:
         yield f"the time goes back from {before:g} s to {event.t:g} s"
     if not fold.begun and not row.before:
         yield f"{word} stands before the beginning of the run"
-    if said.unchecked and not row.starting:
-        branch, state = next(iter(said.unchecked.items()))
+    if memory.unchecked and not row.starting:
+        branch, state = next(iter(memory.unchecked.items()))
         yield f"the run goes on before {branch}/{state}, where it begins, was checked"
     if isinstance(last, run.GivenBack) and not isinstance(event, run.Relocalised):
         yield "the run was given back, and is not located"
@@ -139,43 +140,44 @@ def _always(said: Memory, event: Event, row: EventRow) -> Iterator[str]:
         yield f"{last.address} is risky, and the scene is not looked at"
     if isinstance(last, run.Mismatch) and not isinstance(event, _SETTLES):
         yield "the scene and what is believed differ, and the run goes on"
-    if event.t > before and _at_once(said):
+    if event.t > before and _at_once(memory):
         yield f"time passes until {event.t:g} s, and nothing goes on that takes any"
-    if said.doomed and not (isinstance(event, run.RunFinished) and event.reason == "failed"):
+    if memory.doomed and not (isinstance(event, run.RunFinished) and event.reason == "failed"):
         yield "the run holds in the middle of an operation, or while it is latched, and goes on"
-    if said.owed and said.owed != event.event and _overdue(said, event):
-        assert said.cause is not None
-        yield f"{said.cause.command.replace('_', ' ')} was carried out, and nothing came of it"
+    if memory.owed and memory.owed != event.event and _overdue(memory, event):
+        assert memory.cause is not None
+        yield f"{memory.cause.command.replace('_', ' ')} was carried out, and nothing came of it"
 
 
 _LOOKS = (run.OperationRisky, run.FactChanged, run.Mismatch, run.Relocalised, run.TaskOpened,
           run.Held)  # fmt: skip
-"""What follows a failure."""
+"""The events that may follow a failure."""
 _SETTLES = (run.Held, run.Relocalised, run.TaskClosed)
-"""What follows a mismatch; people who were being asked are asked no more."""
+"""The events that may follow a mismatch. Open questions to people are closed first."""
 
 
-def _at_once(said: Memory) -> bool:
-    """Whether a run goes on by itself, and what comes next takes no time: nothing is carried out,
-    nobody is asked, and it stands at no goal, which it would look at."""
-    fold = said.fold
-    if not fold.begun or said.unchecked or fold.phase != "running":
+def _at_once(memory: Memory) -> bool:
+    """Return whether a run must go on without time passing: it is running, nothing is carried out,
+    nobody is asked, and no SB stands at a goal that would be checked.
+    """
+    fold = memory.fold
+    if not fold.begun or memory.unchecked or fold.phase != "running":
         return False
-    return not (said.begun or said.standing or said.tasks)
+    return not (memory.begun or memory.standing or memory.tasks)
 
 
 def _arrives(event: Event) -> bool:
-    """Whether an event says that a run reaches a goal, or ends at its goals."""
+    """Return whether an event says that the run reaches a goal, or ends at its goals."""
     return isinstance(event, run.GoalReached | run.RunFinished) and (
         not isinstance(event, run.RunFinished) or event.reason == "goal_reached"
     )
 
 
-def _overdue(said: Memory, event: Event) -> bool:
-    """Whether the event that a command must cause can no longer come."""
-    assert said.cause is not None
-    if event.t > said.cause.t or isinstance(event, run.RunFinished):
+def _overdue(memory: Memory, event: Event) -> bool:
+    """Return whether the event that a command must cause can no longer come."""
+    assert memory.cause is not None
+    if event.t > memory.cause.t or isinstance(event, run.RunFinished):
         return True
-    # The end of a run stands behind the answers to whatever else was commanded.
-    ending = said.owed == run.RunFinished.event
+    # The end of a run comes after the answers to all other commands of this time.
+    ending = memory.owed == run.RunFinished.event
     return isinstance(event, run.Commanded) and not (ending and event.refused)

@@ -1,4 +1,4 @@
-"""The rules for the beginning and the end of a log."""
+"""The rules for the beginning and the end of a log. Each yields a sentence for each fault."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from smsl_studio.runlog.grammar.memory import Memory, parts, texts
 Json = Any
 REASONS = ("goal_reached", "no_route", "held", "refused", "stopped", "failed")
 _CUT = (LET_GO, BROKEN_OFF, UNBEGUN)
-"""The sentences of ends that come from outside the run, whatever is open."""
+"""The sentences of ends from outside the run, which may come at any time."""
 
 
-def run_started(said: Memory, event: run.RunStarted) -> Iterator[str]:
-    """It begins once, where its goals are, and as its header has it."""
-    fold, start = said.fold, event.start
+def run_started(memory: Memory, event: run.RunStarted) -> Iterator[str]:
+    """Check that the run begins once, with goals in its SBs, and as its header says."""
+    fold, start = memory.fold, event.start
     if fold.begun:
         yield "a second run begins; a log has one"
     if not start or not all(start.values()) or not all(start):
         yield "the run begins in no state"
-    if fold.facts and not said.names:
+    if fold.facts and not memory.names:
         yield "facts were told before the run began, and nobody was asked for any"
     if fold.configuration and dict(start) != fold.configuration:
         yield f"the run begins elsewhere than where it was located, in {_where(fold.configuration)}"
@@ -31,14 +31,14 @@ def run_started(said: Memory, event: run.RunStarted) -> Iterator[str]:
         yield "a goal is no state of an SB of this run"
     elif len({goal[0] for goal in goals}) < len(goals):
         yield "an SB has two goals"
-    for one in said.expansion.broken(start, start):
+    for one in memory.expansion.broken(start, start):
         yield f"the run begins in {one.base}/{start[one.base]} and {one.sub}/{start[one.sub]}"
-    yield from _unlike_header(said, event)
+    yield from _unlike_header(memory, event)
 
 
-def _unlike_header(said: Memory, event: run.RunStarted) -> Iterator[str]:
-    """The header is written before the run, by whom the run was asked for."""
-    header, located = said.header, bool(said.fold.configuration)
+def _unlike_header(memory: Memory, event: run.RunStarted) -> Iterator[str]:
+    """Yield the differences from the header, which was written before the run."""
+    header, located = memory.header, bool(memory.fold.configuration)
     world, seed = header.get("world"), header.get("seed")
     if isinstance(world, str) and world != event.world:
         yield f"the run is in the world {event.world}; the header has {world}"
@@ -57,14 +57,18 @@ def _unlike_header(said: Memory, event: run.RunStarted) -> Iterator[str]:
 
 
 def _states(value: Json) -> Mapping[str, str]:
-    """The states that a header names with their SBs; one without is left to the blueprint."""
+    """Return the states that a header names with their SBs. Only the blueprint could complete
+    others.
+    """
     named = [parts(text) for text in texts(value)]
     return {one[0]: one[1] for one in named} if all(len(one) == 2 for one in named) else {}
 
 
-def run_finished(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    """The end counts and places what was told, and its reason is that of what came last."""
-    fold = said.fold
+def run_finished(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    """Check that the end agrees with the events: the number of operations, the configuration, the
+    reason.
+    """
+    fold = memory.fold
     if event.reason not in REASONS:
         yield f"a run cannot end with the reason {event.reason}"
         return
@@ -74,17 +78,19 @@ def run_finished(said: Memory, event: run.RunFinished) -> Iterator[str]:
         yield f"the run ends in another place than {_where(fold.configuration)}"
     if not event.sentence:
         yield "the run ends, and does not say why"
-    if said.tasks and event.reason != "failed" and event.sentence not in _CUT:
-        yield f"the run ends, and {next(iter(said.tasks))} is open"
+    if memory.tasks and event.reason != "failed" and event.sentence not in _CUT:
+        yield f"the run ends, and {next(iter(memory.tasks))} is open"
     for branch, state in event.configuration.items():
-        if not said.evidence.is_drawn(branch, state):
+        if not memory.evidence.is_drawn(branch, state):
             yield f"the run ends in {branch}/{state}, which is not drawn"
-    yield from _ENDS[event.reason](said, event)
+    yield from _ENDS[event.reason](memory, event)
 
 
-def _reached(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    fold = said.fold
-    missing = [goal for goal in fold.goals if not _holds(said, goal) or goal not in said.reached]
+def _reached(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    fold = memory.fold
+    missing = [
+        goal for goal in fold.goals if not _holds(memory, goal) or goal not in memory.reached
+    ]
     if not fold.begun:
         yield "the goal is reached by a run that has not begun"
     elif missing:
@@ -92,23 +98,23 @@ def _reached(said: Memory, event: run.RunFinished) -> Iterator[str]:
     elif fold.started:
         yield f"the run ends at its goal in the middle of {next(iter(fold.started))}"
     elif fold.held or fold.stopped or fold.taken_over or fold.tasks:
-        yield f"the run ends at its goal and is {_state(said)}"
-    elif not said.former and said.busy >= said.now:
+        yield f"the run ends at its goal and is {_state(memory)}"
+    elif not memory.former and memory.busy >= memory.now:
         yield "the run ends at its goal in the moment of what came before; nothing was sensed since"
-    elif not said.former and said.evidence.off:
-        yield f"the run ends at its goal; {min(said.evidence.off)} has other facts"
+    elif not memory.former and memory.evidence.off:
+        yield f"the run ends at its goal; {min(memory.evidence.off)} has other facts"
     elif event.sentence != f"{', '.join(fold.goals)} {'hold' if fold.goals[1:] else 'holds'}.":
         yield "the run ends at its goal, and its sentence says something else"
 
 
-def _held(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    held, phase = said.fold.held, said.fold.phase
-    if _was_asked(said, event) and event.sentence.startswith(WAITING):
+def _held(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    held, phase = memory.fold.held, memory.fold.phase
+    if _was_asked(memory, event) and event.sentence.startswith(WAITING):
         return
     if held is not None and (held.kind == "no_route" or held.reason != event.sentence):
         yield f"the run held for another reason: {held.reason}"
     elif held is None and phase not in _LEFT:
-        yield f"the run ends because it held; it is {_state(said)}"
+        yield f"the run ends because it held; it is {_state(memory)}"
     elif held is None and event.sentence not in _LEFT[phase]:
         yield f"the run ends where nobody goes on with it, and says otherwise: {event.sentence}"
 
@@ -124,39 +130,41 @@ _LEFT: dict[str, tuple[str, ...]] = {
     )
 }
 _LEFT["idle"] = sum(_LEFT.values(), ())
-"""Run states in which a run ends where whoever attended it has gone, and what it says then."""
+"""The run states in which a run ends if nobody attends it, and the possible sentences of its
+end.
+"""
 
 
-def _was_asked(said: Memory, event: run.RunFinished) -> bool:
-    """Whether people were asked until this moment."""
-    last = said.last
+def _was_asked(memory: Memory, event: run.RunFinished) -> bool:
+    """Return whether people were asked until this moment."""
+    last = memory.last
     return isinstance(last, run.TaskClosed) and last.outcome == "withdrawn" and last.t == event.t
 
 
-def _no_route(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    held = said.fold.held
+def _no_route(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    held = memory.fold.held
     if held is None or held.kind != "no_route" or held.reason != event.sentence:
         yield "the run ends without a route, and nothing before says so"
 
 
-def _refused(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    if said.fold.begun and not said.declined:
+def _refused(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    if memory.fold.begun and not memory.declined:
         yield "a run that has begun is refused, and nobody has said no to its start"
-    elif said.fold.operations or said.begun:
+    elif memory.fold.operations or memory.begun:
         yield "a run is refused that has carried out operations"
 
 
 def _is_by(by: str, sentence: str) -> bool:
-    """Whether the sentence says who stopped it; what became of the world may follow."""
+    """Return whether the sentence names who stopped the run. Words about the world may follow."""
     said, _, rest = sentence.partition(f"Stopped by {by}.")
     return not said and (not rest or rest.startswith(" "))
 
 
-def _stopped(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    by = said.fold.stopped
+def _stopped(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    by = memory.fold.stopped
     if event.sentence in (LET_GO, BROKEN_OFF) or (by and _is_by(by, event.sentence)):
         return
-    if event.sentence == UNBEGUN and not said.fold.begun:
+    if event.sentence == UNBEGUN and not memory.fold.begun:
         return
     yield (
         f"the run was stopped by {by}; its end says otherwise"
@@ -165,8 +173,8 @@ def _stopped(said: Memory, event: run.RunFinished) -> Iterator[str]:
     )
 
 
-def _failed(said: Memory, event: run.RunFinished) -> Iterator[str]:
-    last = said.last
+def _failed(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    last = memory.last
     told = isinstance(last, run.Held) and last.kind == "held" and last.t == event.t
     if not told or getattr(last, "reason", "") != event.sentence:
         yield "the run fails without the hold that says why"
@@ -182,13 +190,13 @@ _ENDS = {
 }
 
 
-def _holds(said: Memory, goal: str) -> bool:
+def _holds(memory: Memory, goal: str) -> bool:
     branch, state = parts(goal)
-    return said.fold.configuration.get(branch) == state
+    return memory.fold.configuration.get(branch) == state
 
 
-def _state(said: Memory) -> str:
-    return said.fold.phase.replace("_", " ")
+def _state(memory: Memory) -> str:
+    return memory.fold.phase.replace("_", " ")
 
 
 def _where(configuration: Mapping[str, str]) -> str:

@@ -1,7 +1,7 @@
-"""What the logged facts say of the states: which state check can be true, and which cannot.
+"""What the logged facts say about states: which state check can be true, and which cannot.
 
-The header of a log says what each state wants of its facts, and which facts are sensed. Of an SB
-that it leaves out, a state wants what it had when its check was true for the first time.
+The header of a log has the values that each state needs, and says which facts are sensed. For an SB
+that is not in the header, a state needs the values that were logged when its check was first true.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from smsl_studio.blueprint.address import split_fact
 
 Json = Any
 MOST = 256
-"""So many facts of an SB are judged, so that an event costs the same however many there are."""
+"""The largest number of facts of an SB that are judged, so that the cost of an event is bounded."""
 Wanted = Mapping[int, str]
 
 
 class Evidence:
-    """What was told of the facts up to now, and what states want of them.
+    """The logged facts up to now, and the values that states need.
 
-    ``off`` are the SBs whose facts are known, and are not those of the state where they stand;
-    ``open`` are those of which the facts do not say for sure what a check comes to, and ``differ``
-    is how many facts of the others are not known to be those of that state.
+    ``off`` has the SBs with a fact that differs from their state. ``open`` has the SBs for which
+    the facts alone do not decide a state check. ``differ`` is the number of facts of all other SBs
+    that differ from their state or are unknown.
     """
 
     def __init__(self, grounds: Json) -> None:
@@ -42,7 +42,9 @@ class Evidence:
         self._sense(said.get("sensed"))
 
     def _draw(self, states: Json) -> None:
-        """What the header says that states want; what it does not write so is left out."""
+        """Take the values that states need from the header. Anything in another form is left
+        out.
+        """
         for branch, table in states.items() if isinstance(states, dict) else ():
             if not isinstance(table, dict) or not all(isinstance(v, list) for v in table.values()):
                 continue
@@ -69,7 +71,7 @@ class Evidence:
                 self._known.add((branch, digit))
 
     def stand(self, branch: str, state: str) -> None:
-        """An SB stands in a state, or a fact of it was told: whether the two go together."""
+        """Compare the facts of an SB with its state, after either has changed."""
         (self.off.add if self.misses(branch, state) else self.off.discard)(branch)
         sure = self.decides(branch)
         (self.open.discard if sure else self.open.add)(branch)
@@ -78,8 +80,10 @@ class Evidence:
         self._differing[branch] = many
 
     def can_tell(self, branch: str, digit: int, value: str | None) -> bool:
-        """Whether the SB has such a fact, as far as the header says. What a sub-SB expands is never
-        known: it can only be told that it may have changed."""
+        """Return whether the SB can have this fact, according to the header.
+
+        A fact that a sub-SB expands is never known. A log can only say that it became unknown.
+        """
         facts = self._facts.get(branch)
         if facts is None:
             return True
@@ -92,30 +96,31 @@ class Evidence:
             self._wanted[branch, state] = {n: value for n, value in told if value is not None}
 
     def is_drawn(self, branch: str, state: str) -> bool:
-        """Whether the blueprint has such a state, as far as the header says."""
+        """Return whether the blueprint has this state, according to the header."""
         return branch not in self._drawn or (branch, state) in self._wanted
 
     def misses(self, branch: str, state: str) -> int:
-        """How many facts are known not to be as a state wants them."""
+        """Return how many facts have another value than a state needs."""
         wanted, told = self._wanted.get((branch, state), {}), self._told.get(branch)
         if not told:
             return 0
         return sum(told.get(n) not in (None, value) for n, value in wanted.items())
 
     def unknown(self, branch: str) -> int:
-        """How many facts of an SB were known before, or are sensed, and are not known now."""
+        """Return how many facts of an SB are unknown now that were known before or are sensed."""
         told = self._told.get(branch, {})
         lost = [n for n, value in told.items() if value is None and (branch, n) in self._known]
         silent = [n for n in self._sensed.get(branch, ()) if told.get(n) is None]
         return len({*lost, *silent})
 
     def holds(self, branch: str, state: str) -> bool:
-        """Whether a state's own facts may all be as it wants them."""
+        """Return whether all facts of a state may have the values that it needs."""
         return not self.misses(branch, state) and not self.unknown(branch)
 
     def decides(self, branch: str) -> bool:
-        """Whether the facts alone say what a check of an SB comes to: no sub-SB has a part in it,
-        and nothing was told as unknown of which nobody knows whether it is sensed."""
+        """Return whether the facts alone decide a state check of an SB: the header has all its
+        values, no sub-SB expands a digit, and every unknown fact was known before or is sensed.
+        """
         told = self._told.get(branch, {})
         return branch in self._whole and all(
             value is not None or (branch, n) in self._known or n in self._sensed.get(branch, ())

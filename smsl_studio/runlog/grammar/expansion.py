@@ -1,8 +1,8 @@
-"""Which digits of which base a sub-SB expands, as the header of a log says it.
+"""The digits of bases that sub-SBs expand, as the header of a log has them.
 
-The invariant of a blueprint: a digit of a base is on if and only if its sub-SB stands in
-ACTIVATING. What is committed obeys it at every moment, because a base commits with the last
-crossing of its subs, and all that is pending until then is not committed.
+A blueprint has this invariant: a digit of a base is on if and only if its sub-SB is in ACTIVATING.
+Committed states obey it at every moment, because a base commits together with the last crossing of
+its subs. Until then its step is pending.
 """
 
 from __future__ import annotations
@@ -12,12 +12,15 @@ from typing import Any, NamedTuple
 
 Json = Any
 MOST = 256
-"""So many digits of an SB, and so many bases of a sub-SB, are judged: an event costs the same
-however many there are."""
+"""The largest number of digits of an SB and of bases of a sub-SB that are judged, so that the cost
+of an event is bounded.
+"""
 
 
 class Expanded(NamedTuple):
-    """A digit of a base with its sub-SB; ``on`` are the states of the base where it is on."""
+    """A digit of a base with its sub-SB. ``on`` has the states of the base in which the digit is
+    on.
+    """
 
     base: str
     digit: str
@@ -28,8 +31,11 @@ class Expanded(NamedTuple):
 
 
 class Expansion:
-    """All expanded digits that a header names. ``told`` says whether the header names them at all:
-    logs of earlier programs do not, and then nothing is judged by them."""
+    """All expanded digits in a header.
+
+    ``told`` says whether the header has them at all. Logs of earlier programs do not, and then
+    nothing is judged by them.
+    """
 
     def __init__(self, grounds: Json) -> None:
         said = grounds.get("subs") if isinstance(grounds, dict) else None
@@ -43,7 +49,9 @@ class Expansion:
                     known.append(one)
 
     def broken(self, configuration: Mapping[str, str], moved: Iterable[str]) -> Iterator[Expanded]:
-        """The digits that break the invariant, of the SBs that have moved and of their bases."""
+        """Yield the digits that break the invariant, for the SBs that have moved and their
+        bases.
+        """
         for branch in moved:
             for one in (*self._of_base.get(branch, ()), *self._of_sub.get(branch, ())):
                 base, sub = configuration.get(one.base), configuration.get(one.sub)
@@ -52,14 +60,17 @@ class Expansion:
                     yield one
 
     def may_load(self, base: str, sub: str, state: str) -> bool:
-        """Whether an operation of one SB may leave another one in a state: ``subs: load`` leaves a
-        sub-SB in ACTIVATING or INITIAL, and what is below it as well."""
+        """Return whether an operation of ``base`` may put the SB ``sub`` into a state. An operation
+        with ``subs: load`` puts sub-SBs, and those below them, into ACTIVATING or INITIAL.
+        """
         below = self._of_sub.get(sub, ())
         return base in self._of_base and any(state in (o.activating, o.initial) for o in below)
 
 
 def _expanded(said: Json) -> Iterator[Expanded]:
-    """What a header says of digits; its types are judged elsewhere, and what is wrong left out."""
+    """Yield the digits in a header. Values of a wrong type are left out here and reported
+    elsewhere.
+    """
     for base, digits in said.items() if isinstance(said, dict) else ():
         for digit, one in digits.items() if isinstance(digits, dict) else ():
             known = _one(base, digit, one) if isinstance(one, dict) else None

@@ -1,4 +1,6 @@
-"""The types of what a header says: a value of another type would compare with nothing."""
+"""The types of the values in a header. A value of another type could not be compared with the
+events.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +13,9 @@ Fits = Callable[[Json], bool]
 
 
 def misshapen(header: Mapping[str, Json]) -> Iterator[str]:
-    """What no run has written so. A key that is missing is left to who reads the log: those of
-    earlier programs, and of other ones, have fewer."""
+    """Yield the values that no run writes in this form. A missing key is no fault here, because
+    logs of earlier programs have fewer keys.
+    """
     grounds, digests = header.get("grounds"), header.get("digests")
     yield from _wrong("", header, _HEADER)
     yield from _wrong("digests.", digests, _DIGESTS)

@@ -1,9 +1,9 @@
-"""Reading a run log line by line, and saying whether it is the one that was written.
+"""Reads a run log line by line, and says whether it is unchanged.
 
-A log is a foreign file: whatever it holds, the answer is its events, a ReadError with a place, or
-a doubt. A doubt is the first reason why the log does not verify: its chain does not hold, its
-events are no story that a run can tell (see ``grammar``), or it does not end. Its events can be
-read all the same, up to the last whole line.
+A log comes from outside. Whatever it contains, the answer is its events, a ReadError with a place,
+or a doubt. A doubt is the first reason why the log is not verified: its chain is broken, its order
+of events is impossible (see ``grammar``), or it has no end. Its events can be read even so, up to
+the last whole line.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ Going = Callable[[float], None]
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
 _HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\}\}\n')
 OFTEN = 256
-"""Progress in a long log is reported after so many events."""
+"""The number of events between two reports of progress."""
 _LOOKED_AT = 100
-"""So many lines are enough to tell a log without its header from any other file."""
+"""So many lines are enough to distinguish a log without its header from any other file."""
 
 _DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
@@ -44,7 +44,7 @@ _UNWRITTEN = "the line holds what no run has written"
 
 @dataclass(frozen=True, slots=True)
 class LogHead:
-    """The last line: how many events there are, and the SHA-256 of all bytes before it."""
+    """The last line of a log: the number of events, and the SHA-256 of all bytes before it."""
 
     count: int
     hash: str
@@ -52,7 +52,7 @@ class LogHead:
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """Why a log is not verified, and where that shows first."""
+    """Why a log is not verified, and the first place that shows it."""
 
     place: Place
     sentence: str
@@ -63,7 +63,7 @@ class Doubt:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """An event, and the text a run printed for it."""
+    """An event, its line number, and the text that the run printed for it."""
 
     line: int
     text: str
@@ -71,11 +71,10 @@ class Record:
 
 
 class LogReader:
-    """One reading of a log, whose name in messages is ``file``; ``commands`` are those that a
-    run knows.
+    """Reads one log. ``file`` is its name in messages. ``commands`` are the commands of a run.
 
-    ``header``, ``count``, ``head`` and ``doubt`` say what was found so far; when ``records`` has
-    ended, a log without ``doubt`` is verified.
+    ``header``, ``count``, ``head`` and ``doubt`` have what was found so far. A log is verified if
+    ``records`` has ended and there is no ``doubt``.
     """
 
     def __init__(self, stream: BinaryIO, file: str, commands: CommandWords) -> None:
@@ -91,11 +90,11 @@ class LogReader:
 
     @property
     def version(self) -> int:
-        """The version of its format; 0 as long as no header was read."""
+        """The version of the log's format, 0 if no header was read yet."""
         return int(self.header.get("version", 0))
 
     def records(self) -> Iterator[Record]:
-        """The header, then every event; ReadError where a line is none."""
+        """Read the header, then yield every event. ReadError if a line is not one of a log."""
         first = self._next()
         self._seems_log = _FIRST.startswith(first) or _is_of_log(first)
         self.header = self._header(first)
@@ -113,8 +112,9 @@ class LogReader:
             self._doubts(_NO_HEAD)
 
     def remains_of_log(self) -> bool:
-        """Whether the file that could not be read is a changed log, and not a file of another
-        kind."""
+        """Return whether a file that could not be read is a changed log, and not a file of another
+        kind.
+        """
         with suppress(ReadError):
             for _ in range(_LOOKED_AT):
                 if self._seems_log or not (line := self._next()):
@@ -123,7 +123,7 @@ class LogReader:
         return self._seems_log and not self._lost
 
     def _next(self) -> bytes:
-        """The next line with its end; empty at the end of the log."""
+        """Return the next line with its end, empty at the end of the log."""
         self._number += 1
         try:
             line = self._stream.readline(LONGEST + 1)
@@ -158,7 +158,7 @@ class LogReader:
         return Record(self._number, split[0].decode("utf-8"), event)
 
     def _values(self, line: bytes) -> dict[str, Json]:
-        """What a line says; that its link is wrong is a doubt."""
+        """Return the values of a line. A wrong link of the chain becomes a doubt."""
         if not line.endswith(b"\n"):
             raise self._wrong("the line is cut short", len(line) + 1)
         split = unlinked(line)
@@ -195,7 +195,7 @@ class LogReader:
         self._judge(self._grammar.end())
 
     def _judge(self, why: str) -> None:
-        """What the grammar says of the line; empty: it is possible."""
+        """Note why a line is impossible, if the grammar says so."""
         if why:
             self._doubts(f"the story is impossible: {why}")
 
@@ -209,7 +209,7 @@ class LogReader:
 
 @dataclass(frozen=True)
 class LoggedRun:
-    """A whole log: its header, its events, its head and why it is not verified, if it is not."""
+    """A whole log: its header, its events, its head, and the reason if it is not verified."""
 
     header: Mapping[str, Json]
     records: tuple[Record, ...]
@@ -224,8 +224,9 @@ class LoggedRun:
 
 @dataclass(frozen=True, slots=True)
 class LogVerdict:
-    """The answer to whether a log is the one that was written; ``events`` is how many it has,
-    ``version`` that of its format, 0 where it has no header."""
+    """Whether a log is unchanged: the number of its events, its head, the reason if it is not
+    verified, and the version of its format (0 without a header).
+    """
 
     events: int
     head: LogHead | None
@@ -234,7 +235,7 @@ class LogVerdict:
 
 
 def open_log(path: Path) -> BinaryIO:
-    """The bytes of a log in an ordinary file; ReadError where there are none."""
+    """Open the log in an ordinary file. ReadError if it cannot be opened."""
     try:
         return os.fdopen(open_ordinary(path), "rb")
     except (OSError, ValueError) as error:
@@ -242,12 +243,12 @@ def open_log(path: Path) -> BinaryIO:
 
 
 def read_log(path: Path, commands: CommandWords, going: Going | None = None) -> LoggedRun:
-    """A run log from a file; ReadError with the place of what is no log.
+    """Return the run log in a file. ReadError, with the place, if it is not a log.
 
-    ``commands`` are those that a run knows; a log that tells of others is doubted.
+    ``commands`` are the commands of a run. A log with other commands gets a doubt.
 
-    ``going`` is called now and then with the share of bytes that are read (0 to 1); what it raises
-    ends the reading, so that a long log can be given up.
+    ``going`` is called sometimes with the share of the bytes that were read (0 to 1). It may raise
+    an error, which ends the reading of a long log.
     """
     with open_log(path) as stream:
         size = max(os.fstat(stream.fileno()).st_size, 1)
@@ -262,9 +263,9 @@ def read_log(path: Path, commands: CommandWords, going: Going | None = None) -> 
 def read_records(
     stream: BinaryIO, file: str, commands: CommandWords, going: Callable[[], None] | None = None
 ) -> LoggedRun:
-    """A run log from a stream; ReadError with the place of what is no log.
+    """Return the run log in a stream. ReadError, with the place, if it is not a log.
 
-    ``going`` is called now and then, and may raise.
+    ``going`` is called sometimes, and may raise an error.
     """
     reader = LogReader(stream, file, commands)
     records = []
@@ -276,9 +277,9 @@ def read_records(
 
 
 def verify(stream: BinaryIO, file: str, commands: CommandWords) -> LogVerdict:
-    """Whether the chain holds over the raw bytes, and the head with it.
+    """Check the chain over the raw bytes, the head and the order of events of a log.
 
-    ReadError where there is no log to verify: its bytes cannot be had, or it is another file.
+    ReadError if there is no log to check: its bytes cannot be read, or it is another file.
     """
     reader = LogReader(stream, file, commands)
     try:
@@ -293,7 +294,7 @@ def verify(stream: BinaryIO, file: str, commands: CommandWords) -> LogVerdict:
 
 
 def _is_of_log(line: bytes) -> bool:
-    """Whether a log can have such a line, by its beginning or its end."""
+    """Return whether a log can have this line, from its beginning or its end."""
     return line.startswith((_FIRST, b'{"head":{"count":')) or unlinked(line) is not None
 
 
@@ -304,7 +305,7 @@ def _unreadable(error: OSError | ValueError, place: Place) -> ReadError:
 
 
 class _TwiceError(ValueError):
-    """A key that stands twice in an object: readers differ in which of the two counts."""
+    """A key that stands twice in an object. Readers differ in which of the two they use."""
 
 
 def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:

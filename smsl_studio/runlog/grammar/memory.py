@@ -1,4 +1,4 @@
-"""What the automaton remembers of a log: the state of the run, and what must still follow."""
+"""The state of the automaton: the state of the run, and the events that must still follow."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ Json = Any
 
 
 SHORT = 200
-"""Characters of an address that is looked at once and remembered; longer ones are split anew."""
+"""The largest number of characters of an address that is cached."""
 
 
 def parts(text: str) -> tuple[str, ...]:
-    """The names in an address; the empty tuple where there are more than three, or one is empty."""
+    """Return the names in an address. Empty if there are more than three, or if one is empty."""
     return _parts(text) if len(text) <= SHORT else _split(text)
 
 
@@ -38,9 +38,12 @@ _parts = lru_cache(maxsize=4096)(_split)
 
 @dataclass(slots=True)
 class Begun:
-    """An operation that has begun and is not committed. ``outcome`` is how its function ended,
-    empty as long as it has not; ``done`` says that the check of its target was true, ``person``
-    that a person was asked to carry it out, ``since`` when it began."""
+    """An operation that has begun and is not committed.
+
+    ``outcome`` is the outcome of its function, empty until it ends. ``done`` says that the check of
+    its target was true. ``person`` says that a person was asked to carry it out. ``since`` is the
+    simulated time (s) of its beginning.
+    """
 
     branch: str
     source: str
@@ -54,7 +57,7 @@ class Begun:
 
 @dataclass(slots=True)
 class Asked:
-    """A task that is open: who has answered it, and whether another role was asked as well."""
+    """An open task: who has answered it, and whether another role was asked too."""
 
     opened: run.TaskOpened
     answered: dict[str, None] = field(default_factory=dict)
@@ -62,37 +65,36 @@ class Asked:
 
 
 class Memory:
-    """A story up to now.
+    """The state of the automaton after the events so far. Times are simulated seconds.
 
-    ``fold`` is how the run stands, ``last`` the newest event, ``now`` the time of the one that is
-    judged. ``commands`` are those that there are. ``unchecked`` are the SBs whose state check at
-    the start is still to come.
+    ``fold`` is the state of the run, ``last`` the newest event, and ``now`` the time of the event
+    that is judged. ``commands`` are all commands. ``unchecked`` are the SBs whose state check at
+    the start is still to come. ``former`` says that the log has the former version, which told
+    goals without a fresh check.
 
-    Of the step that is carried out: ``begun`` are its operations, ``newest`` the last one of each
-    SB, ``pending`` the SBs that it has left elsewhere. ``acting`` says that a function or a person
-    is at work, ``failing`` that nothing of it can commit any more, ``stepped`` that a step was
-    carried out since the run was located or planned its way. ``checked`` are the true state checks
-    that stand directly before the next event, ``committed`` is when the step committed last.
+    Of the step that is carried out: ``begun`` are its operations, ``newest`` is the last operation
+    of each SB, and ``pending`` has the SBs that have moved and are not committed. ``acting`` says
+    that a function or a person is at work. ``failing`` says that nothing of the step can commit any
+    more. ``blames`` says that an operation has failed and must still be tagged risky. ``stepped``
+    says that an operation has begun since the run was located, planned its route or reached a goal.
+    ``checked`` are the true state checks directly before the next event. ``committed`` is the time
+    of the step's last commit. ``rests`` says that the run was paused after a part of a step had
+    committed, so the rest may go on. ``chosen`` says that somebody asked for the step, so it is on
+    no route.
 
-    Of regulation: ``cause`` is the newest command, ``owed`` the word of the event that must follow
-    it, ``asked`` the operation that somebody chose, ``shut`` those that may not begin. ``doomed``
-    says that the run can only fail now. ``tasks`` are the open tasks and ``names`` all that ever
-    were; ``declined`` says that somebody was asked whether the run shall start, and answered.
+    Of regulation: ``cause`` is the newest command, and ``owed`` is the word of the event that it
+    must cause. ``asked`` is the operation that somebody chose, and ``shut`` are those that must not
+    begin. ``doomed`` says that the run can only fail now. ``tasks`` are the open tasks, and
+    ``names`` the names of all tasks so far. ``declined`` says that somebody has answered the
+    question whether the run may start. ``wanted_pause`` says that a pause or a step was commanded
+    since the last pause. ``let_go`` says that a command was given or a task closed since the last
+    hold.
 
-    ``evidence`` is what the facts that were told say of states, ``expansion`` which digits of
-    bases stand for sub-SBs. ``rests`` says that a pause came where a step had committed in part,
-    and may go on. ``busy`` is when anything else was told last than what a look at the goals
-    tells: facts, costs and goals. ``chosen`` says that the
-    step which is carried out was asked for, and is on no route. ``former`` says that the log is of
-    the version before, whose runs told goals without looking anew.
-
-    ``wanted_pause`` says that a pause or a step was commanded since the run paused last, ``let_go``
-    that somebody has said something since it held, ``blames`` that an operation has failed and is
-    still to be tagged risky.
-
-    ``goal_of`` has the goal of each SB and its state, ``standing`` are the SBs that stand there.
-    ``reached`` are the goals that were told, in their order, ``away`` the SBs that have left such a
-    goal since.
+    Of facts and goals: ``evidence`` compares the logged facts with states, and ``expansion`` has
+    the digits that sub-SBs expand. ``busy`` is the time of the last event that is not a fact, a
+    cost or a goal. ``goal_of`` has the goal of each SB and its state, and ``standing`` are the SBs
+    that are there. ``reached`` are the goals that were told, in order, and ``away`` the SBs that
+    have left such a goal since.
     """
 
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
@@ -128,36 +130,40 @@ class Memory:
         self.away: set[str] = set()
 
     def stands(self, branch: str) -> str:
-        """The state of an SB, committed or pending; empty where there is no such SB."""
+        """Return the state of an SB, committed or pending. Empty if there is no such SB."""
         return self.pending.get(branch) or self.fold.configuration.get(branch, "")
 
     def knows(self, branch: str) -> bool:
-        """Whether the run has such an SB; before it has begun nobody knows."""
+        """Return whether the run has this SB. Before the beginning every SB is possible."""
         return not self.fold.begun or branch in self.fold.configuration
 
     def is_configuration(self, states: Mapping[str, str]) -> bool:
-        """Whether these are the run's SBs, all of them and no others, each in a state."""
+        """Return whether these are all SBs of the run and no others, each with a state."""
         here = self.fold.configuration
         return all(states.values()) and (not here or states.keys() == here.keys())
 
     def caused(self, word: str, by: str | None = None, address: str | None = None) -> bool:
-        """Whether the newest command was this one, given at this moment and carried out."""
+        """Return whether the newest command is this one, was given at this time and was carried
+        out.
+        """
         one = self.cause
         if one is None or one.command != word or one.t != self.now:
             return False
-        # A world may die in the middle of a command, when it has had some of its effects.
+        # If the world dies during a command, the command is refused, but some of its effects have
+        # happened.
         done = bool(self.owed) if not one.refused else one.refused.startswith(WORLD_GONE)
         return done and by in (None, one.by) and address in (None, one.address)
 
     @property
     def may_go_on(self) -> bool:
-        """Whether a single step has committed at this moment, and may not be over: a fall that is
-        the last crossing of its base commits with it, and the rest of the sub's way follows
-        singly. No event says whether there is a rest."""
+        """Whether a single step has committed at this time, and may still go on. A fall that is the
+        last crossing of its base commits with it, and the rest of the sub-SB's path follows step by
+        step. No event says whether there is a rest.
+        """
         return self.committed == self.now and self.fold.phase in ("ready", "paused")
 
     def end_step(self) -> None:
-        """Forget what was being carried out."""
+        """Forget the step that was being carried out."""
         self.begun, self.newest, self.pending = {}, {}, {}
         self.acting = self.failing = self.stepped = self.blames = self.rests = False
         self.committed = None
@@ -167,6 +173,6 @@ WORLD_GONE = "the world is gone"
 
 
 def texts(value: Json) -> tuple[str, ...]:
-    """The texts of a list in a header, which may be anything."""
+    """Return the texts in a list of a header. The value may be anything."""
     found = value if isinstance(value, list) else ()
     return tuple(one for one in found if isinstance(one, str))

@@ -1,4 +1,4 @@
-"""What an event that was possible changes in what the automaton remembers."""
+"""The changes of the automaton's state after a possible event."""
 
 from __future__ import annotations
 
@@ -12,179 +12,179 @@ from smsl_studio.runlog.grammar.memory import Asked, Begun, Memory, parts
 from smsl_studio.runlog.grammar.regulation import LATCHED
 
 QUIET = (run.FactChanged, run.CostsChanged, run.GoalReached)
-"""What is told between the tick before a look at the goals and their arrival."""
+"""The events that may come between the last change and the arrival at the goals."""
 
 
-def follow(said: Memory, event: Event) -> None:
-    """Remember an event, before the fold has taken it."""
-    if said.owed == event.event:
-        said.owed = ""
+def follow(memory: Memory, event: Event) -> None:
+    """Take an event into the memory, before the fold takes it."""
+    if memory.owed == event.event:
+        memory.owed = ""
     if not isinstance(event, QUIET):
-        said.busy = event.t
+        memory.busy = event.t
     if not isinstance(event, run.StateChecked):
-        said.checked = {}
+        memory.checked = {}
     change = _CHANGES.get(type(event))
     if change is not None:
-        change(said, event)
+        change(memory, event)
 
 
-def _run_started(said: Memory, event: run.RunStarted) -> None:
-    said.unchecked = dict(event.start)
+def _run_started(memory: Memory, event: run.RunStarted) -> None:
+    memory.unchecked = dict(event.start)
     named = ((goal, parts(goal)) for goal in event.goals)
-    said.goal_of = {branch: (goal, state) for goal, (branch, state) in named}
-    _stand(said, event.start)
-    _moved(said, event.start)
+    memory.goal_of = {branch: (goal, state) for goal, (branch, state) in named}
+    _stand(memory, event.start)
+    _moved(memory, event.start)
 
 
-def _stand(said: Memory, configuration: Mapping[str, str]) -> None:
+def _stand(memory: Memory, configuration: Mapping[str, str]) -> None:
     for branch, state in configuration.items():
-        said.evidence.stand(branch, state)
+        memory.evidence.stand(branch, state)
 
 
-def _fact_changed(said: Memory, event: run.FactChanged) -> None:
+def _fact_changed(memory: Memory, event: run.FactChanged) -> None:
     branch = event.branch
-    said.evidence.tell(branch, event.digit, event.value)
-    if branch in said.fold.configuration:
-        said.evidence.stand(branch, said.fold.configuration[branch])
+    memory.evidence.tell(branch, event.digit, event.value)
+    if branch in memory.fold.configuration:
+        memory.evidence.stand(branch, memory.fold.configuration[branch])
 
 
-def _state_checked(said: Memory, event: run.StateChecked) -> None:
+def _state_checked(memory: Memory, event: run.StateChecked) -> None:
     branch, state = parts(event.address)
     if event.result == "true":
-        said.evidence.learn(branch, state)
-    if said.unchecked:
-        del said.unchecked[branch]
+        memory.evidence.learn(branch, state)
+    if memory.unchecked:
+        del memory.unchecked[branch]
     elif event.result == "true":
-        said.checked[branch] = said.pending[branch] = state
-        newest = said.newest.get(branch)
+        memory.checked[branch] = memory.pending[branch] = state
+        newest = memory.newest.get(branch)
         if newest is not None:
             newest.done |= newest.target == state
     else:
-        said.failing = said.blames = True
+        memory.failing = memory.blames = True
 
 
-def _operation_started(said: Memory, event: run.OperationStarted) -> None:
+def _operation_started(memory: Memory, event: run.OperationStarted) -> None:
     branch, source, _ = parts(event.address)
     one = Begun(branch, source, event.target, event.function, since=event.t)
-    said.rests = False
-    said.chosen |= said.asked == event.address
-    said.begun[event.address] = said.newest[branch] = one
-    said.acting = said.stepped = True
-    said.asked = ""
+    memory.rests = False
+    memory.chosen |= memory.asked == event.address
+    memory.begun[event.address] = memory.newest[branch] = one
+    memory.acting = memory.stepped = True
+    memory.asked = ""
 
 
-def _operation_ended(said: Memory, event: run.OperationEnded) -> None:
-    said.begun[event.address].outcome = event.outcome
-    said.acting = False
-    said.failing = event.outcome != "returned"
-    one = said.begun[event.address]
-    said.blames = event.outcome in ("failed", "raised") and not one.person
+def _operation_ended(memory: Memory, event: run.OperationEnded) -> None:
+    memory.begun[event.address].outcome = event.outcome
+    memory.acting = False
+    memory.failing = event.outcome != "returned"
+    one = memory.begun[event.address]
+    memory.blames = event.outcome in ("failed", "raised") and not one.person
 
 
-def _committed(said: Memory, event: run.Committed) -> None:
+def _committed(memory: Memory, event: run.Committed) -> None:
     for address in event.operations:
-        one = said.begun.pop(address)
-        if said.newest.get(one.branch) is one:
-            del said.newest[one.branch]
-    said.committed = event.t
+        one = memory.begun.pop(address)
+        if memory.newest.get(one.branch) is one:
+            del memory.newest[one.branch]
+    memory.committed = event.t
     for branch, state in event.configuration.items():
-        if said.pending.get(branch) == state:
-            del said.pending[branch]
-    _moved(said, event.configuration)
-    _stand(said, event.configuration)
+        if memory.pending.get(branch) == state:
+            del memory.pending[branch]
+    _moved(memory, event.configuration)
+    _stand(memory, event.configuration)
 
 
-def _moved(said: Memory, configuration: Mapping[str, str]) -> None:
-    """SBs stand elsewhere: which of them have left a goal that was told."""
+def _moved(memory: Memory, configuration: Mapping[str, str]) -> None:
+    """Note which SBs are at their goals now, and which have left a goal that was told."""
     for branch, now in configuration.items():
-        goal, state = said.goal_of.get(branch, ("", ""))
-        (said.standing.add if now == state else said.standing.discard)(branch)
-        if goal in said.reached:
-            (said.away.discard if now == state else said.away.add)(branch)
+        goal, state = memory.goal_of.get(branch, ("", ""))
+        (memory.standing.add if now == state else memory.standing.discard)(branch)
+        if goal in memory.reached:
+            (memory.away.discard if now == state else memory.away.add)(branch)
 
 
-def _relocalised(said: Memory, event: run.Relocalised) -> None:
-    _moved(said, event.configuration)
-    _stand(said, event.configuration)
-    said.end_step()
+def _relocalised(memory: Memory, event: run.Relocalised) -> None:
+    _moved(memory, event.configuration)
+    _stand(memory, event.configuration)
+    memory.end_step()
 
 
-def _ends_step(said: Memory, event: Event) -> None:
-    said.end_step()
+def _ends_step(memory: Memory, event: Event) -> None:
+    memory.end_step()
 
 
-def _held(said: Memory, event: run.Held) -> None:
-    again = said.fold.held is not None and not said.let_go
-    risky = isinstance(said.last, run.OperationRisky)
-    said.doomed = said.acting or said.fold.phase in LATCHED or again or risky
-    said.let_go = False
-    said.end_step()
+def _held(memory: Memory, event: run.Held) -> None:
+    again = memory.fold.held is not None and not memory.let_go
+    risky = isinstance(memory.last, run.OperationRisky)
+    memory.doomed = memory.acting or memory.fold.phase in LATCHED or again or risky
+    memory.let_go = False
+    memory.end_step()
 
 
-def _latched(said: Memory, event: Event) -> None:
-    said.end_step()
-    said.asked = ""
+def _latched(memory: Memory, event: Event) -> None:
+    memory.end_step()
+    memory.asked = ""
 
 
-def _paused(said: Memory, event: run.Paused) -> None:
-    said.rests |= said.committed == event.t and not said.begun
-    said.committed = None
-    said.wanted_pause = False
+def _paused(memory: Memory, event: run.Paused) -> None:
+    memory.rests |= memory.committed == event.t and not memory.begun
+    memory.committed = None
+    memory.wanted_pause = False
 
 
-def _risky(said: Memory, event: run.OperationRisky) -> None:
-    said.blames = False
+def _risky(memory: Memory, event: run.OperationRisky) -> None:
+    memory.blames = False
 
 
-def _route_planned(said: Memory, event: Event) -> None:
-    said.stepped = said.chosen = said.rests = False
-    said.asked = ""
+def _route_planned(memory: Memory, event: Event) -> None:
+    memory.stepped = memory.chosen = memory.rests = False
+    memory.asked = ""
 
 
-def _goal_reached(said: Memory, event: run.GoalReached) -> None:
-    said.reached[event.goal] = None
-    said.stepped = False
+def _goal_reached(memory: Memory, event: run.GoalReached) -> None:
+    memory.reached[event.goal] = None
+    memory.stepped = False
 
 
-def _commanded(said: Memory, event: run.Commanded) -> None:
-    said.cause = event
+def _commanded(memory: Memory, event: run.Commanded) -> None:
+    memory.cause = event
     if event.refused:
         return
-    said.owed = said.commands[event.command].owes
-    said.let_go = True
-    said.wanted_pause |= event.command in ("pause", "step")
-    if event.command == "ask" and said.fold.phase != "running":
-        said.asked, said.rests = event.address, False
+    memory.owed = memory.commands[event.command].owes
+    memory.let_go = True
+    memory.wanted_pause |= event.command in ("pause", "step")
+    if event.command == "ask" and memory.fold.phase != "running":
+        memory.asked, memory.rests = event.address, False
 
 
-def _pruned(said: Memory, event: run.OperationPruned) -> None:
-    said.shut.add(event.address)
+def _pruned(memory: Memory, event: run.OperationPruned) -> None:
+    memory.shut.add(event.address)
 
 
-def _restored(said: Memory, event: run.OperationRestored) -> None:
-    said.shut.discard(event.address)
+def _restored(memory: Memory, event: run.OperationRestored) -> None:
+    memory.shut.discard(event.address)
 
 
-def _task_opened(said: Memory, event: run.TaskOpened) -> None:
-    said.tasks[event.task] = Asked(event)
-    said.names.add(event.task)
-    if event.kind == "operation" and event.address in said.begun:
-        said.begun[event.address].person = True
+def _task_opened(memory: Memory, event: run.TaskOpened) -> None:
+    memory.tasks[event.task] = Asked(event)
+    memory.names.add(event.task)
+    if event.kind == "operation" and event.address in memory.begun:
+        memory.begun[event.address].person = True
 
 
-def _task_escalated(said: Memory, event: run.TaskEscalated) -> None:
-    said.tasks[event.task].escalated = True
+def _task_escalated(memory: Memory, event: run.TaskEscalated) -> None:
+    memory.tasks[event.task].escalated = True
 
 
-def _task_answered(said: Memory, event: run.TaskAnswered) -> None:
+def _task_answered(memory: Memory, event: run.TaskAnswered) -> None:
     if not event.refused:
-        said.tasks[event.task].answered[event.by] = None
+        memory.tasks[event.task].answered[event.by] = None
 
 
-def _task_closed(said: Memory, event: run.TaskClosed) -> None:
-    asked = said.tasks.pop(event.task)
-    said.let_go = True
-    said.declined |= asked.opened.kind == "start" and event.outcome == "answered"
+def _task_closed(memory: Memory, event: run.TaskClosed) -> None:
+    asked = memory.tasks.pop(event.task)
+    memory.let_go = True
+    memory.declined |= asked.opened.kind == "start" and event.outcome == "answered"
 
 
 _CHANGES: Mapping[type[Event], Callable[[Memory, Any], None]] = MappingProxyType(

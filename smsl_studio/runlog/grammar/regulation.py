@@ -1,4 +1,6 @@
-"""What people, agents and scripts do to a run, what follows from it, and what they are asked."""
+"""The rules for commands, their effects and tasks for people. Each yields a sentence for each
+fault.
+"""
 
 from __future__ import annotations
 
@@ -12,15 +14,15 @@ from smsl_studio.runlog.grammar.memory import Asked, Memory, parts
 LATCHED = ("stopped", "taken_over")
 
 
-def commanded(said: Memory, event: run.Commanded) -> Iterator[str]:
-    """It is carried out only in a run state that does not refuse it."""
-    phase, known = said.fold.phase, said.commands.get(event.command)
+def commanded(memory: Memory, event: run.Commanded) -> Iterator[str]:
+    """Check that the command exists and may be carried out in this run state."""
+    phase, known = memory.fold.phase, memory.commands.get(event.command)
     if known is None:
         yield f"there is no command {event.command!r}"
     elif (
         not event.refused
         and phase in known.refused
-        and (not said.may_go_on or "running" in known.refused)
+        and (not memory.may_go_on or "running" in known.refused)
     ):
         word, state = event.command.replace("_", " "), phase.replace("_", " ")
         yield f"{word} is carried out in a run that is {state}"
@@ -28,7 +30,7 @@ def commanded(said: Memory, event: run.Commanded) -> Iterator[str]:
 
 
 def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
-    """What a command is about, and what it says of it."""
+    """Yield what is wrong with the name, the operation or the value of a command."""
     word = event.command.replace("_", " ")
     named = len(parts(event.address)) == 3
     if not event.by:
@@ -44,72 +46,76 @@ def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
         yield f"{word} says {event.value or 'nothing'!r}"
 
 
-def paused(said: Memory, event: run.Paused) -> Iterator[str]:
-    """It went on until now."""
-    if not said.wanted_pause:
+def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
+    """Check that somebody wanted a pause, and that the run could be paused."""
+    if not memory.wanted_pause:
         yield "a run is paused, and nobody wanted that"
-    if said.fold.phase not in ("ready", "running", "waiting", "idle", "paused"):
-        yield f"a run is paused that is {said.fold.phase.replace('_', ' ')} already"
+    if memory.fold.phase not in ("ready", "running", "waiting", "idle", "paused"):
+        yield f"a run is paused that is {memory.fold.phase.replace('_', ' ')} already"
 
 
-def resumed(said: Memory, event: run.Resumed) -> Iterator[str]:
-    """Somebody resumed it."""
-    if not said.caused("resume"):
+def resumed(memory: Memory, event: run.Resumed) -> Iterator[str]:
+    """Check that somebody has resumed the run."""
+    if not memory.caused("resume"):
         yield "the run goes on, and nobody said so"
 
 
-def stopped(said: Memory, event: run.RunStopped) -> Iterator[str]:
-    """Somebody stopped it, and who did is named."""
-    if not said.caused("stop", event.by):
+def stopped(memory: Memory, event: run.RunStopped) -> Iterator[str]:
+    """Check that the named person has stopped the run."""
+    if not memory.caused("stop", event.by):
         yield f"the run is stopped by {event.by}, who did not say so"
 
 
-def reset(said: Memory, event: run.RunReset) -> Iterator[str]:
-    """Somebody unlatched what was stopped."""
-    if not said.fold.stopped:
+def reset(memory: Memory, event: run.RunReset) -> Iterator[str]:
+    """Check that the run was stopped, and that the named person has reset it."""
+    if not memory.fold.stopped:
         yield "a run is reset that was not stopped"
-    if not said.caused("reset", event.by):
+    if not memory.caused("reset", event.by):
         yield f"the run is reset by {event.by}, who did not say so"
 
 
-def taken_over(said: Memory, event: run.TakenOver) -> Iterator[str]:
-    """Somebody took it over, and who did is named."""
-    if not said.caused("take_over", event.by):
+def taken_over(memory: Memory, event: run.TakenOver) -> Iterator[str]:
+    """Check that the named person has taken the run over."""
+    if not memory.caused("take_over", event.by):
         yield f"the run is taken over by {event.by}, who did not say so"
 
 
-def given_back(said: Memory, event: run.GivenBack) -> Iterator[str]:
-    """Somebody accepted where the scene has it."""
-    if not said.fold.taken_over:
+def given_back(memory: Memory, event: run.GivenBack) -> Iterator[str]:
+    """Check that the run was taken over, and that the named person has accepted its
+    configuration.
+    """
+    if not memory.fold.taken_over:
         yield "a run is given back that nobody has taken over"
-    if not said.caused("accept", event.by):
+    if not memory.caused("accept", event.by):
         yield f"the run is given back by {event.by}, who did not say so"
-    if not said.is_configuration(event.configuration):
+    if not memory.is_configuration(event.configuration):
         yield "the run is given back in what is no configuration of it"
 
 
-def disturbed(said: Memory, event: run.Disturbed) -> Iterator[str]:
-    """Somebody disturbs sensors."""
+def disturbed(memory: Memory, event: run.Disturbed) -> Iterator[str]:
+    """Check that somebody has commanded this disturbance."""
     wanted = f"{event.target} {event.kind}"
-    if not said.caused("disturb") or said.cause is None or said.cause.value != wanted:
+    if not memory.caused("disturb") or memory.cause is None or memory.cause.value != wanted:
         yield f"{event.target} is disturbed, and nobody said so"
 
 
-def fault_injected(said: Memory, event: run.FaultInjected) -> Iterator[str]:
-    """Somebody has something go wrong."""
-    if not said.caused("inject") or said.cause is None or said.cause.value != event.fault:
+def fault_injected(memory: Memory, event: run.FaultInjected) -> Iterator[str]:
+    """Check that somebody has commanded this fault."""
+    if not memory.caused("inject") or memory.cause is None or memory.cause.value != event.fault:
         yield f"{event.fault} goes wrong, and nobody said so"
 
 
 KINDS = ("operation", "confirm", "supervise", "fact", "start")
-"""What people are asked for."""
+"""The kinds of questions to people."""
 
 # tasks ------------------------------------------------------------------------------------------
 
 
-def task_opened(said: Memory, event: run.TaskOpened) -> Iterator[str]:
-    """A new question, with options, for somebody, in time."""
-    if event.task in said.names:
+def task_opened(memory: Memory, event: run.TaskOpened) -> Iterator[str]:
+    """Check that the task is new and has a subject, options, persons and a deadline in the
+    future.
+    """
+    if event.task in memory.names:
         yield f"{event.task} is opened for the second time"
     if len(parts(event.address)) != 3 and event.kind in ("operation", "confirm", "supervise"):
         yield f"{event.task} is about no operation"
@@ -123,23 +129,25 @@ def task_opened(said: Memory, event: run.TaskOpened) -> Iterator[str]:
         yield f"{event.task} is nobody's, or too late before it begins"
 
 
-def task_escalated(said: Memory, event: run.TaskEscalated) -> Iterator[str]:
-    """Another role is asked, once."""
-    asked = said.tasks.get(event.task)
+def task_escalated(memory: Memory, event: run.TaskEscalated) -> Iterator[str]:
+    """Check that the task is open and was not escalated before."""
+    asked = memory.tasks.get(event.task)
     if asked is None or asked.escalated:
         yield f"{event.task} is escalated; it is not open, or it was escalated before"
 
 
-def task_answered(said: Memory, event: run.TaskAnswered) -> Iterator[str]:
-    """Somebody has said something; it counts where the task is open and they are not the same."""
-    cause = said.cause
+def task_answered(memory: Memory, event: run.TaskAnswered) -> Iterator[str]:
+    """Check that the person has given this answer. It counts only if the task is open and the
+    person has not answered before.
+    """
+    cause = memory.cause
     if cause is None or cause.command != "answer" or cause.by != event.by or cause.t != event.t:
         yield f"{event.by} answers {event.task} without having said anything"
     elif cause.value not in ("", event.task) or cause.refused != event.refused:
         yield f"{event.by} answers {event.task}, and said something else"
     if event.refused:
         return
-    asked = said.tasks.get(event.task)
+    asked = memory.tasks.get(event.task)
     if asked is None:
         yield f"{event.task} is answered; it is not open"
     elif event.by in asked.answered:
@@ -148,9 +156,11 @@ def task_answered(said: Memory, event: run.TaskAnswered) -> Iterator[str]:
         yield f"{event.task} is answered too late, and it counts"
 
 
-def task_closed(said: Memory, event: run.TaskClosed) -> Iterator[str]:
-    """It ends as its answers have it, or because time ran out, or because nobody needs it."""
-    asked = said.tasks.get(event.task)
+def task_closed(memory: Memory, event: run.TaskClosed) -> Iterator[str]:
+    """Check that the outcome agrees with the answers, the deadline, or that nobody needs the
+    task.
+    """
+    asked = memory.tasks.get(event.task)
     if asked is None:
         yield f"{event.task} is closed; it is not open"
     elif event.outcome not in _OUTCOMES:
@@ -160,7 +170,7 @@ def task_closed(said: Memory, event: run.TaskClosed) -> Iterator[str]:
 
 
 def _all_in(asked: Asked, event: run.TaskClosed) -> bool:
-    """Whether everybody who was needed has answered, and each is told with an option."""
+    """Return whether all persons have answered, each with one of the options."""
     named = sorted(event.answers) == sorted(asked.answered)
     known = set(event.answers.values()) <= set(asked.opened.options)
     return named and known and len(asked.answered) == asked.opened.persons

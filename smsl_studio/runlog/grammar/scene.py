@@ -1,4 +1,6 @@
-"""What is sensed and believed: facts, mismatches, where the run is located, goals, holds."""
+"""The rules for facts, mismatches, the location of a run, goals and holds. Each yields a sentence
+for each fault.
+"""
 
 from __future__ import annotations
 
@@ -10,71 +12,71 @@ from smsl_studio.runlog.grammar.memory import Memory, parts
 HOLDS = ("held", "no_route", "guard_lost", "goal_unconfirmed")
 
 
-def fact_changed(said: Memory, event: run.FactChanged) -> Iterator[str]:
-    """A fact of this run reads otherwise than before."""
+def fact_changed(memory: Memory, event: run.FactChanged) -> Iterator[str]:
+    """Check that a fact of this run has another value than before."""
     key = (event.branch, event.digit)
-    if event.digit < 0 or not event.branch or not said.knows(event.branch):
+    if event.digit < 0 or not event.branch or not memory.knows(event.branch):
         yield f"{event.branch}/{event.digit} is no fact of this run"
-    known = said.fold.facts.get(key)
+    known = memory.fold.facts.get(key)
     if known is not None and known.value == event.value:
         yield f"{event.branch}/{event.digit} changes to what it was"
-    if not said.evidence.can_tell(event.branch, event.digit, event.value):
+    if not memory.evidence.can_tell(event.branch, event.digit, event.value):
         yield f"{event.branch}/{event.digit} is no fact that is sensed"
     if event.value is not None and event.reason:
         yield f"{event.branch}/{event.digit} is known, and a reason says why it is not"
 
 
-def mismatch(said: Memory, event: run.Mismatch) -> Iterator[str]:
-    """The scene and what is believed differ in a fact at least."""
-    if said.blames:
+def mismatch(memory: Memory, event: run.Mismatch) -> Iterator[str]:
+    """Check that the right number of facts differ, and that no operation runs."""
+    if memory.blames:
         yield "an operation has failed, and none is tagged risky"
-    if said.acting:
+    if memory.acting:
         yield "the scene is judged while an operation runs"
     if not event.facts:
         yield "a mismatch names no fact"
-    differ = said.evidence.differ
-    if said.fold.begun and not said.evidence.open and len(event.facts) != differ:
+    differ = memory.evidence.differ
+    if memory.fold.begun and not memory.evidence.open and len(event.facts) != differ:
         yield f"a mismatch names {len(event.facts)} facts; {differ} differ"
-    if not all(map(said.is_configuration, event.candidates)):
+    if not all(map(memory.is_configuration, event.candidates)):
         yield "the scene agrees with what is no configuration of this run"
 
 
-def relocalised(said: Memory, event: run.Relocalised) -> Iterator[str]:
-    """The run is where it was, or where the scene alone, or a person, has it."""
-    if isinstance(said.last, run.Relocalised):
+def relocalised(memory: Memory, event: run.Relocalised) -> Iterator[str]:
+    """Check that the run is located where it was, or where the scene or a person says."""
+    if isinstance(memory.last, run.Relocalised):
         yield "the run is located twice"
-    if said.blames:
+    if memory.blames:
         yield "an operation has failed, and none is tagged risky"
-    here, there = said.fold.configuration, dict(event.configuration)
-    if said.acting:
+    here, there = memory.fold.configuration, dict(event.configuration)
+    if memory.acting:
         yield "the run is located anew while an operation runs"
-    if not there or not said.is_configuration(there):
+    if not there or not memory.is_configuration(there):
         yield "the run is located in what is no configuration of it"
-    elif here and there != here and not _may_move(said, there):
+    elif here and there != here and not _may_move(memory, there):
         yield "the run is located elsewhere, and neither the scene nor a person has said so"
-    for one in said.expansion.broken(there, there):
+    for one in memory.expansion.broken(there, there):
         yield f"the run is located in {one.base}/{there[one.base]} and {one.sub}/{there[one.sub]}"
-    yield from _unlike(said, there)
+    yield from _unlike(memory, there)
 
 
-def _unlike(said: Memory, there: Mapping[str, str]) -> Iterator[str]:
-    """A run is located where every state check is true."""
+def _unlike(memory: Memory, there: Mapping[str, str]) -> Iterator[str]:
+    """Yield the states of the location that the logged facts contradict."""
     for branch, state in there.items():
-        if not said.evidence.holds(branch, state):
+        if not memory.evidence.holds(branch, state):
             yield f"the run is located in {branch}/{state}, and its facts say otherwise"
 
 
-def _may_move(said: Memory, there: Mapping[str, str]) -> bool:
-    if isinstance(said.last, run.GivenBack):
-        return dict(said.last.configuration) == there
-    if [dict(one) for one in said.fold.candidates] == [there]:
-        return isinstance(said.last, run.Mismatch) or said.caused("adopt")
-    moved = [name for name, state in there.items() if said.fold.configuration[name] != state]
-    return (said.failing or said.stepped) and len(moved) == 1
+def _may_move(memory: Memory, there: Mapping[str, str]) -> bool:
+    if isinstance(memory.last, run.GivenBack):
+        return dict(memory.last.configuration) == there
+    if [dict(one) for one in memory.fold.candidates] == [there]:
+        return isinstance(memory.last, run.Mismatch) or memory.caused("adopt")
+    moved = [name for name, state in there.items() if memory.fold.configuration[name] != state]
+    return (memory.failing or memory.stepped) and len(moved) == 1
 
 
-def held(said: Memory, event: run.Held) -> Iterator[str]:
-    """It says why, in one of the known ways."""
+def held(memory: Memory, event: run.Held) -> Iterator[str]:
+    """Check that the kind of the hold is known and that its reason agrees."""
     if event.kind not in HOLDS or not event.reason:
         yield f"a run cannot hold as {event.kind!r}, or for no reason"
     for kind, words in _BEGINS.items():
@@ -86,39 +88,38 @@ _BEGINS = {
     "no_route": "Nothing permitted leads from ",
     "goal_unconfirmed": "The goal is not confirmed: ",
 }
-"""What a hold of this kind says, and no other."""
+"""The first words of the reason for these kinds. No other kind may use them."""
 
 
-def goal_reached(said: Memory, event: run.GoalReached) -> Iterator[str]:
-    """The goals are told in their order, each once, where the run stands there and at all that
-    were told before."""
-    goals, told = said.fold.goals, said.reached
+def goal_reached(memory: Memory, event: run.GoalReached) -> Iterator[str]:
+    """Check that the goals come in order, each once, and that no SB has left its goal."""
+    goals, told = memory.fold.goals, memory.reached
     if event.goal in told:
         yield f"{event.goal} is reached for the second time"
         return
     if len(told) == len(goals) or goals[len(told)] != event.goal:
         yield f"{event.goal} is reached, which is not the next goal of this run"
         return
-    if said.begun:
-        yield f"{event.goal} is reached in the middle of {next(iter(said.begun))}"
+    if memory.begun:
+        yield f"{event.goal} is reached in the middle of {next(iter(memory.begun))}"
     branch, state = parts(event.goal)
-    here = said.fold.configuration.get(branch)
+    here = memory.fold.configuration.get(branch)
     if here != state:
         yield f"{event.goal} is reached; {branch} is in {here}"
-    if said.away:
-        yield f"{event.goal} is reached; {min(said.away)} has left its goal"
-    if not said.former:
-        yield from _unconfirmed(said, event.goal)
+    if memory.away:
+        yield f"{event.goal} is reached; {min(memory.away)} has left its goal"
+    if not memory.former:
+        yield from _unconfirmed(memory, event.goal)
 
 
-def _unconfirmed(said: Memory, goal: str) -> Iterator[str]:
-    """A goal is told after a look at the whole scene, a tick after anything else was told."""
+def _unconfirmed(memory: Memory, goal: str) -> Iterator[str]:
+    """Check that the whole scene was sensed in the tick before, without any other event."""
     branch, state = parts(goal)
-    if said.fold.phase not in ("running", "ready", "paused"):
-        yield f"{goal} is reached; the run is {said.fold.phase.replace('_', ' ')}"
-    if said.busy >= said.now:
+    if memory.fold.phase not in ("running", "ready", "paused"):
+        yield f"{goal} is reached; the run is {memory.fold.phase.replace('_', ' ')}"
+    if memory.busy >= memory.now:
         yield f"{goal} is reached in the moment of what came before; nothing was sensed since"
-    if not said.evidence.holds(branch, state):
+    if not memory.evidence.holds(branch, state):
         yield f"{goal} is reached; the facts that were told are not those of {state}"
-    if said.evidence.off:
-        yield f"{goal} is reached; the facts of {min(said.evidence.off)} are not as it believes"
+    if memory.evidence.off:
+        yield f"{goal} is reached; the facts of {min(memory.evidence.off)} are not as it believes"
