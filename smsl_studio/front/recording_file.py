@@ -1,4 +1,4 @@
-"""Which files are recorded runs, by how they begin."""
+"""Recognises recorded runs by the first bytes of a file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
 
 
 def is_recording(path: Path) -> bool:
-    """Whether a file is a run log, by how it begins; false where it cannot be read."""
+    """Return whether a file begins like a run log. False if it cannot be read."""
     try:
         return read_ordinary(path, len(_FIRST)).raw.startswith(_FIRST)
     except (OSError, ValueError):

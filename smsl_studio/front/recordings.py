@@ -1,4 +1,4 @@
-"""A recorded run, opened: its log, whether that verifies, and the blueprint it is a run of."""
+"""Opens a recorded run: its log, its state at any time, and the blueprint that was run."""
 
 from __future__ import annotations
 
@@ -25,21 +25,21 @@ from smsl_studio.smsl.forms import SUFFIXES
 
 SUFFIX = ".jsonl"
 READ, FOLDED, TOLD = 0.5, 0.75, 0.95
-"""Shares of the time it takes until a log is read, folded and told as a story."""
+"""The shares of the whole time after which the log is read, folded, and its causes are found."""
 ANOTHER = "It was recorded with another version of this blueprint"
 NO_BLUEPRINT = "Open the blueprint of this run first, then the recording again."
 
 
 def _nobody(share: float) -> None:
-    """Nobody waits."""
+    """Ignore the progress."""
 
 
 @dataclass(frozen=True)
 class Recording:
-    """A log that was read. ``differs`` says that ``blueprint`` is not the one that was run.
+    """A log that was read. ``differs`` says that ``blueprint`` is not the version that was run.
 
-    ``causes`` says whose command each event answers, ``marks`` at which simulated second something
-    of which kind happened.
+    ``causes`` names who caused each event (see ``Causes``). ``marks`` has the simulated time (s)
+    and the kind of each marked event.
     """
 
     path: Path
@@ -54,20 +54,21 @@ class Recording:
 
     @property
     def doubt(self) -> str:
-        """Why the log does not verify; empty where it does."""
+        """Why the log is not verified. Empty if it is."""
         return str(self.run.doubt.sentence) if self.run.doubt is not None else ""
 
     def asked(self, key: str) -> Any:
-        """What the header says; None where it says nothing."""
+        """Return a value of the header, or None if the header does not have it."""
         return self.run.header.get(key)
 
 
 def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Recording:
-    """Read a log and find its blueprint: the one that is drawn, else where it was, else beside it.
+    """Read a log and find its blueprint: ``drawn``, or the file in the header, or that file beside
+    the log.
 
-    ReadError where it is no log, or no blueprint is found that has the states it tells of.
-    ``going`` hears how far it is (0 to 1); what it raises is raised here, so that it can be given
-    up.
+    ReadError if the file is not a log, or if no blueprint has the states in which the run began.
+    ``going`` is called with the share that is done (0 to 1). It may raise an error to end the
+    reading.
     """
     run = read_log(path, COMMANDS, lambda share: going(share * READ))
     started = next((event for event in run.events if isinstance(event, RunStarted)), None)
@@ -85,7 +86,8 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
     causes = Causes(COMMANDS, playback.at(len(events)).asked)
     by = tuple(causes.of(event) for event in events)
     going(TOLD)
-    # Nothing runs before the first event, so that the lanes have no more than what was.
+    # The status before the first event has no running operation, so the lanes show only the
+    # history.
     before = playback.at(0)
     rows = lanes(blueprint, status_at(blueprint, before), Story(before, history))
     marks = tuple(marks_of(events))
@@ -93,16 +95,16 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
 
 
 def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:
-    """The newest recordings of a folder, newest first."""
+    """Return the newest recordings of a folder, newest first, at most ``most``."""
     dated = []
     for path in folder.glob(f"*{SUFFIX}"):
-        with suppress(OSError):  # a link to nothing, or gone by now
+        with suppress(OSError):  # a link to nothing, or a file that was just deleted
             dated.append((path.stat().st_mtime, path))
     return tuple(path for _, path in sorted(dated, reverse=True)[:most])
 
 
 def recording_words(path: Path) -> str:
-    """A recording in a menu: its name, and when it was made."""
+    """Return the text of a recording in a menu: its name and its date."""
     made = datetime.fromtimestamp(path.stat().st_mtime)
     return f"{path.stem}  ({made:%d %b %H:%M})"
 
@@ -120,7 +122,7 @@ def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Bluepr
         return
     for place in (Path(said), path.parent / Path(said).name):
         if place.suffix.lower() not in SUFFIXES:
-            continue  # A log comes from anybody, and may name any file.
+            continue  # a log comes from outside and may name any file
         try:
             yield read(place)
         except StudioError:
@@ -128,7 +130,7 @@ def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Bluepr
 
 
 def _fits(blueprint: Blueprint, started: RunStarted | None) -> bool:
-    """Whether a blueprint has the states in which the run began."""
+    """Return whether a blueprint has the states in which the run began."""
     if started is None:
         return bool(blueprint.state_count)
     return all(

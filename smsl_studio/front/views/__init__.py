@@ -1,1 +1,1 @@
-"""What a run shows of itself, in rows and words, for whoever draws or prints it."""
+"""What a run shows, as rows and words. The window and the command line draw or print them."""

@@ -1,4 +1,4 @@
-"""From an open task to what its card says: pure functions, no widget."""
+"""The content of the card of an open task. Pure functions, no widget."""
 
 from __future__ import annotations
 
@@ -13,11 +13,13 @@ from smsl_studio.dispatch.people.task import Answered, Task
 from smsl_studio.dispatch.supervision.table import COMMANDS
 
 HAIR = 1e-6
-"""Times are sums of ticks: half of 120 s may be a hair more than 60."""
+"""The tolerance of times (s). They are sums of ticks, so half of 120 s may be slightly more than
+60.
+"""
 PLACES = ("First person", "Second person", "Third person", "Fourth person", "Fifth person")
 NUMBERS = ("no", "one", "two", "three", "four", "five")
 TAKEN = frozenset(row.key for row in COMMANDS.values() if len(row.key) == 1)
-"""Keys of commands (veto, prune, take over): they mean something else beside the card."""
+"""The keys of commands, such as veto or prune. They keep this meaning while a card is shown."""
 YOURS, A_DECISION, YOURS_IS_IN = (
     "Your decision is needed",
     "A decision is needed",
@@ -27,7 +29,7 @@ YOURS, A_DECISION, YOURS_IS_IN = (
 
 @dataclass(frozen=True)
 class OptionView:
-    """One answer: its value in the record, the words on its row, its letter."""
+    """One possible answer: its value in the record, its words, and its letter on the keyboard."""
 
     value: str
     words: str
@@ -36,7 +38,9 @@ class OptionView:
 
 @dataclass(frozen=True)
 class PersonView:
-    """One of those who must answer: whose place it is, who took it, and how that stands."""
+    """One person who must answer: the role or place, the name, the words for it, whether the person
+    has answered, and whether it is the person at this window.
+    """
 
     place: str
     name: str
@@ -47,9 +51,10 @@ class PersonView:
 
 @dataclass(frozen=True)
 class CardView:
-    """What a card shows. ``share`` of the time is left; ``escalation`` is the share at which
-    another role is asked as well (0: nobody is). ``objection`` says why the person who is chosen
-    may not answer, empty where they may.
+    """The content of a card.
+
+    ``share`` of the time is left. ``escalation`` is the share at which another role is asked too, 0
+    for none. ``objection`` says why the chosen person must not answer, and is empty otherwise.
     """
 
     task: str
@@ -66,8 +71,9 @@ class CardView:
 
 
 def card_view(task: Task, time: float, name: str, role: str) -> CardView:
-    """The card of a task at a simulated time, for the person who would answer (``name`` empty:
-    nobody is chosen yet)."""
+    """Return the card of a task at a simulated time (s). ``name`` is the person who would answer,
+    empty if nobody is chosen.
+    """
     whole = max(task.deadline - task.opened, 1e-9)
     objection = _objection(task, name, role)
     words = tuple(option.words for option in task.options)
@@ -90,13 +96,15 @@ def card_view(task: Task, time: float, name: str, role: str) -> CardView:
 
 
 def clock(seconds: float) -> str:
-    """``1:42`` of simulated time; whole seconds, so that 0:00 means that there is none left."""
+    """Return a simulated time such as ``1:42``. It is rounded up, so that 0:00 means no time
+    left.
+    """
     whole = max(ceil(seconds - HAIR), 0)
     return f"{whole // 60}:{whole % 60:02}"
 
 
 def may_answer(task: Task, name: str, role: str) -> bool:
-    """Whether an answer of this person would count."""
+    """Return whether an answer of this person would count."""
     return bool(same_name(name)) and not _objection(task, name, role)
 
 
@@ -123,7 +131,7 @@ def _has_answered(task: Task, name: str) -> bool:
 
 
 def _persons(task: Task, name: str, role: str) -> tuple[PersonView, ...]:
-    """Those who have answered in the places they take, then the places that are open."""
+    """Return the places of those who have answered, and the places that are open."""
     seats: list[Answered | None] = [None] * task.persons
     for one in task.answered:
         seats[_seat(task, seats, one.role)] = one
@@ -144,7 +152,9 @@ def _persons(task: Task, name: str, role: str) -> tuple[PersonView, ...]:
 
 
 def _seat(task: Task, seats: Sequence[Answered | None], role: str) -> int:
-    """The place an answer takes: one of its role, else anybody's, else the first that is open."""
+    """Return the place that an answer takes: one of its role, else one for anybody, else the first
+    open one.
+    """
     free = [at for at, taken in enumerate(seats) if taken is None]
     for wanted in (same_name(role), ""):
         for at in free:
@@ -175,7 +185,7 @@ def _sentence(task: Task) -> str:
 
 
 def _wanted(task: Task) -> str:
-    """Whose answers are asked for, in words: ``a surgeon and anybody``."""
+    """Return whose answers are asked for, such as ``a surgeon and anybody``."""
     names = [f"{_article(role)} {role}" if role else "anybody" for role in task.roles]
     if task.escalated and task.escalation:
         names.append(f"{_article(task.escalation)} {task.escalation}")
@@ -192,12 +202,14 @@ def _number(count: int) -> str:
 
 
 def capital_word(words: str) -> str:
-    """The words with a capital letter in front, and no full stop."""
+    """Return the words with a capital first letter."""
     return words[:1].upper() + words[1:]
 
 
 def letters(words: Sequence[str]) -> tuple[str, ...]:
-    """One letter each: the first of a word where it is free, else any other in it, else any."""
+    """Return a letter for each text: a free first letter of a word, else a free letter in the text,
+    else any free letter. Empty if no letter is free.
+    """
     given: list[str] = []
     for text in words:
         upper = text.upper()

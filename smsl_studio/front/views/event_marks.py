@@ -1,4 +1,4 @@
-"""What a scrubber marks: where a run held, where something went wrong, where it committed."""
+"""The marks of events on a time bar: holds, faults, people and commits."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from smsl_studio.runlog.events import Event
 
 HELD, FAULT, PERSON, COMMIT = "held", "fault", "person", "commit"
 KINDS = (COMMIT, PERSON, FAULT, HELD)
-"""The gravest last, so that it is painted over the others."""
+"""The most serious kind comes last, so it is painted over the others."""
 
 
 def kind_of(event: Event) -> str:
-    """How an event is marked; empty for not at all."""
+    """Return the kind of an event's mark, or the empty text for none."""
     match event:
         case run.Held() | run.RunStopped():
             return HELD
@@ -32,7 +32,7 @@ def kind_of(event: Event) -> str:
 
 
 def marks_of(events: Sequence[Event]) -> Iterator[tuple[float, str]]:
-    """(simulated s, kind) of every event that is marked, in order of time."""
+    """Yield the simulated time (s) and the kind of every marked event, in order of time."""
     for event in events:
         kind = kind_of(event)
         if kind:

@@ -1,4 +1,4 @@
-"""What happens in a run that goes on, one line an event."""
+"""The events of a live run, one line each."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from smsl_studio.runlog import events as run
 
 
 def sentence(event: run.Event) -> str:
-    """What happened, in one line."""
+    """Return an event as one line."""
     match event:
         case run.RunStarted():
             start = ", ".join(f"{b} in {s}" for b, s in event.start.items())

@@ -1,4 +1,4 @@
-"""The facts of a run as rows: what is believed, what is sensed, and whether they agree."""
+"""The facts of a run as rows: the believed value, the sensed value, and whether they agree."""
 
 from __future__ import annotations
 
@@ -16,11 +16,12 @@ LOST = "process gone"
 
 @dataclass(frozen=True)
 class FactRow:
-    """One fact of one SB. ``sensed`` None: unknown; ``quality`` is agrees, differs, unknown,
-    transit or believed (nobody senses it).
+    """One fact of one SB. ``sensed`` is None if it is unknown.
 
-    ``chip`` draws what is believed as the canvas does (on, off, value), ``sub`` says that a sub-SB
-    stands under it; ``limit`` (s) is how old its reading may be, against which bars show its age.
+    ``quality`` is ``agrees``, ``differs``, ``unknown``, ``transit``, or ``believed`` if nobody
+    senses the fact. A row with ``group`` is the heading of an SB. ``chip`` is the look of the
+    believed value on the canvas (on, off, value). ``sub`` says that a sub-SB expands it. ``age``
+    and ``limit`` are seconds: the age of its reading, and the largest valid age, which bars show.
     """
 
     name: str
@@ -36,16 +37,16 @@ class FactRow:
 
 
 def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
-    """Rows of what is over: what was read last stands there, but nothing of it has an age now."""
+    """Return the rows of a run that is over. They keep the last readings, but have no age."""
     return tuple(replace(row, age=None) for row in rows)
 
 
 def fact_rows(
     blueprint: Blueprint, status: DispatchStatus, lost: bool = False
 ) -> tuple[FactRow, ...]:
-    """Every fact of every SB; with several SBs a line names each first.
+    """Return a row for every fact of every SB. With several SBs each SB has a heading.
 
-    ``lost``: the world is gone, and what was sensed last is no knowledge of now.
+    ``lost`` says that the world is gone, so the last readings are unknown now.
     """
     rows: list[FactRow] = []
     expected = _expected(blueprint, status)
@@ -75,7 +76,9 @@ def fact_rows(
 
 
 def last_check(blueprint: Blueprint, status: DispatchStatus, lost: bool) -> CheckResult | None:
-    """How the state check stood where a run ended: of its first goal's SB, else of the first."""
+    """Return the state check at the end of a run, for the SB of the first goal, else for the first
+    SB. None if nothing is sensed.
+    """
     branch = next((goal.branch for goal in status.goals), next(iter(status.configuration), ""))
     state = status.configuration.get(branch)
     if state is None or lost or not status.scene.readings:
@@ -84,7 +87,7 @@ def last_check(blueprint: Blueprint, status: DispatchStatus, lost: bool) -> Chec
 
 
 def rate_words(sensors: Sequence[SensorInfo]) -> str:
-    """How often facts are sensed."""
+    """Return how often facts are sensed (Hz), in words."""
     rates = sorted({round(1 / sensor.period) for sensor in sensors if sensor.period > 0})
     if not rates:
         return "nobody senses them"
@@ -92,7 +95,7 @@ def rate_words(sensors: Sequence[SensorInfo]) -> str:
 
 
 def _expected(blueprint: Blueprint, status: DispatchStatus) -> Mapping[tuple[str, int], str]:
-    """The facts the running operation is about to change, with what they should become."""
+    """Return the facts that the running operation will change, with their expected values."""
     running = status.running
     if running is None:
         return {}

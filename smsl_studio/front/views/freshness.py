@@ -1,4 +1,4 @@
-"""How old a reading is against how old it may be: what the bars of quality show."""
+"""The age of a reading compared with its largest valid age, as bars and words."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ from smsl_studio.monitor.facts import SourceState
 
 BARS = 4
 HAIR = 1e-6
-"""Seconds that two sums of ticks may differ by."""
+"""The tolerance of times (s), because they are sums of ticks."""
 SLOW = 2
-"""With so few bars left the limit is said in words as well."""
+"""With so few bars or fewer, the limit is also told in words."""
 
 
 def limit_of(
     sources: Sequence[SourceState], fact: FactKey, value: str | None, age: float
 ) -> float | None:
-    """How long (s) the source whose reading is that old is evidence; None: no time is set.
+    """Return the largest valid age (s) of the reading that a fact rests on. None if there is no
+    limit.
 
-    Of several the shortest. Sources that stand by the value do not all count, as with a fact that
-    only people answer.
+    It is the shortest limit of the sources with this value and age. If no source has this age, as
+    with a fact that only people tell, all sources with this value count.
     """
     behind = [one for one in sources if one.fact == fact and one.said.value == value]
     oldest = [one for one in behind if abs(one.said.age - age) < HAIR] or behind
@@ -29,9 +30,9 @@ def limit_of(
 
 
 def bars(age: float | None, limit: float | None) -> int:
-    """Of four, how much of its time a reading has left; one at least while it is evidence.
+    """Return how much of its valid time a reading has left, in bars from 1 to 4.
 
-    None where its age is not known, as in a recording; all where no time is set.
+    0 means that the age is not known, as in a recording. Without a limit all bars are shown.
     """
     if age is None:
         return 0
@@ -41,23 +42,25 @@ def bars(age: float | None, limit: float | None) -> int:
 
 
 def slow_words(age: float | None, limit: float | None) -> str:
-    """What is added to a row whose reading has used up half of its time."""
+    """Return the words for a reading that has used up half of its valid time, otherwise the empty
+    text.
+    """
     if age is None or limit is None or bars(age, limit) > SLOW:
         return ""
     return f", limit {age_words(limit)}"
 
 
 def age_of_nothing(reading: Reading) -> float | None:
-    """How old what is no value any more is; None where nothing was ever said."""
+    """Return the age (s) of a reading without a value. None if there never was one."""
     return reading.age or None
 
 
 def age_of(age: float, limit: float | None) -> str:
-    """An age beside its limit: 12 ms old, at most 300 ms."""
+    """Return an age with its limit, such as ``12 ms old, at most 300 ms``."""
     most = "" if limit is None else f", at most {age_words(limit)}"
     return f"{age_words(age)} old{most}"
 
 
 def age_words(seconds: float) -> str:
-    """An age for people: ms below a second, then s."""
+    """Return an age in words: in ms below one second, else in s."""
     return f"{seconds * 1000:.0f} ms" if seconds < 0.9995 else f"{seconds:.1f} s"

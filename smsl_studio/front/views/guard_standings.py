@@ -1,4 +1,4 @@
-"""How the facts that operations require stand in a run: pure functions, no widget."""
+"""Whether the facts that operations require hold in a run. Pure functions, no widget."""
 
 from __future__ import annotations
 
@@ -12,13 +12,15 @@ from smsl_studio.picture.guards import Guard, guarded_edges, guards_of
 
 HOLDS, MISSES, UNKNOWN = "true", "false", "unknown"
 Standing = tuple[str, str]
-"""Whether all that is required holds, and in words, fact by fact."""
+"""Whether all required facts hold (``true``, ``false`` or ``unknown``), and the words for each
+fact.
+"""
 
 
 def standings(
     blueprint: Blueprint, branch: str, status: DispatchStatus
 ) -> Mapping[Address, Standing]:
-    """Every operation of an SB that requires facts, with how they stand now."""
+    """Return every operation of an SB that requires facts, with their standing now."""
     own = blueprint[branch]
     if not status.configuration:
         return {}
@@ -32,7 +34,7 @@ def standings(
 
 
 def held_back(standing: Mapping[Address, Standing], status: DispatchStatus) -> frozenset[Address]:
-    """The operations that could go now, were it known what they need."""
+    """Return the possible operations whose required facts are unknown."""
     return frozenset(
         item.address
         for item in status.possible
@@ -41,14 +43,16 @@ def held_back(standing: Mapping[Address, Standing], status: DispatchStatus) -> f
 
 
 class _Looked:
-    """The state checks of one instant, each worked out once."""
+    """The state checks at one instant. Each is computed once."""
 
     def __init__(self, blueprint: Blueprint, status: DispatchStatus) -> None:
         self._blueprint, self._status = blueprint, status
         self._checks: dict[str, CheckResult] = {}
 
     def standing(self, guards: tuple[Guard, ...]) -> Standing:
-        """How these guards stand together: the worst of their truths, and the words of each."""
+        """Return the standing of several guards: false if one is false, else unknown if one is
+        unknown.
+        """
         each = [self._one(guard) for guard in guards]
         truths = [truth for truth, _ in each]
         worst = next((one for one in (MISSES, UNKNOWN) if one in truths), HOLDS)
@@ -66,7 +70,9 @@ class _Looked:
         return MISSES, f"needs {guard.words}: it is {term.reading}"
 
     def _check(self, branch: str) -> CheckResult:
-        """Of the active state: as the dispatcher asks before anything moves."""
+        """Return the state check of the active state, as the dispatcher makes it before anything
+        moves.
+        """
         found = self._checks.get(branch)
         if found is None:
             here, status = self._status.configuration, self._status

@@ -1,4 +1,4 @@
-"""From a run's status to the rows of the monitor page: pure functions, no widget."""
+"""The rows of the monitor page, from the status of a run. Pure functions, no widget."""
 
 from __future__ import annotations
 
@@ -16,24 +16,25 @@ from smsl_studio.monitor.facts import SourceState
 COLUMNS = ("Fact", "Source", "Value", "Quality", "Age", "Latency", "Counted", "Repeated", "Late",
            "Disturbed")  # fmt: skip
 FIGURES = range(4, 9)
-"""The columns that hold figures."""
+"""The columns with numbers."""
 GROUP, FACT, SOURCE = "group", "fact", "source"
 KNOWN, UNKNOWN, CONFLICT, BELIEVED = "known", "unknown", "conflict", "believed"
 GONE = "the world is gone"
 LONG = 36
-"""Characters of a name that are shown where it cannot be elided to fit."""
+"""The largest number of characters of a name in a place where it cannot be shortened to fit."""
 
 Disturbances = Mapping[str, str]
-"""By sensor: the kinds that are switched on, in words."""
+"""For each sensor the disturbances that are switched on, in words."""
 
 
 @dataclass(frozen=True)
 class MonitorRow:
-    """One row: an SB, a fact with its only source, a fact of several, or one of these.
+    """One row: an SB, a fact, or one of several sources of a fact. A fact with one source has one
+    row.
 
-    ``cells`` are the words of the columns. ``standing`` is known, unknown, conflict or believed;
-    of an SB it is known where exactly one state fits. ``sensor`` is what a disturbance is switched
-    on for (a name, or ``SB/digit``); empty where there is no sensor.
+    ``cells`` are the words of the columns. ``standing`` is ``known``, ``unknown``, ``conflict`` or
+    ``believed``. An SB is known if exactly one state fits. ``sensor`` is what a disturbance applies
+    to (a name, or ``SB/digit``), empty if there is no sensor.
     """
 
     kind: str
@@ -45,7 +46,7 @@ class MonitorRow:
 
     @property
     def spoken(self) -> str:
-        """The whole row, for people who hear it."""
+        """The whole row as text for a screen reader."""
         pairs = zip(COLUMNS, self.cells, strict=True)
         return ", ".join(f"{name} {cell}" for name, cell in pairs if cell)
 
@@ -56,7 +57,9 @@ def monitor_rows(
     estimates: Mapping[str, Estimate],
     disturbed: Disturbances,
 ) -> tuple[MonitorRow, ...]:
-    """A row for each SB, each fact, and each source of a fact that has several."""
+    """Return a row for each SB, for each fact, and for each source of a fact with several
+    sources.
+    """
     sources: dict[FactKey, list[SourceState]] = {}
     for source in status.sources:
         sources.setdefault(source.fact, []).append(source)
@@ -74,7 +77,7 @@ def monitor_rows(
 
 
 def of_lost(status: DispatchStatus) -> DispatchStatus:
-    """How a run stands whose world is gone: what was sensed last is no knowledge of now."""
+    """Return the status of a run whose world is gone. All sensed facts are unknown in it."""
     readings = {
         key: replace(reading, value=None, reason=GONE) if reading.sensed else reading
         for key, reading in status.scene.readings.items()
@@ -87,7 +90,7 @@ def of_lost(status: DispatchStatus) -> DispatchStatus:
 
 
 def summary(rows: Sequence[MonitorRow]) -> str:
-    """How many facts are known, in one sentence."""
+    """Return the number of known facts, and of others, as one sentence."""
     facts = [row.standing for row in rows if row.kind == FACT]
     counts = {word: facts.count(word) for word in (KNOWN, UNKNOWN, CONFLICT, BELIEVED)}
     words = {KNOWN: "known", UNKNOWN: "unknown", CONFLICT: "in conflict", BELIEVED: "not sensed"}
@@ -96,7 +99,9 @@ def summary(rows: Sequence[MonitorRow]) -> str:
 
 
 def estimate_words(estimate: Estimate, moving: bool) -> str:
-    """Where an SB is, going by what is sensed alone, and whether an operation is ``moving`` it."""
+    """Return the place of an SB according to its sensors, in words. ``moving`` says that an
+    operation moves it.
+    """
     if moving and estimate.kind == "off the map":
         return "between states, an operation moves it"
     if estimate.kind == "unknown":
@@ -107,18 +112,19 @@ def estimate_words(estimate: Estimate, moving: bool) -> str:
 
 
 def moved(status: DispatchStatus, branch: str) -> bool:
-    """Whether an operation of this SB is being carried out."""
+    """Return whether an operation of this SB is being carried out."""
     return status.running is not None and status.running.branch == branch
 
 
 def short(name: str) -> str:
-    """A name that is long, without its middle."""
+    """Return a name, without its middle if it is long."""
     return name if len(name) <= LONG else f"{name[: LONG // 2]}…{name[-LONG // 2 + 1 :]}"
 
 
 def _group(branch: StateBranch, state: str, estimate: Estimate | None, moving: bool) -> MonitorRow:
-    """The line of an SB. While an operation moves it, it stands in no state, and nothing is
-    wrong with that."""
+    """Return the row of an SB. While an operation moves it, no state has to fit, so this is no
+    conflict.
+    """
     words, standing = "", UNKNOWN
     if estimate is not None:
         words = f"by its sensors: {estimate_words(estimate, moving)}"
@@ -198,7 +204,9 @@ def _counts(source: SourceState) -> tuple[int, int, int]:
 
 
 def _last(words: str, source: SourceState) -> str:
-    """A stale reading is no value, and still worth a word; one of two speakers is not."""
+    """Add the last value of a source whose reading is too old. If two speakers share the source, no
+    last value is added.
+    """
     sample, said = source.sample, source.said
     if (
         not said.contested
@@ -219,14 +227,16 @@ def _standing(reading: Reading, sources: Sequence[SourceState]) -> tuple[str, st
 
 
 class Estimates:
-    """The newest estimates of one run."""
+    """The estimates of the places of SBs in one run. They are computed only if a reading has
+    changed.
+    """
 
     def __init__(self) -> None:
         self._key: object = None
         self._found: Mapping[str, Estimate] = {}
 
     def of(self, blueprint: Blueprint, status: DispatchStatus) -> Mapping[str, Estimate]:
-        """Where each SB is, going by what is sensed."""
+        """Return the estimated place of each SB from its sensors."""
         values = tuple(reading.value for reading in status.scene.readings.values())
         key = (id(blueprint), values, tuple(status.configuration.items()))
         if key != self._key:

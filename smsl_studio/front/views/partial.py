@@ -1,7 +1,7 @@
-"""The partial view of one State Branch, from a run's status alone: pure functions, no widget.
+"""The partial view of one State Branch, from the status of a run. Pure functions, no widget.
 
-It has the state one came from, the state that is active, every operation out of it, and where
-those lead. Nothing else of the blueprint is in it: that is what makes it partial.
+It has the former state, the active state, every operation out of it, and the states that these lead
+to.
 """
 
 from __future__ import annotations
@@ -22,16 +22,17 @@ RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE 
 ACTORS = {"human": "human", "shared": "shared", "robot": "robot", "automatic": "robot"}
 ONE_AT_A_TIME = "one operation at a time"
 NUMBERED = 9
-"""So many operations have a key of their own."""
+"""The largest number of operations with a key on the keyboard."""
 
 
 @dataclass(frozen=True)
 class OperationCard:
     """One operation out of the active state.
 
-    ``standing`` is one of the words above; ``reasons`` say why it is not permitted. ``mark`` is
-    rise, fall, mixed or empty; ``actor`` human, shared or robot. ``needs`` says in few words what
-    it takes, ``unmet`` whether that is not given now (``unknown`` or ``missing``).
+    ``standing`` is one of the words above, and ``reasons`` say why the operation is not permitted.
+    ``mark`` is ``rise``, ``fall``, ``mixed`` or empty. ``actor`` is ``human``, ``shared`` or
+    ``robot``. ``needs`` says in few words what it requires. ``unmet`` is ``unknown`` or ``missing``
+    if this is not given now.
     """
 
     address: Address
@@ -54,7 +55,7 @@ class OperationCard:
 
     @property
     def stays(self) -> bool:
-        """Whether it leads back to the state it leaves."""
+        """Whether the operation leads back to the state it leaves."""
         return self.target == self.address.state
 
     @property
@@ -65,11 +66,11 @@ class OperationCard:
 
 @dataclass(frozen=True)
 class PartialView:
-    """What the body of Supervise shows of one SB.
+    """The content of the page Supervise for one SB.
 
     ``via`` is the edge that led here, None at the start. ``neighbours`` are the states that the
-    cards lead to, in their order, each once. ``ahead`` is the state that comes next. ``seconds``
-    says how long the active state has been so (simulated).
+    cards lead to, in order and each once. ``ahead`` is the next state. ``seconds`` is the simulated
+    time since the active state was entered.
     """
 
     branch: str
@@ -83,11 +84,11 @@ class PartialView:
     ahead: str = ""
 
     def card(self, address: Address | None) -> OperationCard | None:
-        """The card of an operation, None where it is not out of the active state."""
+        """Return the card of an operation, None if it does not leave the active state."""
         return next((card for card in self.cards if card.address == address), None)
 
     def numbered(self, number: int) -> OperationCard | None:
-        """The card with this key."""
+        """Return the card with this number, None if there is none."""
         return self.cards[number - 1] if 0 < number <= len(self.cards) else None
 
 
@@ -102,8 +103,9 @@ class OutsideFact:
 
 
 def shown_branch(status: DispatchStatus, chosen: str = "", before: str = "") -> str:
-    """The SB to show: the chosen one, else where something happens or will next, else the one
-    that was shown before."""
+    """Return the SB to show: the chosen one, else one where something happens or happens next, else
+    the one shown before.
+    """
     happening = (status.running, status.carrying, *status.route[:1])
     names = (one.branch for one in happening if one is not None)
     goals = (goal.branch for goal in status.goals)
@@ -113,7 +115,7 @@ def shown_branch(status: DispatchStatus, chosen: str = "", before: str = "") -> 
 
 
 def partial_view(blueprint: Blueprint, status: DispatchStatus, name: str) -> PartialView | None:
-    """What is seen of one SB now; None where it is in no state yet."""
+    """Return the partial view of one SB, None if it has no state yet."""
     state = status.configuration.get(name, "")
     branch = blueprint.branches.get(name)
     if branch is None or state not in branch.table:
@@ -138,7 +140,7 @@ def partial_view(blueprint: Blueprint, status: DispatchStatus, name: str) -> Par
 def outside_facts(
     blueprint: Blueprint, status: DispatchStatus, view: PartialView
 ) -> tuple[OutsideFact, ...]:
-    """The facts of other SBs that keep operations of this view from beginning."""
+    """Return the facts of other SBs that prevent operations of this view."""
     found: dict[tuple[tuple[str, int], str], tuple[Term, list[str]]] = {}
     for item in status.possible:
         if view.card(item.address) is None:
@@ -156,9 +158,10 @@ def outside_facts(
 def _cards(
     blueprint: Blueprint, branch: StateBranch, status: DispatchStatus, state: str
 ) -> tuple[OperationCard, ...]:
-    """Operations that lead to one state stand together, in written order; those that stay, last.
+    """Return the cards. Operations to the same state stand together, in written order. Those that
+    lead back to the active state come last.
 
-    The order follows nothing that changes while one looks: a number stays the same key.
+    The order does not change during the run, so an operation keeps its number on the keyboard.
     """
     known = {item.address: item for item in status.possible}
     edges = branch.table[state]
@@ -222,7 +225,9 @@ def _standing(status: DispatchStatus, address: Address, item: Possible | None) -
 
 
 def _reasons(status: DispatchStatus, item: Possible | None) -> tuple[str, ...]:
-    """Why an operation may not be asked for; while another one moves, that is why."""
+    """Return why an operation must not be asked for. While another operation moves, this is the
+    reason.
+    """
     moving = status.running or status.carrying
     if item is None or moving == item.address:
         return ()
@@ -234,7 +239,9 @@ def _reasons(status: DispatchStatus, item: Possible | None) -> tuple[str, ...]:
 def _needs(
     blueprint: Blueprint, confirm: tuple[str, ...], needs: tuple[Term, ...]
 ) -> tuple[str, str]:
-    """What an operation takes, in few words, and whether that is missing or unknown."""
+    """Return what an operation requires, in few words, and whether this is ``missing`` or
+    ``unknown``.
+    """
     names = [(_fact_name(blueprint, term), term) for term in needs]
     for name, term in names:
         if term.truth is None:
@@ -269,7 +276,9 @@ def _mark(branch: StateBranch, address: Address) -> str:
 
 
 def _nearest(status: DispatchStatus, branch: str) -> Address | None:
-    """The next edge that leaves the active state of an SB: what runs, or what the route has."""
+    """Return the next edge out of the active state of an SB: the running one, or that of the
+    route.
+    """
     state = status.configuration.get(branch)
     ahead = (status.running, status.carrying, *status.route)
     here = (a for a in ahead if a is not None and a.branch == branch)
@@ -278,6 +287,6 @@ def _nearest(status: DispatchStatus, branch: str) -> Address | None:
 
 
 def _asked_about(status: DispatchStatus) -> str:
-    """The SB that an open task is about."""
+    """Return the SB of an open task."""
     about = (Address(*Address.split(task.address)).branch for task in status.tasks if task.address)
     return next(about, "")

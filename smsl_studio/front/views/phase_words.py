@@ -1,4 +1,4 @@
-"""How a run stands, in words: the ten run states, and how a run ended."""
+"""The words for the ten run states, and for the end of a run."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ PHASES: dict[str, tuple[str, str]] = {
     "failed": ("Fault hold", "held"),
     "refused": ("Refused", "held"),
 }
-"""The words of each, and how the badge is dressed."""
+"""For each state its words, and the style of its badge."""
 
 HOLDS: dict[str, str] = {
     "guard_lost": "Guarded fact lost",
     "goal_unconfirmed": "Goal not confirmed",
 }
-"""The heading of a fault hold that is of a kind of its own."""
+"""The headings of special kinds of holds."""
 
 LATCHED = ("stopped", "fault_hold", "no_route", "taken_over")
 """The run states in which nothing moves until a person has decided."""
 
 
 def phase_words(phase: str) -> tuple[str, str]:
-    """The words of a run state, and how its badge is dressed; both say the same."""
+    """Return the words of a run state and the style of its badge."""
     return PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))

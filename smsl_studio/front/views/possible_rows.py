@@ -1,5 +1,6 @@
-"""What may be done in a run, as rows: every operation out of the active states, with the reason
-where it may not be asked for."""
+"""The operations that are possible in a run, as rows. Every operation out of the active states has
+a row, with the reason if it must not be asked for.
+"""
 
 from __future__ import annotations
 
@@ -12,15 +13,16 @@ from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.front.views.states import short_name
 
 CHOOSABLE = ("ready", "paused", "fault_hold", "no_route")
-"""The phases in which a person may have an operation carried out by hand."""
+"""The phases in which a person may ask for an operation."""
 
 
 @dataclass(frozen=True)
 class PossibleRow:
-    """One operation: what it is called, where it leads, and how it stands.
+    """One operation: its name, its target, and whether it is possible.
 
-    ``kind`` is running, route, possible, waits, refused, pruned, or next and later for what
-    follows the running operation; ``words`` say it in full. ``note`` stands beside its group.
+    ``kind`` is ``running``, ``route``, ``possible``, ``waits``, ``refused`` or ``pruned``. For
+    operations after the running one it is ``next`` or ``later``. ``words`` explain the kind.
+    ``note`` stands beside the heading of the group.
     """
 
     address: Address
@@ -34,7 +36,9 @@ class PossibleRow:
 
 
 def possible_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[PossibleRow, ...]:
-    """What may be done now: permitted first, every other one with its reason; then what follows."""
+    """Return the operations that are possible now, permitted ones first, and then those that
+    follow.
+    """
     rows = [_possible_row(blueprint, status, item) for item in status.possible]
     order = {"running": 0, "route": 1, "possible": 2, "waits": 3, "pruned": 4, "refused": 5}
     groups = list(dict.fromkeys(row.group for row in rows))
@@ -74,7 +78,7 @@ def _kind(status: DispatchStatus, item: Possible) -> tuple[str, str]:
 
 
 def _predicted(blueprint: Blueprint, status: DispatchStatus) -> Iterator[PossibleRow]:
-    """The operations out of the state that the running one leads to."""
+    """Yield the operations out of the state that the running operation leads to."""
     running = status.running
     if running is None:
         return

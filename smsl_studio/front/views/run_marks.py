@@ -1,4 +1,4 @@
-"""What is lit on the drawing of a run: where it stands, what it took and what comes."""
+"""What is highlighted on the drawing of a run: the active state, the trail and the route."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.runlog.history import Story
 
 
 def run_marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Story) -> Marks:
-    """What glows, trails and is planned on the canvas of one SB."""
+    """Return the marks on the canvas of one SB."""
     active = status.configuration.get(branch)
     running = _running_in(branch, status)
     told, ended = story.moment, story.moment.finished is not None
@@ -41,7 +41,9 @@ def run_marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: 
 
 
 def expected_duration(blueprint: Blueprint, status: DispatchStatus, story: Story) -> float | None:
-    """How long the running operation should take: declared, or as it took before; else None."""
+    """Return the expected duration (s) of the running operation: the declared one, else the median
+    so far, else None.
+    """
     running = status.running
     if running is None or status.running_since is None:
         return None
@@ -50,7 +52,9 @@ def expected_duration(blueprint: Blueprint, status: DispatchStatus, story: Story
 
 
 def progress(blueprint: Blueprint, status: DispatchStatus, story: Story) -> float | None:
-    """The share of its expected time that the running operation has taken."""
+    """Return the share of its expected time that the running operation has taken, None if not
+    known.
+    """
     whole = expected_duration(blueprint, status, story)
     if not whole or status.running_since is None:
         return None
@@ -58,7 +62,7 @@ def progress(blueprint: Blueprint, status: DispatchStatus, story: Story) -> floa
 
 
 def _running_in(branch: str, status: DispatchStatus) -> Address | None:
-    """The operation that runs in an SB: its own, or the one that waits for its sub-SBs."""
+    """Return the operation that runs in an SB: its own, or the one that waits for its sub-SBs."""
     for address in (status.running, status.carrying):
         if address is not None and address.branch == branch:
             return address
@@ -86,7 +90,9 @@ def _shut(branch: str, status: DispatchStatus, pruned: Mapping[str, str]) -> fro
 def _sensed(
     branch: StateBranch, active: str | None, status: DispatchStatus
 ) -> Mapping[tuple[str, int], str]:
-    """How each sensed fact of the active state stands against what is believed."""
+    """Return the facts of the active state that are sensed and do not agree with the believed
+    value.
+    """
     if active is None or status.running is not None:
         return {}
     found: dict[tuple[str, int], str] = {}

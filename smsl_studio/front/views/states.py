@@ -1,4 +1,4 @@
-"""States in words: their short names, and which can be chosen as start and as goal."""
+"""States in words: short names, and the choices of starts and goals."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ Choices = list[tuple[str, str]]
 
 
 def choices(blueprint: Blueprint) -> tuple[Choices, Choices]:
-    """What can be chosen as start and as goal, as (words, address); the default stands first."""
+    """Return the choices of starts and of goals, as (words, address). The default comes first."""
     roots = [blueprint[name] for name in blueprint.roots if blueprint[name].table]
     subs = [branch for branch in blueprint if branch not in roots]
     if len(roots) == 1:
@@ -36,6 +36,6 @@ def _first(states: Choices, default: str) -> Choices:
 
 
 def short_name(branch: StateBranch, state: str) -> str:
-    """The facts alone where a state's name is a prefix and its facts, else the name."""
+    """Return the facts of a state if its name ends with them, else its name."""
     facts = "".join(branch.facts(state)) if state in branch.table else ""
     return facts if facts and state.endswith(facts) else state

@@ -1,4 +1,4 @@
-"""How a task ended, in a line that stays until it is dismissed: pure functions, no widget."""
+"""The ends of tasks, as lines that stay until they are dismissed. No widget."""
 
 from __future__ import annotations
 
@@ -9,44 +9,44 @@ from smsl_studio.dispatch.people.task import Task
 from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed, TaskOpened
 
 MOST = 2
-"""So many lines are kept; the events of the run have them all."""
+"""The largest number of lines. The events of the run have all ends."""
 
 
 @dataclass(frozen=True)
 class TaskOutcome:
-    """One line: ``kind`` is answered, disagreed, timed_out, withdrawn or refused."""
+    """One line. ``kind`` is ``answered``, ``disagreed``, ``timed_out`` or ``withdrawn``."""
 
     task: str
     kind: str
     words: str
     late: tuple[str, ...] = ()
-    """Answers that came when it was over."""
+    """Sentences about answers that came after the end."""
 
 
 class Outcomes:
-    """The outcomes that nobody has dismissed yet, newest last."""
+    """The ends of tasks that nobody has dismissed yet, newest last."""
 
     def __init__(self) -> None:
         self.lines: tuple[TaskOutcome, ...] = ()
         self.refusals: dict[str, str] = {}
-        """By open task: why the last answer did not count."""
+        """For each open task why the last answer did not count."""
         self._asked: dict[str, tuple[str, dict[str, str]]] = {}
-        """By task: its question, and the words of its options."""
+        """For each task its question, and the words of its options."""
 
     def clear(self) -> None:
-        """Another run: what was said of the old one is gone."""
+        """Forget everything, because another run begins."""
         self.lines = ()
         self.refusals.clear()
         self._asked.clear()
 
     def see(self, tasks: Iterable[Task]) -> None:
-        """Remember what open tasks ask, for when they are over."""
+        """Keep the questions and options of open tasks, for their ends."""
         for task in tasks:
             options = {option.value: option.words for option in task.options}
             self._asked[task.name] = task.question, options
 
     def tell(self, events: Iterable[Event]) -> None:
-        """Take in what happened."""
+        """Take in the next events."""
         for event in events:
             if isinstance(event, TaskOpened):
                 self._asked.setdefault(event.task, (event.question, {}))
@@ -57,7 +57,7 @@ class Outcomes:
                 self._answered(event)
 
     def dismiss(self, line: TaskOutcome) -> None:
-        """Drop one line."""
+        """Remove one line."""
         self.lines = tuple(one for one in self.lines if one != line)
 
     def _add(self, line: TaskOutcome) -> None:

@@ -1,4 +1,4 @@
-"""Lanes: what the timeline shows, row by row, told from a run's story."""
+"""Lanes: the rows of the timeline, from the history of a run."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from smsl_studio.runlog.history import RunHistory, Span, Story
 
 @dataclass(frozen=True)
 class Block:
-    """One span of a lane, as it is painted. ``end`` None: it still holds.
+    """One span of a lane, in simulated seconds. ``end`` is None if it still lasts.
 
-    ``look`` is ``past``, ``now``, ``bad``, ``predicted``, or for a fact ``unknown`` and ``beyond``
-    (a value that no state has).
+    ``look`` is ``past``, ``now``, ``bad`` or ``predicted``, and for a fact ``unknown`` or
+    ``beyond`` (a value that no state has).
     """
 
     start: float
@@ -30,7 +30,9 @@ class Block:
 
 @dataclass(frozen=True)
 class Lane:
-    """One row: its label, its kind (state, operation, fact) and its blocks in order of time."""
+    """One row: its label, its kind (``state``, ``operation`` or ``fact``) and its blocks in order
+    of time.
+    """
 
     label: str
     kind: str
@@ -40,7 +42,7 @@ class Lane:
 def lanes(
     blueprint: Blueprint, status: DispatchStatus, story: Story, sensors: Sequence[SensorInfo] = ()
 ) -> tuple[Lane, ...]:
-    """The rows of the timeline: states of each SB, operations, then facts."""
+    """Return the rows of the timeline: the states of each SB, the operations, then the facts."""
     words = {(sensor.branch, sensor.digit): sensor.words for sensor in sensors}
     several, ended = len(blueprint) > 1, story.moment.finished is not None
     soon = _soon(blueprint, status, story)
@@ -50,7 +52,7 @@ def lanes(
             coming = soon[1:] if status.running and status.running.branch == branch.name else ()
             blocks = (*_states(branch, history.states[branch.name], ended), *coming)
         elif branch.name in status.configuration:
-            # Until people have said what holds, the start is believed and nobody has confirmed it.
+            # Before the run has begun, the start is believed and nobody has confirmed it.
             name = short_name(branch, status.configuration[branch.name])
             blocks = (Block(0.0, None, name, "unknown"),)
         else:
@@ -69,7 +71,9 @@ def lanes(
 
 
 def _soon(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Block, ...]:
-    """The rest of the running operation and the state after it, where its duration is known."""
+    """Return the rest of the running operation and the state after it. Empty if its duration is not
+    known.
+    """
     whole, running = expected_duration(blueprint, status, story), status.running
     if whole is None or running is None or status.running_since is None:
         return ()
@@ -93,8 +97,10 @@ def _states(branch: StateBranch, spans: Sequence[Span], ended: bool) -> Iterator
 def _operations(
     history: RunHistory, running: Address | None, soon: tuple[Block, ...]
 ) -> Iterator[Lane]:
-    """The operations, in as many rows as are under way at the same time; ``soon`` is the rest of
-    the running one, and stands behind it."""
+    """Yield the rows of operations, as many as there are operations at the same time.
+
+    ``soon`` is the rest of the running operation, which comes at the end of its row.
+    """
     rows: list[list[Span]] = [[]]
     for span in history.operations:
         free = (row for row in rows if not row or _is_over(row[-1], span.start))
