@@ -1,7 +1,7 @@
 """Makes pictures of the window: Draw and Run modes, three samples, two themes, three sizes.
 
     ./dev pictures [--out FOLDER] [--sample NAME]
-        [--mode draw|run|supervise|safe|people|monitor|replay]
+        [--mode draw|run|supervise|safe|people|monitor|replay|panels]
 
 They come into ``build/pictures``. The ten that the documentation shows are kept in docs/images; a
 new one goes there by hand (``--out docs/images`` writes all of them).
@@ -10,6 +10,7 @@ real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are
 file that does not read, of the offer to recover, and of a file that another program has changed.
 ``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
+``panels`` are all panels beside the drawing, each brought to the front.
 ``replay`` is a recorded run at the moment in which an operation was shut out.
 """
 
@@ -52,7 +53,7 @@ from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
-MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay")
+MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay", "panels")
 FRONT = (1440, 900)
 UNDER_WAY = 1.2
 """Simulated seconds after which the operation of the picture is well under way."""
@@ -105,6 +106,8 @@ def main() -> int:
             studio.take_monitor(Path(folder))
         if asked.mode in (None, "replay"):
             studio.take_replay(Path(folder))
+        if asked.mode in (None, "panels"):
+            studio.take_panels()
         studio.finish()
     return 0
 
@@ -166,6 +169,16 @@ class Studio:
         for theme, size in self._dressed(window):
             self._lay_over(window, offer, f"recovery-{theme}-{size[0]}x{size[1]}")
         offer.reject()
+        window.close()
+
+    def take_panels(self) -> None:
+        """Every panel beside the drawing, in front, with the findings of the printed Hanoi."""
+        window = make_window(self._windows)
+        window.files.open_copy(ROOT / "samples" / "hanoi.json")
+        self._until(partial(self._knows, window))
+        for panel in window.docks.panels:
+            window.show_tab(panel.name)
+            self._take_dressed(window, f"panel-{panel.name.lower()}")
         window.close()
 
     def take_supervise(self) -> None:

@@ -85,8 +85,8 @@ def test_while_drawing_names_are_text(person: Person) -> None:
         window.session.jump(one)
         QApplication.processEvents()
         _check(person)
-    for tab in ("Source", "Findings", "History", "Properties"):
-        window.show_tab(tab)
+    for panel in window.docks.panels:
+        window.show_tab(panel.name)
         _check(person)
 
 

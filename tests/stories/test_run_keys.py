@@ -78,8 +78,8 @@ def test_in_every_part_of_draw(sit: Sit, asked: list[str]) -> None:
     for selected in ("SB1/State_aaa", "SB1/State_aaa/Op_1b"):
         person.select(selected)
         assert deaf(person, person.window, asked) == set()
-    for tab in ("Source", "History"):
-        person.window.show_tab(tab)
+    for panel in person.window.docks.panels:
+        person.window.show_tab(panel.name)
         assert deaf(person, person.window, asked) == set()
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QWidget
@@ -33,11 +33,20 @@ class Page:
     row: QWidget | None = None
 
 
+@runtime_checkable
+class Coloured(Protocol):
+    """A widget that paints with colours of its own, and not with the palette alone."""
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+
+
 @dataclass(frozen=True)
 class DockPanel:
     """A panel beside the drawing: ``side`` is left, right or bottom; ``name`` is on its tab.
 
-    ``tools`` stand at the right end of the tabs. ``focus`` gets the keyboard focus, if it is not
+    Its colours change with the theme if the widget has a method ``set_tokens``. ``tools`` stand at
+    the right end of the tabs. ``focus`` gets the keyboard focus, if it is not
     the panel itself.
     """
 
@@ -117,6 +126,9 @@ class AllWindows(Protocol):
 
 class DockSides(Protocol):
     """What actions may ask of the docks beside the drawing."""
+
+    def words(self, side: str) -> str:
+        """The names of the panels at a side, in a row."""
 
     def left_shown(self) -> bool:
         """Whether the dock at the left is shown."""

@@ -83,7 +83,7 @@ class Window(QMainWindow):
     def _name_parts(self) -> None:
         """Give the parts of the features names at the window, for tests and scripts.
 
-        The shell itself uses ``features``.
+        The shell itself uses ``features``. A panel needs no name here: ``docks.panel`` gives it.
         """
         draw = self.features.draw
         self.canvas, self.editor, self.fix_card = draw.canvas, draw.editor, draw.fix_card

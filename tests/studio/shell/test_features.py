@@ -104,6 +104,12 @@ def test_every_mode_panel_and_action_comes_from_one_feature(window: Window) -> N
     assert set(actions) < set(window.actions_table.table)
 
 
+def test_the_page_has_a_row_for_every_panel(window: Window) -> None:
+    page = (Path(__file__).parents[3] / "docs" / "window.md").read_text("utf-8")
+    drawn = [panel.name for panel in window.docks.panels if panel.name != "Notes"]
+    assert [name for name in drawn if f"\n| {name} | " not in page] == []
+
+
 def _is_keys(child: object) -> bool:
     return isinstance(child, QWidget) and child.windowTitle() == "Keyboard shortcuts"
 

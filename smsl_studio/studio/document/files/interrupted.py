@@ -9,7 +9,7 @@ from typing import Literal
 from smsl_studio.errors import SaveError
 from smsl_studio.smsl.pending_saves import PendingSave
 from smsl_studio.smsl.unfinished import finish, interrupted_saves, undo
-from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.files.questions import Asker
 
 MOST = 3
@@ -45,4 +45,4 @@ def _names(save: PendingSave) -> str:
     names = [file.target.name for file in save.files]
     if len(names) > MOST:
         return f"{', '.join(names[:MOST])} and {counted(len(names) - MOST, 'more file')}"
-    return " and ".join([", ".join(names[:-1]), names[-1]])
+    return series(names)

@@ -13,7 +13,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.feature import DockPanel, Feature, Page, Shell
+from smsl_studio.studio.base.feature import Coloured, DockPanel, Feature, Page, Shell
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
@@ -166,10 +166,11 @@ class DrawFeature(Feature):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Take other colours."""
-        panels = (self.outline, self.library, self.properties, self.source, self.findings)
-        others = (self.palette, self.fix_card, self.comparing, self.safety)
-        for part in (self.canvas, *panels, *others):
+        for part in (self.canvas, self.palette, self.fix_card, self.comparing, self.safety):
             part.set_tokens(tokens)
+        for panel in self.panels:
+            if isinstance(panel.widget, Coloured):
+                panel.widget.set_tokens(tokens)
 
     def stop(self) -> None:
         """Nothing is read, compared or kept any more."""

@@ -112,7 +112,7 @@ class LevelTable(QTableView):
     def __init__(self, model: LevelModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setModel(model)
-        self.setObjectName("levels")
+        self.setProperty("role", "table")
         self.setItemDelegate(NameDelegate(self))
         self.setAccessibleName("Levels")
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

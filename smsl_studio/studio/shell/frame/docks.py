@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.base.feature import DockPanel
 from smsl_studio.studio.base.tabs import Tabs
+from smsl_studio.studio.base.words import series
 
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
@@ -35,7 +36,7 @@ class Docks(QObject):
 
     def __init__(self, window: QMainWindow, panels: Sequence[DockPanel]) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self.panels = window, tuple(panels)
         self._sides = QSplitter(Qt.Orientation.Vertical)
         self._sides.setHandleWidth(1)
         self._sides.setChildrenCollapsible(False)
@@ -54,7 +55,7 @@ class Docks(QObject):
         self.right = self._dock("right", self.right_tabs, area.RightDockWidgetArea)
         self.right.setMinimumWidth(FORM)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
-        self.drawer = Drawer(window)
+        self.drawer = Drawer(window, self.words("left"))
         self._narrow = False
         self._widths = {"Properties": PROPERTIES, "Source": SOURCE}
         self._tab = "Properties"
@@ -64,6 +65,14 @@ class Docks(QObject):
         for panel in panels:
             if panel.side in tabs:
                 tabs[panel.side].add(panel.name, panel.widget, panel.tools)
+
+    def words(self, side: str) -> str:
+        """The names of the panels at a side, in a row: ``Outline and library``."""
+        return series([one.name for one in self.panels if one.side == side]).capitalize()
+
+    def panel(self, name: str) -> QWidget:
+        """The panel of this name."""
+        return next(one.widget for one in self.panels if one.name == name)
 
     def set_first_sizes(self) -> None:
         """Set the sizes of the design, if none are remembered."""
@@ -185,12 +194,12 @@ class Docks(QObject):
 class Drawer(QFrame):
     """The left panel over the canvas of a narrow window. It closes when the focus leaves it."""
 
-    def __init__(self, window: QMainWindow) -> None:
+    def __init__(self, window: QMainWindow, words: str) -> None:
         super().__init__(window)
         self._window = window
         self._content: QWidget | None = None
         self.setProperty("role", "float")
-        self.setAccessibleName("Outline and library")
+        self.setAccessibleName(words)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(1, 1, 1, 1)
         self.hide()

@@ -23,8 +23,7 @@ def view_actions(
                  "bottom": docks.bottom_shown}[name]  # fmt: skip
         call = {"left": docks.toggle_left, "right": docks.toggle_right,
                 "bottom": docks.toggle_bottom}[name]  # fmt: skip
-        words = {"left": "Outline and library", "right": "Properties and source",
-                 "bottom": "Findings and history"}[name]  # fmt: skip
+        words = docks.words(name)
         key = {"left": "Ctrl+B", "right": "Ctrl+Alt+B", "bottom": "Ctrl+J"}[name]
         return Action(f"{name}_panel", words, call, "View", "sidebar" if name == "left" else "",
                       (key,), drawn, shown, section=2,

@@ -13,7 +13,7 @@ class History(QUndoView):
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(session.history, parent)
-        self.setObjectName("history")
+        self.setProperty("role", "list")
         self.setAccessibleName("History")
         self.setEmptyLabel("As it was opened")
         self.setToolTip("Click a step to go there")
