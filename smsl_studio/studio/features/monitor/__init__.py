@@ -1,1 +1,1 @@
-"""The monitor page: every node, every sensor, every fact and every state check, as they are now."""
+"""The monitor page: all nodes, sensors, facts and state checks of a run, as they are now."""

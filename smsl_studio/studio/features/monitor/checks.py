@@ -1,4 +1,4 @@
-"""State checks as the paper writes them, every term alive, for every SB of the run."""
+"""State checks in the paper's notation, with the truth of every term, for every SB of the run."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ EMPTY = "Starts with the run. Each state check is written here as lambda s: [f1(
 
 
 class CheckCard(QWidget):
-    """The check of one state: written, its terms one by one, and where its SB is by estimate."""
+    """The check of one state: its formula, its terms one by one, and the state estimated from
+    sensors."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -43,7 +44,11 @@ class CheckCard(QWidget):
         self._shown: object = None
 
     def show_check(self, written: WrittenCheck, which: str, where: str) -> None:
-        """Show a check: ``which`` is awaited, or of the active state, and ``where`` its SB is."""
+        """Show a check.
+
+        ``which`` says of which state it is, such as "SB1, awaited aab". ``where`` is the state that
+        the sensors suggest.
+        """
         key = (written, which, where, self.tokens.name)
         if key == self._shown:
             return
@@ -80,7 +85,7 @@ class CheckCard(QWidget):
 
 
 class Checks(QScrollArea):
-    """A card for every SB; that of the SB whose check is awaited says so."""
+    """A card for every SB. The card of the awaited check says so."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -105,7 +110,7 @@ class Checks(QScrollArea):
         self, blueprint: Blueprint | None, status: DispatchStatus | None,
         estimates: Mapping[str, Estimate],
     ) -> None:  # fmt: skip
-        """The check of every SB as the run stands; None: there is no run."""
+        """Show the check of every SB; without a status there is no run."""
         names = tuple(status.configuration) if blueprint and status else ()
         if names != tuple(self.cards):
             self._make(names)
@@ -121,7 +126,7 @@ class Checks(QScrollArea):
             card.show_check(written_check(blueprint, check), which, where)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for card in self.cards.values():
             card.tokens = tokens

@@ -1,4 +1,4 @@
-"""Disturbing a sensor on purpose: what goes wrong with it, and how badly."""
+"""The bar that disturbs a sensor on purpose: the kind of disturbance and its parameter."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ KINDS = {
 
 
 class DisturbBar(QWidget):
-    """One line below the table, about the row that is chosen there."""
+    """A bar below the table, about the sensor of the selected row."""
 
     wanted = Signal(str, str, object)
     """(sensor or fact, kind, parameters)."""
@@ -75,7 +75,7 @@ class DisturbBar(QWidget):
         self.show_row(None, False)
 
     def show_row(self, row: MonitorRow | None, runs: bool) -> None:
-        """What the line is about from now on; ``runs``: whether there is a run."""
+        """Set the row that the bar is about; ``runs`` says whether there is a run."""
         key = (row.key if row else None, runs)
         if key == self._shown:
             return
@@ -94,11 +94,11 @@ class DisturbBar(QWidget):
 
     @property
     def refusal(self) -> str:
-        """Why what was typed makes no sense; empty where it does."""
+        """Why the typed parameter is refused; empty if it is not."""
         return self._refusal.text()
 
     def switch(self) -> None:
-        """Switch on what is chosen."""
+        """Ask for the chosen disturbance, if its parameter is valid."""
         kind = self.kind.currentData()
         try:
             parameters = self._parameters(kind)

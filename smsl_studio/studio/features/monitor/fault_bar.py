@@ -1,4 +1,4 @@
-"""Having something go wrong in the world on purpose: which fault, and with what."""
+"""The bar that injects a fault into the world on purpose: the fault and its parameters."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ EXAMPLE = "such as peg=c seconds=6"
 
 
 class FaultBar(QWidget):
-    """One line: a fault by its name, its parameters as they are in a script, and the button."""
+    """One line: the name of a fault, its parameters as in a script, and the button Inject."""
 
     wanted = Signal(str, object)
     """(fault, parameters)."""
@@ -50,7 +50,7 @@ class FaultBar(QWidget):
         self.show_faults((), False)
 
     def show_faults(self, names: tuple[str, ...], runs: bool) -> None:
-        """What this world offers; ``runs``: whether there is a run."""
+        """Offer the faults of this world; ``runs`` says whether there is a run."""
         if (names, runs) == self._shown:
             return
         self._shown = names, runs
@@ -64,28 +64,28 @@ class FaultBar(QWidget):
 
     @property
     def refusal(self) -> str:
-        """Why what was asked for was not done; empty where it was."""
+        """Why the last fault was not injected; empty if it was."""
         return self._refusal.text()
 
     def refuse(self, words: str) -> None:
-        """Say why it was not done."""
+        """Show why the fault was not injected."""
         self._refusal.setText(words)
         self._refusal.setVisible(bool(words))
         self._refusal.setToolTip(tip_text(words))
         self._who.setVisible(not words)
 
     def tell(self, fault: str, time: float) -> None:
-        """Say that it was injected, and at which simulated second."""
+        """Show that the fault was injected, and at which simulated second."""
         self.refuse("")
         self._who.setText(f"Injected: {fault.replace('_', ' ')}, at {time:.1f} s")
 
     @property
     def words(self) -> str:
-        """What the line says at its left."""
+        """The text at the left."""
         return self._who.text()
 
     def inject(self) -> None:
-        """Ask for the fault that is chosen."""
+        """Ask for the chosen fault, if its parameters are valid."""
         try:
             parameters = parameters_of(self.parameters.text())
         except UsageError as error:
@@ -96,9 +96,9 @@ class FaultBar(QWidget):
 
 
 def parameters_of(text: str) -> dict[str, Parameter]:
-    """``peg=c seconds=6``: names with their values, apart by spaces or commas.
+    """The parameters in a text such as ``peg=c seconds=6``, separated by spaces or commas.
 
-    UsageError where a part is no such pair.
+    Raises UsageError if a part is not name=value.
     """
     found: dict[str, Parameter] = {}
     for part in text.replace(",", " ").split():

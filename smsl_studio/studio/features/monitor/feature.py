@@ -1,4 +1,4 @@
-"""The monitor as one feature: a page beside the window."""
+"""The monitor as a feature: a page in a window of its own."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 
 class MonitorFeature(Feature):
-    """Every sensor and node of the run.
+    """The page with every sensor and node of the run.
 
-    ``run`` answers with the run of the window, and what the page lies in front of.
+    ``run`` returns the run of the window, and the widget in front of which the page opens.
     """
 
     def __init__(self, run: Callable[[], tuple[RunSession, QWidget]], tokens: Tokens) -> None:
@@ -28,7 +28,7 @@ class MonitorFeature(Feature):
 
     @property
     def opener(self) -> MonitorOpener:
-        """What opens the page and keeps it."""
+        """The object that opens and keeps the page."""
         return self.part()
 
     def _make(self) -> MonitorOpener:
@@ -38,16 +38,16 @@ class MonitorFeature(Feature):
         return MonitorOpener(run, self._tokens, parent)
 
     def toggle(self) -> None:
-        """Show the page; where it is in front already, close it."""
+        """Show the page; close it if it is in front already."""
         self.opener.toggle()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)
 
     def stop(self) -> None:
-        """The page goes with its window."""
+        """Close the page, because its window closes."""
         if self.part.made is not None:
             self.part.made.close()

@@ -1,4 +1,4 @@
-"""Who speaks: the world's own sensors, the broker, every node, and what counted for nothing."""
+"""The sources of messages: the world's own sensors, the broker, all nodes, and refused messages."""
 
 from __future__ import annotations
 
@@ -85,5 +85,5 @@ def _refused(remote: RemoteView) -> Iterator[ListRow]:
 
 
 def _span(seconds: float | None) -> str:
-    """In whole seconds: a list need not run like a clock."""
+    """A duration in whole seconds, so that the list does not change many times a second."""
     return f"{seconds or 0:.0f} s"

@@ -1,4 +1,4 @@
-"""Monitoring: opens the monitor page, and keeps it beside the window as long as it is wanted."""
+"""Opens the monitor page and keeps it beside the window."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.studio.running.run_session import RunSession
 
 
 class MonitorOpener(QObject):
-    """The monitor page of one window; it is made when it is first asked for."""
+    """The monitor page of one window, made when it is first shown."""
 
     changed = Signal()
     """The page was opened or closed."""
@@ -24,11 +24,11 @@ class MonitorOpener(QObject):
 
     @property
     def is_open(self) -> bool:
-        """Whether the monitor page is shown."""
+        """Whether the page is visible."""
         return self.page is not None and self.page.isVisible()
 
     def toggle(self) -> None:
-        """Show the page; where it is in front already, close it."""
+        """Show the page; close it if it is in front already."""
         if self.page is not None and self.is_open and self.page.isActiveWindow():
             self.page.close()
         else:
@@ -46,12 +46,12 @@ class MonitorOpener(QObject):
         self.changed.emit()
 
     def close(self) -> None:
-        """The window goes away."""
+        """Close the page, because its window closes."""
         if self.page is not None:
             self.page.close()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme, for a page that is made later too."""
+        """Use the colours of another theme, also for a page that is made later."""
         self._tokens = tokens
         if self.page is not None:
             self.page.set_tokens(tokens)

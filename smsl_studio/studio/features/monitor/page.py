@@ -1,4 +1,4 @@
-"""The monitor page: a window of its own beside the run, which never asks and never hides it."""
+"""The monitor page: a window of its own beside the run. It asks no questions."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ EMPTY = (
 
 
 class MonitorPage(QDialog):
-    """Non-modal. It follows the run of its window, whichever that is."""
+    """A non-modal dialog about the present run of its window."""
 
     def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -79,7 +79,7 @@ class MonitorPage(QDialog):
         self.table.disturb_wanted.connect(self._open_menu)
         self.bar.wanted.connect(self._disturb)
         self.faults.wanted.connect(self._inject)
-        # It may lie over the window: so it has a Stop of its own, alike in size, words and key.
+        # The page can cover the window, so it has its own Stop of the same size, words and key.
         self.phase, self.stop = PhaseBadge(), command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.setToolTip("A controlled stop, at any time (F8)")
@@ -117,7 +117,7 @@ class MonitorPage(QDialog):
         return self.table.model_of_rows.rows
 
     def refresh(self) -> None:
-        """Show how the run stands now; nothing is worked out while nobody looks."""
+        """Show the present state of the run; nothing is computed while the page is hidden."""
         if not self.isVisible():
             return
         run = self._run
@@ -161,13 +161,13 @@ class MonitorPage(QDialog):
         self.faults.show_faults(self._run.faults, self._run.exists)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         for part in (self.table, self.network, self.checks, self.stop):
             part.set_tokens(tokens)
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show how the run stands now, and give the keys to the table."""
+        """Show the present state of the run, and give the keyboard focus to the table."""
         super().showEvent(event)
         self.refresh()
         self.table.setFocus()
@@ -198,7 +198,7 @@ class MonitorPage(QDialog):
         self._run.inject(fault, by=self._run.who(), **parameters)
 
     def _open_menu(self, chosen: MonitorRow, at: QPoint) -> None:
-        """Every disturbance as it is by default; the line below has the parameters."""
+        """Offer every disturbance with its default parameter; the bar below can set another one."""
         if not chosen.sensor or not self._run.exists:
             return
         menu = QMenu(self)

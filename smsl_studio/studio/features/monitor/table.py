@@ -1,4 +1,4 @@
-"""The table of the monitor page: a row for each source of each fact, painted cell by cell."""
+"""The table of the monitor page: a row for each source of each fact."""
 
 from __future__ import annotations
 
@@ -45,19 +45,19 @@ WIDTHS = (150, 150, 48, 200, 58, 62, 66, 74, 44, 84)
 NAME, FROM, VALUE, QUALITY, DISTURBED = 0, 1, 2, 3, 9
 LEAST_NAME, LEAST_QUALITY = 100, 178
 INSET = {NAME: 12, DISTURBED: 18}
-"""What is left of the words of a column."""
+"""Pixels at the left of the words of a column."""
 Index = QModelIndex | QPersistentModelIndex
 
 
 class MonitorModel(QAbstractTableModel):
-    """The rows as a Qt model; ``show`` replaces them and tells only of cells that changed."""
+    """The rows as a Qt model; ``show`` reports only cells that changed."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[MonitorRow, ...] = ()
 
     def show(self, rows: tuple[MonitorRow, ...]) -> bool:
-        """Whether other rows stand there now."""
+        """Replace the rows; returns whether the list of rows changed, and not only their cells."""
         if [row.key for row in rows] != [row.key for row in self.rows]:
             self.beginResetModel()
             self.rows = rows
@@ -75,15 +75,15 @@ class MonitorModel(QAbstractTableModel):
         return False
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many rows there are; a row has none below it."""
+        """The number of rows; a row has no children."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many columns there are."""
+        """The number of columns."""
         return 0 if parent.isValid() else len(COLUMNS)
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> object:
-        """The heads of the columns; for a row, what is read out."""
+        """The titles of the columns; for a row its words, for assistive tools."""
         if orientation is Qt.Orientation.Horizontal:
             if role == Qt.ItemDataRole.DisplayRole:
                 return f"  {COLUMNS[section]}" if section == DISTURBED else COLUMNS[section]
@@ -92,12 +92,12 @@ class MonitorModel(QAbstractTableModel):
                 across = side.AlignRight if section in FIGURES else side.AlignLeft
                 return across | side.AlignVCenter
         elif role == Qt.ItemDataRole.DisplayRole:
-            # The header of rows is hidden, but a screen reader reads it out.
+            # The header of rows is hidden, but a screen reader reads it.
             return self.rows[section].spoken
         return None
 
     def data(self, index: Index, role: int = 0) -> object:
-        """The words of a cell, what is read out, the tip, or the ``MonitorRow`` itself."""
+        """The text, the accessible text or the tooltip of a cell, or the ``MonitorRow`` itself."""
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.cells[index.column()]
@@ -193,12 +193,15 @@ class _MonitorCells(QStyledItemDelegate):
 
 
 class MonitorTable(QTableView):
-    """Rows are chosen by arrows or a click; Enter and a right click ask to disturb one."""
+    """The table view.
+
+    Arrows or a click select a row; Enter or a right click asks to disturb its sensor.
+    """
 
     disturb_wanted = Signal(object, object)
-    """(the row, where in the window): disturb its sensor."""
+    """(row, point of the screen): the person wants to disturb its sensor."""
     row_chosen = Signal(object)
-    """The row, or None."""
+    """The selected row, or None."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -232,13 +235,13 @@ class MonitorTable(QTableView):
 
     @property
     def chosen(self) -> MonitorRow | None:
-        """The row that is chosen."""
+        """The selected row, or None."""
         at = self.currentIndex().row()
         rows = self.model_of_rows.rows
         return rows[at] if 0 <= at < len(rows) else None
 
     def show_rows(self, rows: tuple[MonitorRow, ...]) -> None:
-        """Show these rows; the chosen one stays chosen as long as it is there."""
+        """Show these rows; the selected one stays selected while it exists."""
         kept = self.chosen
         if not self.model_of_rows.show(rows):
             return
@@ -254,17 +257,17 @@ class MonitorTable(QTableView):
         self._fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._cells.tokens = tokens
         self.viewport().update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the new width among the columns."""
+        """Distribute the new width among the columns."""
         super().resizeEvent(event)
         self._fit()
 
     def _fit(self) -> None:
-        """Names get what they need, quality gets what is left."""
+        """Give names and sources the width they need, and quality what remains."""
         header = self.horizontalHeader()
         rows = self.model_of_rows.rows
         room = self.viewport().width() - sum(WIDTHS[2:3]) - sum(WIDTHS[4:])

@@ -1,1 +1,1 @@
-"""People at the window: who they are, what they are asked, and how far people lead."""
+"""People at the window: who they are, which tasks they get, and the levels of automation."""

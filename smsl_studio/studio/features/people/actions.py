@@ -1,4 +1,4 @@
-"""The rows about people in the Run menu: who works here, how far they lead, what they are asked."""
+"""The actions about people in the Run menu: open task, levels, persons."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from smsl_studio.studio.base.actions import Action
 
 
 class PeopleActions(Protocol):
-    """What actions ask of the people of a window."""
+    """What these actions need of the feature."""
 
     def has_task(self) -> bool:
-        """Whether people are asked something now."""
+        """Whether a task is open for people."""
 
     def may_edit_levels(self) -> bool:
         """Whether the levels can be edited now."""
 
     def edit_persons(self) -> None:
-        """Open the dialog of the persons."""
+        """Open the dialog for persons."""
 
     def edit_levels(self) -> None:
-        """Open the dialog of the levels."""
+        """Open the dialog for levels."""
 
 
 def people_actions(people: PeopleActions, open_task: Callable[[], object]) -> tuple[Action, ...]:

@@ -1,4 +1,4 @@
-"""The lower part of a card: who answers, why not yet, and the one button that decides."""
+"""The lower part of a task card: who answers, what is missing, and the button that decides."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
 
 
 class Decide(QPushButton):
-    """Enter decides once; a key that is held down does not decide twice."""
+    """A button that Enter presses, but only once while the key is held."""
 
     def sizeHint(self) -> QSize:
-        """As high as a control that decides."""
+        """The usual width, and the height of a decision button."""
         return QSize(super().sizeHint().width(), CONTROL_DECISION)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter decides, but not again while it is held down."""
+        """Press the button on Enter, but not again while the key is held."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             if not event.isAutoRepeat():
                 self.click()
@@ -34,7 +34,7 @@ class Decide(QPushButton):
 
 
 class AnswerPart(QWidget):
-    """Says what is missing for an answer, and gives it when nothing is."""
+    """Says what is missing for an answer, and emits ``decided`` when nothing is."""
 
     decided = Signal()
 
@@ -67,7 +67,7 @@ class AnswerPart(QWidget):
         self.who.pin.returnPressed.connect(self._pin_typed)
 
     def show_card(self, card: CardView, chosen: OptionView | None, refusal: str) -> None:
-        """What stands below the answers of this card while ``chosen`` is marked."""
+        """Show this card's lower part; ``chosen`` is the selected option."""
         self.sentence.setText(card.sentence)
         self.objection.say(card.objection)
         self.enter.setVisible(not self._persons.all)
@@ -87,7 +87,7 @@ class AnswerPart(QWidget):
         return True, f"{_short(chosen.words)}: press Enter"
 
     def _pin_typed(self) -> None:
-        """Enter in the PIN leads to the button: one Enter more decides."""
+        """After Enter in the PIN field move the focus to the button; the next Enter decides."""
         if self.button.isEnabled():
             self.button.setFocus()
 

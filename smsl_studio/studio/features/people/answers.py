@@ -1,4 +1,4 @@
-"""The answers of a task as rows, of which none or one is chosen."""
+"""The answers of a task as rows; at most one is selected."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from smsl_studio.studio.features.people.option_row import OptionRow
 
 
 class Answers(QWidget):
-    """A choice is no decision yet: ``settled`` says that a key leads on to the button."""
+    """The rows of options. Selecting one decides nothing yet.
+
+    ``settled`` says that a key selected one, so the focus should go on to the button.
+    """
 
     changed = Signal()
     settled = Signal()
@@ -28,19 +31,19 @@ class Answers(QWidget):
         self._column.setSpacing(8)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for row in self.rows:
             row.set_tokens(tokens)
 
     @property
     def chosen(self) -> OptionView | None:
-        """The option that is chosen; None while none is."""
+        """The selected option; None if there is none."""
         row = self._group.checkedButton()
         return row.option if isinstance(row, OptionRow) else None
 
     def put(self, options: tuple[OptionView, ...]) -> None:
-        """Show these, none of them chosen."""
+        """Show these options with none selected."""
         for row in self.rows:
             self._group.removeButton(row)
             row.hide()
@@ -52,24 +55,24 @@ class Answers(QWidget):
             row.installEventFilter(self)
 
     def clear(self) -> None:
-        """No answer is chosen any more; a group of one choice keeps its last one otherwise."""
+        """Select no option. The group must not be exclusive for that."""
         self._group.setExclusive(False)
         for row in self.rows:
             row.setChecked(False)
         self._group.setExclusive(True)
 
     def open(self, may_answer: bool) -> None:
-        """Whether the person who is chosen may choose anything."""
+        """Enable the options if the chosen person may answer."""
         for row in self.rows:
             row.setEnabled(may_answer)
 
     def take_focus(self) -> None:
-        """Lead the keys to the first row, with nothing chosen."""
+        """Give the keyboard focus to the first row, without selecting it."""
         if self.rows:
             self.rows[0].setFocus()
 
     def press(self, letter: str) -> bool:
-        """Choose the answer of a letter; whether there is one."""
+        """Select the option with this letter; returns whether there is one."""
         for row in self.rows:
             if letter and row.option.letter == letter.upper() and row.isEnabled():
                 self._settle(row)
@@ -77,7 +80,7 @@ class Answers(QWidget):
         return False
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Enter on a row chooses it; one Enter more decides."""
+        """Select a row on Enter; the next Enter decides."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
             if isinstance(watched, OptionRow) and enter and not event.isAutoRepeat():

@@ -1,4 +1,4 @@
-"""The head of a task's card: whose decision it is, which of how many, and the time that is left."""
+"""The head of a task card: who decides, which of how many tasks it is, and the time left."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ HEIGHT, PAD = 38, 14
 
 
 class CardHead(QWidget):
-    """A line of words, and the bar of the time below it."""
+    """A line of words above a bar for the time left."""
 
     turned = Signal(int)
-    """Another task is wanted: the next (1), or the one before (-1)."""
+    """int: show the next task (1) or the one before (-1)."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -55,14 +55,14 @@ class CardHead(QWidget):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         ratio = self.devicePixelRatioF()
         self._hand.setPixmap(pixmap("hand", tokens.acc, tokens.surf, 16, ratio))
         for part in (self.before, self.after, self._bar):
             part.set_tokens(tokens)
 
     def show_card(self, card: CardView, place: int, count: int) -> None:
-        """``place`` is that of this task among the ``count`` open ones, counted from 1."""
+        """Show a card; it is task ``place`` (counted from 1) of ``count`` open ones."""
         self.heading.setText(card.heading)
         self.left.setText(card.left)
         self._bar.show_share(card.share, card.escalation)

@@ -1,4 +1,4 @@
-"""The panel "Human and automation": how far people do, sense, inspect and supervise."""
+"""The panel "Human and automation": the levels of operations, facts, inspection, supervision."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ DECLARED = "As the blueprint declares them. They can be set before a run."
 
 
 class Continuum(QWidget):
-    """Shows the levels of the run that is there, else those of the next one.
+    """Shows the levels of the present run, or else those of the next one.
 
-    The levels of a run cannot be changed: then the button is disabled, and the line says why.
+    The levels of a run cannot be changed. The button is then disabled, and the note says why.
     """
 
     edit_wanted = Signal()
@@ -68,13 +68,16 @@ class Continuum(QWidget):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for part in (self._ends, self.whole, *self.rows):
             part.set_tokens(tokens)
 
     def refresh(self) -> None:
-        """Look again; nothing is counted where nothing changed, or nobody sees it."""
+        """Show the present levels.
+
+        Nothing is computed without a change or while the panel is hidden.
+        """
         blueprint, levels = self._now()
         kept = self._kept
         state = (levels, kept)
@@ -92,13 +95,13 @@ class Continuum(QWidget):
         self.note.setText(RECORDED if kept else said)
 
     def showEvent(self, event: object) -> None:
-        """Show the levels as they are now."""
+        """Show the present levels."""
         super().showEvent(event)  # type: ignore[arg-type]
         self.refresh()
 
     @property
     def _kept(self) -> bool:
-        """Whether the levels are those of the run that is shown, not those of the next one."""
+        """Whether the panel shows the levels of a run, which cannot be changed."""
         return self._run.exists or self._run.is_another(self._session.blueprint)
 
     def _now(self) -> tuple[Blueprint, dict[str, str]]:

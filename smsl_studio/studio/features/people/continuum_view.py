@@ -1,4 +1,4 @@
-"""From the levels of a blueprint to what the continuum shows: pure functions, no widget."""
+"""From the levels of a blueprint to the rows of the continuum: pure functions without widgets."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.blueprint.levels import Levels, Share, Spectrum, spectrum
 from smsl_studio.blueprint.model import Blueprint
 
 PLACE = {HUMAN: 0.0, SHARED: 0.5, AUTOMATIC: 1.0}
-"""From a person alone to the automation alone."""
+"""The place of each level on the scale: 0 is a person alone, 1 is the automation alone."""
 INSPECTS = {HUMAN: "a person accepts", SHARED: "a person, if need be", AUTOMATIC: "rules alone"}
 SUPERVISES = {HUMAN: "human leads", SHARED: "human may step in", AUTOMATIC: "agent decides"}
 STEPS = ((0.1, "human"), (0.4, "mostly human"), (0.6, "shared"), (0.9, "mostly automatic"))
@@ -17,7 +17,7 @@ STEPS = ((0.1, "human"), (0.4, "mostly human"), (0.6, "shared"), (0.9, "mostly a
 
 @dataclass(frozen=True)
 class ScaleView:
-    """One row: where its middle is and how far it reaches, 0 (human) to 1 (automatic)."""
+    """One row: the mean level and the range of levels, from 0 (human) to 1 (automatic)."""
 
     name: str
     position: float
@@ -28,7 +28,7 @@ class ScaleView:
 
 @dataclass(frozen=True)
 class ContinuumView:
-    """The rows, and where the whole procedure stands."""
+    """All rows, and the place and words of the whole procedure."""
 
     rows: tuple[ScaleView, ...]
     position: float
@@ -36,7 +36,7 @@ class ContinuumView:
 
 
 def continuum_view(blueprint: Blueprint, levels: Levels) -> ContinuumView:
-    """What the panel shows of a blueprint with these levels."""
+    """The rows of a blueprint with these levels."""
     found = spectrum(blueprint, levels)
     rows = (
         _row("Operations", found.operations, share_words(found.operations)),
@@ -48,7 +48,7 @@ def continuum_view(blueprint: Blueprint, levels: Levels) -> ContinuumView:
 
 
 def share_words(share: Share) -> str:
-    """``2 of 7 human``, ``5 automatic``, ``none``."""
+    """The first level that occurs, with its number: ``2 of 7 human``, ``5 automatic``, ``none``."""
     counts = ((share.human, HUMAN), (share.shared, SHARED), (share.automatic, AUTOMATIC))
     for count, level in counts:
         if count:
@@ -59,7 +59,7 @@ def share_words(share: Share) -> str:
 
 
 def whole_words(found: Spectrum) -> str:
-    """Where a whole procedure stands, in a word or two."""
+    """The place of the whole procedure in one or two words."""
     return next((words for most, words in STEPS if found.position < most), "automatic")
 
 

@@ -1,4 +1,4 @@
-"""People as one feature: a badge, what they are asked, and their rows of the Run menu."""
+"""People as a feature: badge, task card, continuum, dialogs, and rows of the Run menu."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 class PeopleFeature(Feature):
-    """Who works at a window, and what they are asked. It is put together with the run.
+    """The people at a window and their tasks. Its parts are made together with the run.
 
-    ``run`` answers with the run of the window, and the levels that are set for the next one.
+    ``run`` returns the run of the window and the levels for the next one.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class PeopleFeature(Feature):
 
     @property
     def people(self) -> People:
-        """Card, badge, continuum and dialogs."""
+        """The card, the badge, the continuum and the dialogs."""
         self._run()
         return self.part()
 
@@ -55,40 +55,40 @@ class PeopleFeature(Feature):
         return people
 
     def open_task(self) -> None:
-        """Show what people are asked, with the keys on it and no answer chosen."""
+        """Show the open task with the keyboard focus and no answer selected."""
         self._shell.set_mode("supervise")
         self.people.card.take_focus()
 
     def actions(self) -> tuple[Action, ...]:
-        """Tasks, levels and persons."""
+        """The rows for the open task, the levels and the persons."""
         return people_actions(self, self.open_task)
 
     def take_actions(self, actions: Actions) -> None:
-        """An open task can be shown, and a closed one cannot."""
+        """Keep the table, which is refreshed when a task opens or ends."""
         self._actions = actions
 
-    # What its actions ask.
+    # What its actions need.
 
     def has_task(self) -> bool:
-        """Whether people are asked something now."""
+        """Whether a task is open for people."""
         return self.part.made is not None and self.part.made.has_task()
 
     def may_edit_levels(self) -> bool:
-        """Whether the levels can be edited now: a run keeps those it began with."""
+        """Whether the levels can be edited now. A run keeps those it began with."""
         return self.part.made is None or self.part.made.may_edit_levels()
 
     def edit_persons(self) -> None:
-        """Open the dialog of the persons."""
+        """Open the dialog for persons."""
         self.people.edit_persons()
 
     def edit_levels(self) -> None:
-        """Open the dialog of the levels."""
+        """Open the dialog for levels."""
         self.people.edit_levels()
 
-    # What the shell asks of it.
+    # What the shell needs.
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)

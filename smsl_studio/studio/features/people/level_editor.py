@@ -1,4 +1,4 @@
-"""Edit levels: who does, senses, inspects and supervises, before a run begins."""
+"""The dialog Edit levels: who does, senses, inspects and supervises."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NOT_WRITTEN = "No marked row has an entry in _levels of this file"
 
 
 class LevelEditor(QDialog):
-    """What is chosen counts for the next run, or is written into the blueprint as one step."""
+    """Sets levels for the next run only, or writes them into the blueprint as one step."""
 
     def __init__(self, session: Session, levels: NextLevels, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -83,16 +83,16 @@ class LevelEditor(QDialog):
         self.search.setFocus()
 
     def choose(self, level: str) -> None:
-        """Give the marked rows a level."""
+        """Choose a level for the marked rows; empty means as declared."""
         self.model.choose(self.table.keys(), level)
 
     def use(self) -> None:
-        """What is chosen holds for the next run."""
+        """Use the chosen levels for the next run, and close."""
         self._levels.put(self.model.chosen)
         self.accept()
 
     def write(self) -> None:
-        """What is chosen is written into the blueprint, as one step."""
+        """Write the chosen levels into the blueprint as one step, and close if that is accepted."""
         chosen = dict(self.model.chosen)
         words = counted(len(chosen), "level")
         entries = {key: None if level == OUT else level for key, level in chosen.items()}
@@ -119,11 +119,11 @@ class LevelEditor(QDialog):
         return across
 
     def _take_out(self) -> None:
-        """What the file says of the marked rows goes when it is written."""
+        """Choose that the file's entries for the marked rows are removed."""
         self.model.choose(self._written(), OUT)
 
     def _written(self) -> list[str]:
-        """The marked rows of which this file's own ``_levels`` says something."""
+        """The keys of the marked rows that have an entry in ``_levels`` of this file."""
         own = self._session.blueprint.document.values.get("_levels", {})
         marked = self.table.keys()
         return [key for key in marked if isinstance(own, dict) and key in own]

@@ -1,4 +1,4 @@
-"""Every level of a blueprint as a row: what it is about, what is declared and where: no widget."""
+"""The levels of a blueprint as rows: the subject, the declared level, and its source."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ IN_FILE, DEFAULT = "_levels", "default"
 
 @dataclass(frozen=True)
 class LevelRow:
-    """``key`` is that of ``Levels``; ``levels`` are those its edges have (one for anything else).
+    """One row. ``key`` is a key of ``Levels``; ``levels`` has one level for each edge of the row.
 
     ``source`` says where they come from: ``_levels``, a word of an annotation, or ``default``.
     """
@@ -30,14 +30,15 @@ class LevelRow:
 
     @property
     def declared(self) -> str:
-        """The level in words; several where the edges of a name differ."""
+        """The declared level in words; several levels if the edges differ."""
         return " and ".join(dict.fromkeys(self.levels))
 
 
 def level_rows(blueprint: Blueprint, each_edge: bool = False) -> tuple[LevelRow, ...]:
-    """The two layers, then facts and operations SB by SB.
+    """The rows: inspection and supervision, then the facts, then the operations of each SB.
 
-    Operations have a row a name, and where their edges differ (or ``each_edge``) a row an edge.
+    An operation has one row for its name. If its edges differ (or with ``each_edge``), each edge
+    also has a row.
     """
     levels = Levels(blueprint)
     return (
@@ -75,7 +76,7 @@ def _operations(
     for name, addresses in edges.items():
         found = tuple(levels.operation(address) for address in addresses)
         key = f"{Address(branch.name)}/{note_key(name)}"
-        # Where an operation is called like a digit, such a key names the fact.
+        # If an operation has the name of a digit, such a key names the fact and not the operation.
         whole = digit_of(branch, name) is None
         if whole:
             source = IN_FILE if key in written else _actor(branch, addresses[0])

@@ -1,4 +1,4 @@
-"""The table of levels: rows to mark, with what is declared and what is chosen beside it."""
+"""The table of levels: rows that can be marked, with the declared and the chosen level."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from smsl_studio.studio.features.people.level_rows import LevelRow
 Index = QModelIndex | QPersistentModelIndex
 HEADS = ("What", "Where", "Declared", "From", "Chosen here")
 OUT = "taken out"
-"""Chosen in the place of a level: what the file says of it goes."""
+"""Chosen instead of a level: the entry in the file is removed."""
 Role = Qt.ItemDataRole
 
 
 class LevelModel(QAbstractTableModel):
-    """The rows that match, and by key what is chosen: a level, or ``OUT``."""
+    """The rows that match the search, and the chosen level (or ``OUT``) by key."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,12 +32,12 @@ class LevelModel(QAbstractTableModel):
         self._after: list[dict[str, str]] = []
 
     def show_rows(self, rows: tuple[LevelRow, ...]) -> None:
-        """Show other rows; only those that match the words stay in view."""
+        """Show other rows; the search still applies."""
         self._all = rows
         self.find(self._words)
 
     def find(self, words: str) -> None:
-        """Show the rows that have all of these words."""
+        """Show only rows that contain all of these words."""
         self._words = words
         wanted = words.casefold().split()
         self.beginResetModel()
@@ -45,7 +45,7 @@ class LevelModel(QAbstractTableModel):
         self.endResetModel()
 
     def choose(self, keys: list[str], level: str) -> None:
-        """Choose a level for these; the empty text leaves them as declared."""
+        """Choose a level for these keys; empty means as declared."""
         chosen = {key: one for key, one in self.chosen.items() if key not in keys}
         chosen |= dict.fromkeys(keys, level) if level else {}
         if chosen != self.chosen:
@@ -54,13 +54,13 @@ class LevelModel(QAbstractTableModel):
             self._show_chosen(chosen)
 
     def undo(self) -> None:
-        """Take the last choice back."""
+        """Undo the last choice."""
         if self._before:
             self._after.append(self.chosen)
             self._show_chosen(self._before.pop())
 
     def redo(self) -> None:
-        """Choose again what was taken back last."""
+        """Redo the last undone choice."""
         if self._after:
             self._before.append(self.chosen)
             self._show_chosen(self._after.pop())
@@ -71,24 +71,24 @@ class LevelModel(QAbstractTableModel):
         self.dataChanged.emit(self.index(0, 0), last)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many rows match; a row has none below it."""
+        """The number of matching rows; a row has no children."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many columns there are."""
+        """The number of columns."""
         return 0 if parent.isValid() else len(HEADS)
 
     def headerData(self, section: int, way: Qt.Orientation, role: int = Role.DisplayRole) -> Any:
-        """The heads of the columns; for a row its name, which is read out."""
+        """The titles of the columns; for a row its name, for assistive tools."""
         if way is Qt.Orientation.Horizontal and role == Role.DisplayRole:
             return HEADS[section]
         if role == Role.DisplayRole:
-            # The header of rows is hidden, but a screen reader reads it out.
+            # The header of rows is hidden, but a screen reader reads it.
             return self.rows[section].name
         return None
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
-        """The words of a cell; an empty one is read out as blank."""
+        """The text of a cell or its tooltip. A screen reader says "none" for an empty cell."""
         row = self.rows[index.row()]
         if role == Role.ToolTipRole:
             return tip_text(row.key)
@@ -105,7 +105,7 @@ def _has(row: LevelRow, wanted: list[str]) -> bool:
 
 
 class LevelTable(QTableView):
-    """Whole rows are marked, several at once with Shift and Ctrl."""
+    """The table view; whole rows are marked, several with Shift and Ctrl."""
 
     marked = Signal()
 

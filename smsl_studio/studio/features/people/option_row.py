@@ -1,4 +1,4 @@
-"""One answer as a large row: a circle, its words, its letter. None is chosen beforehand."""
+"""One answer as a large row: a circle, its words, and its letter."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LEFT, KEY, PAD = 34, 24, 12
 
 
 class OptionRow(QAbstractButton):
-    """Checkable; at least 40 high, higher where the words need more lines."""
+    """A checkable row, at least 40 pixels high, higher if the words need more lines."""
 
     def __init__(self, option: OptionView, tokens: Tokens) -> None:
         super().__init__()
@@ -32,31 +32,31 @@ class OptionRow(QAbstractButton):
         self.setAccessibleName(plain_text(f"{option.words}, key {option.letter}"))
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def hasHeightForWidth(self) -> bool:
-        """True: narrow rows need more lines."""
+        """True, because a narrow row needs more lines."""
         return True
 
     def heightForWidth(self, width: int) -> int:
-        """The height that the words need at this width, in pixels."""
+        """The height that the words need at this width (pixels)."""
         metrics = QFontMetrics(text_font(13, 500))
         room = QRect(0, 0, max(width - LEFT - KEY - 2 * PAD, 40), 10_000)
         needed = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self.text())
         return max(CONTROL_DECISION, needed.height() + 20)
 
     def sizeHint(self) -> QSize:
-        """As high as the words need at this width."""
+        """The height that the words need at the present width."""
         return QSize(240, self.heightForWidth(max(self.width(), 240)))
 
     def minimumSizeHint(self) -> QSize:
-        """As high as a control that decides."""
+        """The height of a decision button."""
         return QSize(120, CONTROL_DECISION)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint circle, words and letter, with a frame where it is chosen or has the keys."""
+        """Paint circle, words and letter, with a frame if it is selected or has the focus."""
         tokens, chosen, focus = self._tokens, self.isChecked(), self.hasFocus()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -1,4 +1,4 @@
-"""The lines below a card that say how tasks ended; each stays until it is dismissed."""
+"""The lines below a task card that say how tasks ended. Each stays until it is dismissed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SIGNS = {"answered": "check", "disagreed": "warning", "timed_out": "clock", "wit
 
 
 class OutcomeLine(QWidget):
-    """A sign, what was said, and a button that takes the line away."""
+    """An icon, the outcome, and a button that removes the line."""
 
     def __init__(self, line: TaskOutcome, tokens: Tokens) -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class OutcomeLine(QWidget):
         self.setAccessibleName(plain_text(words.text()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the sign in the colours of the outcome."""
+        """Paint background and icon in the colours of the outcome."""
         tokens = self._tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -56,10 +56,10 @@ class OutcomeLine(QWidget):
 
 
 class OutcomeLines(QWidget):
-    """All lines, newest last; no line, no space."""
+    """All lines, the newest last; hidden without lines."""
 
     dismissed = Signal(object)
-    """The outcome that a person has read."""
+    """TaskOutcome: the person dismissed it."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -73,16 +73,16 @@ class OutcomeLines(QWidget):
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What is said, line by line."""
+        """The shown outcomes, one text for each line."""
         return tuple(row.accessibleName() for row in self.rows)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 
     def show_lines(self, lines: tuple[TaskOutcome, ...]) -> None:
-        """Show other lines, where they differ from those shown."""
+        """Show these lines, unless they are the same."""
         if lines != self._lines:
             self._lines = lines
             self._rebuild()

@@ -1,7 +1,6 @@
-"""What a window has for people: who works here, what they are asked, how far they lead.
+"""The parts for people in one window: task card, badge, continuum, dialogs.
 
-It is put together once for each window: card and continuum into the places of Supervise, a badge
-for the other modes, and two dialogs.
+Card and continuum stand in Supervise mode. The badge shows an open task in other modes.
 """
 
 from __future__ import annotations
@@ -28,9 +27,9 @@ class People(QObject):
     """Card, badge, continuum and dialogs of one window."""
 
     changed = Signal()
-    """Whether people are asked anything is another than it was."""
+    """A task opened while there was none, or the last one ended."""
     task_wanted = Signal()
-    """The open task shall be shown, whatever is shown now."""
+    """The person wants to see the open task, from any mode."""
 
     def __init__(
         self,
@@ -47,37 +46,37 @@ class People(QObject):
         self.card = TaskCard(persons, tokens)
         self.card.follow(run)
         self.badge = TaskBadge(self.card, tokens)
-        # Everything that is commanded here goes in this name.
+        # All commands of this window have the name of this person.
         run.who = lambda: persons.me.name
         self.continuum = Continuum(session, run, levels, tokens)
         self.badge.clicked.connect(self.task_wanted)
         self._asked = False
         self.editor: LevelEditor | None = None
-        """The table of levels, while it is open."""
+        """The dialog for levels while it is open."""
         self.card.changed.connect(self._tell)
         self.card.persons_wanted.connect(self.edit_persons)
         self.continuum.edit_wanted.connect(self.edit_levels)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for part in (self.card, self.badge, self.continuum):
             part.set_tokens(tokens)
 
     def take_places(self, tasks: QVBoxLayout, levels: Callable[[QWidget], object]) -> None:
-        """Stand where Supervise has room for what people are asked, and for how far they lead."""
+        """Put the card and the continuum into their places in Supervise mode."""
         tasks.addWidget(self.card)
         levels(self.continuum)
 
     def hear(self, page: QWidget) -> None:
-        """Let the letters of the answers act wherever in ``page`` the focus is."""
+        """Let the letters of the answers work anywhere in ``page``."""
         page.installEventFilter(self)
 
     def has_task(self) -> bool:
-        """Whether people are asked anything now."""
+        """Whether a task is open for people."""
         return bool(self.card.tasks)
 
     def may_edit_levels(self) -> bool:
-        """A run keeps the levels it began with."""
+        """Whether the levels can be edited now. A run keeps those it began with."""
         return not self._run.exists
 
     def _tell(self) -> None:
@@ -86,13 +85,13 @@ class People(QObject):
             self.changed.emit()
 
     def edit_persons(self) -> None:
-        """Open the dialog of the persons."""
+        """Open the dialog for persons."""
         dialog = PersonsDialog(self.persons, self._window)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.open()
 
     def edit_levels(self) -> None:
-        """Open the table of levels, before a run."""
+        """Open the dialog for levels, unless there is a run."""
         if self.may_edit_levels():
             editor = self.editor = LevelEditor(self._session, self.levels, self._window)
             editor.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -103,7 +102,7 @@ class People(QObject):
         self.editor = None
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """A letter that is an answer's, typed where nothing else is typed."""
+        """Select the answer of a typed letter, unless a text field has the focus."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
             typing = isinstance(self._window.focusWidget(), QLineEdit)

@@ -1,4 +1,4 @@
-"""The persons of this account: names, roles, PINs, and which of them works at this window."""
+"""The dialog for the persons of this account: names, roles, PINs, and who works at this window."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ INSET = 84
 
 
 class PinField(QLineEdit):
-    """Typed twice the same, it is the new PIN."""
+    """A password field for a PIN. A new PIN must be typed into two of them."""
 
     def __init__(self, words: str) -> None:
         super().__init__()
@@ -49,10 +49,13 @@ class PinField(QLineEdit):
 
 
 class PersonRow(QWidget):
-    """One person: works here or not, name, role, PIN; one who has a PIN is locked until then."""
+    """One person: whether they work here, name, role and PIN.
+
+    The row of a person with a PIN is locked until the PIN is typed.
+    """
 
     given = Signal(object, object)
-    """(the person as it was, as it is now; None: it is gone)."""
+    """(person before, person after): None after means that the person was removed."""
     chosen = Signal(object)
 
     def __init__(self, person: Person, mine: bool) -> None:
@@ -112,7 +115,10 @@ class PersonRow(QWidget):
         return part
 
     def _lock(self, locked: bool) -> None:
-        """A PIN that guarded answers alone could be taken away with the person."""
+        """Lock or unlock the whole row.
+
+        If only answers were guarded, anybody could remove the person and with it the PIN.
+        """
         for part in (self.mine, self.name, self.role, self.remove):
             part.setEnabled(not locked)
         self.mine.setEnabled(not locked or self.mine.isChecked())
@@ -147,7 +153,7 @@ class PersonRow(QWidget):
 
 
 class PersonsDialog(QDialog):
-    """Every change counts at once; there is nothing to confirm."""
+    """The dialog. Every change takes effect at once."""
 
     def __init__(self, persons: Persons, parent: QWidget | None = None) -> None:
         super().__init__(parent)

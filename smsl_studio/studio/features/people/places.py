@@ -1,4 +1,4 @@
-"""The persons who must answer: who has answered, and when. Their answers are not known here."""
+"""The persons who must answer a task: who has answered, and when. Their answers are not shown."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
 HEIGHT, LINE, BOXED = 66, 26, 2
-"""Pixels of a box, and of a line; more than so many places are lines."""
+"""Height of a box and of a line (pixels); the largest number of places shown as boxes."""
 
 
 class PersonPlace(QWidget):
-    """One place: filled once it is taken, dashed while it is not settled."""
+    """The place of one person: dashed until they have answered, then filled."""
 
     def __init__(self, person: PersonView, tokens: Tokens, boxed: bool) -> None:
         super().__init__()
@@ -29,11 +29,11 @@ class PersonPlace(QWidget):
         self.setToolTip(tip_text(said))
 
     def sizeHint(self) -> QSize:
-        """150 pixels wide, as high as it is."""
+        """150 pixels wide, with the fixed height."""
         return QSize(150, self.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the box of one person: dashed until they have answered."""
+        """Paint the box or line of one person."""
         person, tokens = self._person, self._tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -82,7 +82,7 @@ class PersonPlace(QWidget):
 
 
 class PersonPlaces(QWidget):
-    """All places: two boxes beside each other, or a line each."""
+    """All places: up to two boxes side by side, otherwise a line for each."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -93,12 +93,12 @@ class PersonPlaces(QWidget):
         self._grid.setSpacing(8)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 
     def show_persons(self, persons: tuple[PersonView, ...]) -> None:
-        """Show other persons, where they differ from those shown."""
+        """Show these persons, unless they are the same."""
         if persons != self._shown:
             self._shown = persons
             self._rebuild()

@@ -1,4 +1,4 @@
-"""The rows of the continuum: a scale from human to automatic, a band, a knob, and the words."""
+"""The rows of the continuum: a scale from human to automatic with a band, a knob, and words."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from smsl_studio.studio.features.people.continuum_view import ScaleView
 
 ROW, LEFT, NAME, GAP, MARGIN = 29, 12, 86, 16, 12
 WORDS, LEAST = 128, 90
-"""Pixels for the words at the right, and for the scale at least."""
+"""Width of the words at the right, and smallest length of the scale (pixels)."""
 TICKS = 4
 BOTH = 145
-"""Pixels from which the scale has room for the words at both ends."""
+"""The length from which the scale has room for words at both ends (pixels)."""
 
 
 class Scale(QWidget):
-    """What all rows share: where the scale begins and ends."""
+    """The base of all rows: where the scale begins and ends."""
 
     def __init__(self, tokens: Tokens, height: int) -> None:
         super().__init__()
@@ -31,47 +31,47 @@ class Scale(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.tokens = tokens
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for the name, twice the least scale, and the words."""
+        """Room for the name, twice the smallest scale, and the words."""
         return QSize(LEFT + NAME + 2 * LEAST + GAP + WORDS + MARGIN, self.height())
 
     def minimumSizeHint(self) -> QSize:
-        """Room for the name, the least scale, and the words."""
+        """Room for the name, the smallest scale, and the words."""
         return QSize(LEFT + NAME + LEAST + GAP + WORDS, self.height())
 
     @property
     def start(self) -> float:
-        """Where the scale begins, in pixels from the left."""
+        """The left end of the scale (pixels)."""
         return float(LEFT + NAME)
 
     @property
     def length(self) -> float:
-        """How long the scale is, in pixels."""
+        """The length of the scale (pixels)."""
         return max(float(self.width() - LEFT - NAME - GAP - WORDS - MARGIN), float(LEAST))
 
     def at(self, place: float) -> float:
-        """Where a place from 0 to 1 lies, in pixels from the left."""
+        """The x of a place from 0 to 1 (pixels)."""
         return self.start + self.length * place
 
     def words_room(self) -> QRectF:
-        """The room for the words, at the right of the scale."""
+        """The rectangle for the words, at the right of the scale."""
         left = self.start + self.length + GAP
         return QRectF(left, 0, max(self.width() - left - 4, 10), self.height())
 
 
 class Ends(Scale):
-    """The heads of the scale: a person, and an arm."""
+    """The head of the scales: a person at the left end, a robot arm at the right end."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__(tokens, 20)
         self.setToolTip("From a person alone to the automation alone")
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the person and the arm, with their words where there is room."""
+        """Paint both icons, with words if there is room."""
         tokens = self.tokens
         painter = QPainter(self)
         right = self.start + self.length
@@ -87,14 +87,14 @@ class Ends(Scale):
 
 
 class ScaleRow(Scale):
-    """One kind of thing: its name, the band of what occurs, the middle, the words."""
+    """One row: its name, the range of levels as a band, the mean as a knob, and words."""
 
     def __init__(self, view: ScaleView, tokens: Tokens) -> None:
         super().__init__(tokens, ROW)
         self.show_view(view)
 
     def show_view(self, view: ScaleView) -> None:
-        """Show another row, and say it to assistive tools."""
+        """Show these values, also to assistive tools."""
         self.view = view
         self.setAccessibleName(plain_text(f"{view.name}: {view.words}"))
         self.setToolTip(tip_text(f"{view.name}: {view.words}"))
@@ -125,14 +125,14 @@ class ScaleRow(Scale):
 
 
 class WholeRow(Scale):
-    """The paper's spectrum of the whole procedure: hatched where people are, plain where not."""
+    """The spectrum of the whole procedure, as in the paper."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__(tokens, 38)
         self._position, self._words = 0.5, ""
 
     def show_whole(self, position: float, words: str) -> None:
-        """Show where the whole procedure stands: 0 is human, 1 automatic."""
+        """Show the place of the whole procedure, from 0 (human) to 1 (automatic)."""
         self._position, self._words = position, words
         self.setAccessibleName(plain_text(f"Whole procedure: {words}"))
         self.setToolTip(
@@ -168,8 +168,10 @@ class WholeRow(Scale):
         painter.end()
 
     def _strokes(self, painter: QPainter, bar: QRectF) -> None:
-        """Upright strokes stand close at the human end and far apart at the other: the same
-        order as the colours, for those who do not see them."""
+        """Paint upright strokes, close at the human end and far apart at the other.
+
+        They say the same as the colours.
+        """
         painter.setPen(QPen(self.tokens.surf, 1.0))
         x, gap = bar.left() + 4.0, 3.0
         while x < bar.right() - 3.0:

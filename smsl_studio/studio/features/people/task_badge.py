@@ -1,4 +1,4 @@
-"""A badge in the top row that says that people are asked something, where no card is in view."""
+"""A badge in the top row that shows an open task while its card is not visible."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ HEIGHT, LEFT, TIME, PAD = 24, 30, 36, 10
 
 
 class TaskBadge(QAbstractButton):
-    """A task is never out of sight in any mode. It comes and goes beside the badges of trust, so
-    that nothing below it moves, least of all Stop."""
+    """Keeps an open task visible in every mode.
+
+    It stands in the row of badges, so that nothing below moves when it appears, least of all Stop.
+    """
 
     def __init__(self, card: TaskCard, tokens: Tokens) -> None:
         super().__init__()
@@ -32,12 +34,12 @@ class TaskBadge(QAbstractButton):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def refresh(self) -> None:
-        """Say what is asked, unless the card says it."""
+        """Show the task, unless its card is visible."""
         card = self._card.card
         self.setVisible(card is not None and not self._card.isVisible())
         if card is None:
@@ -52,12 +54,12 @@ class TaskBadge(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Wide enough for the words and the time that is left."""
+        """Wide enough for the words and the time left."""
         wide = QFontMetricsF(self._font).horizontalAdvance(self.text())
         return QSize(round(LEFT + wide + 8 + TIME + PAD), HEIGHT)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the hand, the words and the time that is left."""
+        """Paint the hand, the words and the time left."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(tokens.tx if self.hasFocus() else tokens.acc, 1.5))

@@ -1,7 +1,7 @@
-"""The task card: what people are asked while a run waits, and how it ended.
+"""The task card: a question to people while a run waits, and how it ended.
 
-Without a task and without an outcome to read it takes no space. One answer takes two acts: an
-option is chosen (a click, or its letter), and Enter or the button decides.
+It is hidden without a task and without an outcome to read. An answer takes two acts: select an
+option (a click or its letter), then decide (Enter or the button).
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ PAD = 14
 
 
 class TaskCard(QWidget):
-    """One open task at a time, the one that ends first; below it how others ended."""
+    """Shows one open task, at first the one that ends soonest; below it how others ended."""
 
     answered = Signal(str, str, str, str)
     """(task, option, name, role): a person decided."""
     changed = Signal()
-    """Another task, another time, or the card came into view or went out of it."""
+    """The task or its time changed, or the card became visible or hidden."""
     persons_wanted = Signal()
-    """The persons of this window shall be edited."""
+    """The person wants to edit the persons of this account."""
 
     def __init__(self, persons: Persons, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,10 +62,10 @@ class TaskCard(QWidget):
         self._refresh()
 
     def follow(self, run: RunSession) -> None:
-        """Show the tasks of this run, and answer them there."""
+        """Show the tasks of this run, and send it the answers."""
 
         def look() -> None:
-            """Show the tasks of the run as it stands now."""
+            """Show the present tasks of the run."""
             status = run.status
             if status is None:
                 self.forget()
@@ -82,7 +82,7 @@ class TaskCard(QWidget):
 
     @property
     def card(self) -> CardView | None:
-        """What the card says now; None where nobody is asked anything."""
+        """What the card shows; None without an open task."""
         task = self._task()
         if task is None:
             return None
@@ -92,32 +92,32 @@ class TaskCard(QWidget):
 
     @property
     def options(self) -> tuple[OptionRow, ...]:
-        """The rows of the answers, in order."""
+        """The rows of the answers in order."""
         return tuple(self.answers.rows)
 
     def show_tasks(self, tasks: tuple[Task, ...], time: float) -> None:
-        """The open tasks at a simulated time."""
+        """Show the open tasks; ``time`` is the present in simulated seconds."""
         self.tasks, self._time = tasks, time
         self.outcomes.see(tasks)
         self._refresh()
 
     def tell(self, events: tuple[Event, ...]) -> None:
-        """Take in what happened: answers that do not count, tasks that are over."""
+        """Take new events: refused answers and ended tasks."""
         self.outcomes.tell(events)
         self._refresh()
 
     def forget(self) -> None:
-        """Another run: nothing of the old one is shown."""
+        """Forget the outcomes of the former run."""
         self.outcomes.clear()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for part in (self.head, self.answers, self._places, self.lines):
             part.set_tokens(tokens)
 
     def take_focus(self) -> None:
-        """Have the keys act on the card, with no answer chosen; who may not answer here is
-        led to the choice of persons."""
+        """Give the keyboard focus to the answers, or to the choice of persons if this one may
+        not answer."""
         card = self.card
         if card is not None and (card.objection or self.answer.who.person is None):
             self.answer.who.choice.setFocus()
@@ -125,12 +125,12 @@ class TaskCard(QWidget):
             self.answers.take_focus()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Tell that the card is in view."""
+        """Emit ``changed``, because the card became visible."""
         super().showEvent(event)
         self.changed.emit()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Tell that the card is out of view."""
+        """Emit ``changed``, because the card became hidden."""
         super().hideEvent(event)
         self.changed.emit()
 
@@ -185,7 +185,7 @@ class TaskCard(QWidget):
             self._show(names[(names.index(self._shown) + by) % len(names)])
 
     def _show(self, name: str) -> None:
-        """Another task: no answer is chosen, and the first asked is who works here."""
+        """Show another task, with no answer selected and the person who works here chosen."""
         self._shown = name
         self.answer.who.start_with_me()
         card = self.card
@@ -216,8 +216,10 @@ class TaskCard(QWidget):
         self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
 
     def _lead_to_button(self) -> None:
-        """The keys go to the button that decides, or to the PIN that is still to be typed; a tall
-        card is scrolled so that it is seen."""
+        """Give the focus to the button that decides, or to a PIN that is not typed yet.
+
+        A tall card scrolls until the button is visible.
+        """
         button, above = self.answer.button, self.parentWidget()
         who = self.answer.who
         (who.pin if who.has_pin and not who.opens() else button).setFocus()
@@ -230,13 +232,14 @@ class TaskCard(QWidget):
         card, chosen, person = self.card, self.answers.chosen, self.answer.who.person
         if card is None or chosen is None or person is None or not self.answer.button.isEnabled():
             return
-        # What was said is seen by nobody who answers after.
+        # The next person must not see this answer.
         self.answers.clear()
         if len(card.persons) > 1:
             self.answer.who.ask_again()
         self.answer.who.pin.clear()
         self.answered.emit(card.task, chosen.value, person.name, person.role)
-        # A disabled button would hand its focus on to the choice of persons, and letters with it.
+        # Qt would move the focus from the disabled button to the choice of persons, and letters
+        # with it.
         self.setFocus()
         self._refresh()
 
@@ -247,16 +250,17 @@ class TaskCard(QWidget):
     # Keys.
 
     def press_letter(self, letter: str) -> bool:
-        """Choose the answer of a letter; whether there is one. It decides nothing yet."""
+        """Select the answer with this letter, without deciding; returns whether there is one."""
         return self.answers.press(letter)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape takes the choice back, a letter chooses an answer; Enter stays in the card."""
+        """Escape unselects, a letter selects an answer, and Enter does not leave the card."""
         if event.key() == Qt.Key.Key_Escape and self.answers.chosen is not None:
             self.answers.clear()
             return
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            # What is around the card would press the button to which this very key has led.
+            # Enter has moved the focus to the button. If it went on to the page, the page would
+            # press that button.
             return
         typing = isinstance(QApplication.focusWidget(), QLineEdit)
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier

@@ -1,4 +1,4 @@
-"""How much of a task's time is left: a bar that shrinks, with a mark where others are asked too."""
+"""The time left for a task: a shrinking bar, with a mark where another role is asked too."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ HEIGHT = 4
 
 
 class TimeLeft(QWidget):
-    """Nothing blinks and nothing turns red: the number above says the same."""
+    """The bar. It neither blinks nor turns red, because the number above says the same."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -20,18 +20,21 @@ class TimeLeft(QWidget):
         self.setFixedHeight(HEIGHT)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def show_share(self, share: float, mark: float) -> None:
-        """``mark`` is the share at which another role is asked as well; 0 for none."""
+        """Show the share of time left.
+
+        ``mark`` is the share at which another role is asked too, 0 for none.
+        """
         if (share, mark) != (self._share, self._mark):
             self._share, self._mark = share, mark
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the bar, and the mark where others are asked too."""
+        """Paint the bar and the mark."""
         tokens, wide = self._tokens, float(self.width())
         painter = QPainter(self)
         painter.fillRect(QRectF(0, 0, wide, HEIGHT), tokens.line)

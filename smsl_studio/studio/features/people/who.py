@@ -1,4 +1,4 @@
-"""Who answers: a choice among the persons of this account, and the PIN of the one who has one."""
+"""Who answers: a choice among the persons of this account, and a field for the PIN."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ MORE = "Persons…"
 
 
 class PersonChoice(Combo):
-    """The list of persons. Letters and digits choose nobody here: they go to what is around it.
+    """The list of persons. Letters and digits select nobody here.
 
-    In a plain choice a letter chooses the next entry that begins with it. Here that letter may be
-    an answer or a command of Supervise, and the wrong person would be chosen unseen.
+    In a usual combo box a letter selects the next entry that begins with it. Here the letter may be
+    an answer or a command of Supervise, so a wrong person would be selected unnoticed.
     """
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Leave letters and digits to what is around, unless the list is open."""
+        """Pass letters and digits on to the widget around it, unless the list is open."""
         text = event.text()
         if text.isprintable() and text.strip() and not self.view().isVisible():
             event.ignore()
@@ -31,11 +31,11 @@ class PersonChoice(Combo):
 
 
 class Who(QWidget):
-    """The person who is about to answer. Nobody is chosen in place of another."""
+    """The choice of the person who answers."""
 
     changed = Signal()
     edit_wanted = Signal()
-    """The persons shall be edited."""
+    """The person wants to edit the persons of this account."""
 
     def __init__(self, persons: Persons) -> None:
         super().__init__()
@@ -64,25 +64,25 @@ class Who(QWidget):
 
     @property
     def person(self) -> Person | None:
-        """Who is chosen; None while somebody has yet to say who they are."""
+        """The chosen person; None until somebody says who they are."""
         return self._person
 
     def opens(self) -> bool:
-        """Whether the one who is chosen may answer here: the PIN is right, or none is asked."""
+        """Whether the chosen person may answer: the PIN is right, or none is needed."""
         return self._open
 
     @property
     def has_pin(self) -> bool:
-        """Whether a PIN is asked of the one who is chosen."""
+        """Whether the chosen person needs a PIN."""
         return self._person is not None and self._person.has_pin
 
     def ask_again(self) -> None:
-        """Somebody else is to answer: they say who they are."""
+        """Clear the choice, because another person must answer next."""
         self._person = None
         self._refill()
 
     def start_with_me(self) -> None:
-        """Another task: the one who works at this window is who is asked first."""
+        """Choose the person who works at this window, for another task."""
         self._person = self._persons.me
         self._refill()
 
@@ -124,5 +124,5 @@ class Who(QWidget):
         self.changed.emit()
 
     def _look(self) -> None:
-        """Try the PIN once for each change: a hash that is slow to guess is slow to try."""
+        """Check the PIN once for each change, because checking the hash is slow."""
         self._open = self._person is not None and self._person.opens_with(self.pin.text())

@@ -1,1 +1,1 @@
-"""A recorded run in the window: shown again from its log alone, and nothing can be commanded."""
+"""Replay: a recorded run is shown again from its log. Nothing can be commanded."""

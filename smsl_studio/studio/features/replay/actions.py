@@ -1,4 +1,4 @@
-"""What of the File and Run menus concerns recorded runs."""
+"""The actions about recorded runs in the File, View and Run menus."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.studio.base.feature import AllWindows, Shell
 
 
 class ReplayActions(Protocol):
-    """What actions ask of the replay of a window."""
+    """What these actions need of the feature."""
 
     @property
     def is_open(self) -> bool:
@@ -19,13 +19,13 @@ class ReplayActions(Protocol):
         """Ask for a recording and show it."""
 
     def turn(self) -> None:
-        """Play where it rests, rest where it plays."""
+        """Pause if it plays, else play."""
 
     def pause(self) -> None:
-        """Stay at this moment."""
+        """Pause at the present moment."""
 
     def step(self, events: int = 1) -> None:
-        """So many events on, or back."""
+        """Go so many events forward, or back if negative."""
 
 
 def replay_actions(replay: ReplayActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
@@ -37,7 +37,7 @@ def replay_actions(replay: ReplayActions, windows: AllWindows, shell: Shell) -> 
         return shell.mode == "replay"
 
     def record() -> None:
-        """Switch whether runs are recorded."""
+        """Switch recording of runs on or off."""
         settings.record_runs = not settings.record_runs
 
     return (

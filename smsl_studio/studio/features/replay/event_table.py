@@ -1,4 +1,4 @@
-"""All events of a recorded run, line by line; a click goes to the moment after one."""
+"""The events of a recorded run as lines; a click goes to the moment after an event."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class EventsModel(QAbstractListModel):
-    """The words of an event are made when they are looked at: a run may have 100,000."""
+    """The events as a Qt model.
+
+    Their words are made when they are shown, because a run may have 100,000.
+    """
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -37,11 +40,14 @@ class EventsModel(QAbstractListModel):
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many events there are; an event has no rows below it."""
+        """The number of events; an event has no children."""
         return 0 if parent.isValid() else len(self._events)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-        """The words of an event, with its time in simulated seconds; the tip is its record."""
+        """The words of an event with its simulated time in seconds.
+
+        The tooltip is its line in the log.
+        """
         event = self._events[index.row()]
         if role == Qt.ItemDataRole.ToolTipRole:
             return tip_text(event.line())
@@ -53,10 +59,10 @@ class EventsModel(QAbstractListModel):
 
 
 class EventTable(QListView):
-    """The line of the newest event that has happened is marked."""
+    """The list of events, with the newest one that has happened selected."""
 
     index_wanted = Signal(int)
-    """So many events have happened after the line that was chosen."""
+    """int: the number of events up to and including the chosen line."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -75,11 +81,11 @@ class EventTable(QListView):
         self.activated.connect(self._choose)
 
     def show_events(self, events: Sequence[Event], by: Sequence[str], blueprint: Blueprint) -> None:
-        """The events of another recording, and whose command each of them answers."""
+        """Show the events of another recording; ``by`` says who caused each."""
         self._events.show(events, by, blueprint)
 
     def show_index(self, index: int) -> None:
-        """So many of them have happened."""
+        """Select the last of the first ``index`` events."""
         row = self._events.index(index - 1)
         if index > 0:
             self.setCurrentIndex(row)
@@ -89,7 +95,8 @@ class EventTable(QListView):
             self.scrollToTop()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """The row that the keys lead to is the moment that is shown: one mark, one meaning."""
+        """Go to the moment of the row that a key selects, so that the selection is always the
+        present moment."""
         before = self.currentIndex().row()
         super().keyPressEvent(event)
         if self.currentIndex().row() != before:

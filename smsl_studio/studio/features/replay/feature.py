@@ -1,4 +1,4 @@
-"""Replay as one feature: a mode while a recording is open."""
+"""Replay as a feature: a mode that is offered while a recording is open."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ if TYPE_CHECKING:
 
 
 class ReplayFeature(Feature):
-    """Replay is a mode while a recording is open; letting go of it leads back to Run.
+    """Replay mode. Closing the recording leads back to Run mode.
 
-    ``untouched`` says whether nothing is drawn, so that a recording may bring its blueprint. What
-    shows recordings is made when the first one is opened.
+    ``untouched`` says whether nothing was drawn, so that a recording may also open its blueprint.
+    The parts are made when the first recording is opened.
     """
 
     def __init__(self, parts: WindowParts, shell: Shell, untouched: Callable[[], bool]) -> None:
         self._parts, self._shell, self._untouched = parts, shell, untouched
         self._tokens = parts.tokens
         self._wanted: Path | None = None
-        """A recording that is being read, whose blueprint shall be drawn too."""
+        """A recording that is being read and whose blueprint shall be opened too."""
         self.part = LatePart(self._make)
         self.pages = {"replay": self._page}
         self.submenus = {"open_recording": ("Recordings", lambda menu: self.verbs.fill(menu))}
 
     @property
     def verbs(self) -> ReplayVerbs:
-        """What opens and shows recordings."""
+        """The object that opens and shows recordings."""
         return self.part()
 
     def _page(self) -> Page:
@@ -62,12 +62,12 @@ class ReplayFeature(Feature):
 
     @property
     def file(self) -> str:
-        """The name of the recording that is open; the empty text for none."""
+        """The name of the open recording; empty for none."""
         recording = self.part.made.replay.recording if self.part.made is not None else None
         return recording.path.name if recording is not None else ""
 
     def actions(self) -> tuple[Action, ...]:
-        """What concerns recorded runs."""
+        """The rows about recorded runs."""
         return replay_actions(self, self._shell.program, self._shell)
 
     def open(self) -> None:
@@ -75,19 +75,22 @@ class ReplayFeature(Feature):
         self.verbs.open()
 
     def turn(self) -> None:
-        """Play where it rests, rest where it plays."""
+        """Pause if it plays, else play."""
         self.verbs.replay.turn()
 
     def pause(self) -> None:
-        """Stay at this moment."""
+        """Pause at the present moment."""
         self.verbs.replay.pause()
 
     def step(self, events: int = 1) -> None:
-        """So many events on, or back."""
+        """Go so many events forward, or back if negative."""
         self.verbs.replay.step(events)
 
     def open_path(self, path: Path) -> bool:
-        """Show a recorded run, and its blueprint too where nothing is drawn."""
+        """Show a recorded run, and also its blueprint if nothing was drawn.
+
+        False for other files.
+        """
         if not is_recording(path):
             return False
         self._wanted = path if self._untouched() else None
@@ -95,13 +98,13 @@ class ReplayFeature(Feature):
         return True
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)
 
     def stop(self) -> None:
-        """Nobody waits for a recording any more."""
+        """End all work, because the window closes."""
         if self.part.made is not None:
             self.part.made.stop()
 

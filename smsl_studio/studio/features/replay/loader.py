@@ -1,4 +1,4 @@
-"""Opening recordings beside the window: a long one is read while the window goes on working."""
+"""Loading recordings. A long one is read in a second thread, so that the window does not freeze."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from smsl_studio.front.recordings import Recording, open_recording
 from smsl_studio.studio.base.beside import Beside
 
 SHORT = 1 << 19
-"""Bytes of a log that is read before anybody could look up: some 3,000 events."""
+"""A log up to this size (bytes, about 3,000 events) is read at once."""
 
 
 class _GivenUpError(Exception):
-    """Nobody waits for it any more."""
+    """Raised in the reading thread to end it, because reading was cancelled."""
 
 
 class RecordingReader:
-    """One recording that is being read; ``share`` of it is (0 to 1)."""
+    """One recording that is being read; ``share`` of it is done (0 to 1)."""
 
     def __init__(self, path: Path) -> None:
         self.path, self.share, self.given_up = path, 0.0, False
 
     def going(self, share: float) -> None:
-        """Note how much is read (0 to 1); stop reading where it was given up."""
+        """Note the share that is done (0 to 1); ends the reading if it was cancelled."""
         if self.given_up:
             raise _GivenUpError
         self.share = share
@@ -38,16 +38,16 @@ Came = Recording | StudioError | None
 
 
 class RecordingLoader(QObject):
-    """One recording at a time; another one takes its place."""
+    """Reads one recording at a time; opening another one cancels the first."""
 
     began = Signal()
-    """A long recording is being read: see ``reading``."""
+    """Reading of a long recording began, see ``reading``."""
     ended = Signal()
-    """It is read, refused, or was given up."""
+    """Reading ended: done, refused, or cancelled."""
     opened = Signal(object)
-    """A Recording: it is there."""
+    """Recording: it was read."""
     refused = Signal(object)
-    """A StudioError: it cannot be shown."""
+    """StudioError: it cannot be shown."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -55,7 +55,7 @@ class RecordingLoader(QObject):
         self._beside = Beside(self)
 
     def open(self, path: Path, drawn: Blueprint) -> None:
-        """Read a recording; a short one is there when this returns."""
+        """Read a recording; a short one is emitted before this returns."""
         self.give_up()
         self.reading = reading = RecordingReader(path)
         if _is_short(path):
@@ -65,14 +65,14 @@ class RecordingLoader(QObject):
         self._beside.do(partial(_read, reading, drawn), partial(self._came, reading))
 
     def give_up(self) -> None:
-        """Read no further; nothing comes of it."""
+        """Cancel reading."""
         if self.reading is not None:
             self.reading.given_up = True
             self.reading = None
             self.ended.emit()
 
     def stop(self) -> None:
-        """The window goes away."""
+        """End all work, because the window closes."""
         self.give_up()
         self._beside.stop()
 
@@ -97,7 +97,10 @@ def _read(reading: RecordingReader, drawn: Blueprint) -> Came:
 
 
 def _is_short(path: Path) -> bool:
-    """Whether nobody has to wait for it: a small file, or none; a pipe may take for ever."""
+    """Whether the file is small or missing, so that reading it takes no time.
+
+    A pipe may never end.
+    """
     try:
         found = path.stat()
     except OSError:

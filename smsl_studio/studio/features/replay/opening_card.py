@@ -1,4 +1,4 @@
-"""How far a long recording is read: a line over the body, with a button that gives it up."""
+"""The progress of reading a long recording, with a button to cancel."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.replay.loader import RecordingLoader
 
 WIDTH, LOW, LINE = 460, 46, 4.0
-"""Pixels: its width, how far it is from the bottom (above the status line), and its line."""
+"""Width of the card, distance from the bottom, and thickness of the progress bar (pixels)."""
 SOON, OFTEN = 300, 100
-"""Milliseconds until it comes, and between two looks at how far it is."""
+"""Milliseconds until the card appears, and between two updates."""
 
 
 class OpeningCard(QWidget):
-    """Lies at the bottom of ``over`` while ``opening`` reads."""
+    """A card at the bottom of ``over`` while ``opening`` reads."""
 
     def __init__(self, opening: RecordingLoader, tokens: Tokens, over: QWidget) -> None:
         super().__init__(over)
@@ -39,18 +39,18 @@ class OpeningCard(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep its place when the part below it changes its size."""
+        """Stay in place when the widget below changes its size."""
         if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
             self._place()
         return super().eventFilter(watched, event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground, and a line as long as the part that is read."""
+        """Paint background and progress bar."""
         t, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(t.line2, 1))

@@ -1,4 +1,4 @@
-"""The body of a replay: the canvas lit as it was, facts, events, and the whole run in time."""
+"""The body of Replay mode: canvas, facts, events and timeline of a recorded run."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ FACTS = 380
 
 
 class ReplayCanvas(RunCanvas):
-    """The drawing of the recorded run; its arrows are no buttons."""
+    """The canvas of a recorded run. Its banner gives no advice, because nothing can be done."""
 
     def _trouble(self) -> str:
         run = self._run
@@ -38,7 +38,7 @@ class ReplayCanvas(RunCanvas):
 
 
 class _Held:
-    """The drawing that a replay belongs to: its own."""
+    """Stands for the drawing of a replay, which is the recorded blueprint itself."""
 
     def __init__(self, replay: Replay, nothing: Blueprint) -> None:
         self._replay, self._nothing = replay, nothing
@@ -51,10 +51,10 @@ class _Held:
 
 
 class ReplayPane(QWidget):
-    """Shows what ``replay`` shows."""
+    """Shows the recording and the moment of ``replay``."""
 
     said = Signal()
-    """Other ``words`` tell which moment is shown."""
+    """The result of ``words`` changed."""
 
     def __init__(
         self, replay: Replay, nothing: Blueprint, tokens: Tokens, parent: QWidget | None = None
@@ -76,7 +76,7 @@ class ReplayPane(QWidget):
         self.timeline.time_wanted.connect(replay.to_time)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for part in (self.canvas, self.facts, self.check, self.timeline):
             part.set_tokens(tokens)
@@ -114,7 +114,7 @@ class ReplayPane(QWidget):
         if status is None or blueprint is None or replay.recording is None:
             return
         self.canvas.refresh()
-        # How old a reading was is in no record, only when it changed.
+        # A log says when a reading changed, but not how old it was.
         self.facts.show_rows(as_they_were(fact_rows(blueprint, status)))
         check = status.check or last_check(blueprint, status, lost=False)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
@@ -125,7 +125,7 @@ class ReplayPane(QWidget):
 
     @property
     def words(self) -> Words:
-        """Short sentences for the status line."""
+        """The texts of the status line, for the left and the right side."""
         replay, recording = self._replay, self._replay.recording
         if recording is None:
             return (), ()
@@ -137,7 +137,7 @@ class ReplayPane(QWidget):
 
 
 def note_words(recording: Recording) -> str:
-    """What stands above a replay: what it is, and whether it can be trusted."""
+    """The note above a replay: what is shown, and whether the log could be verified."""
     when = str(recording.asked("wall_time") or "")[:19].replace("T", " ")
     said = [f"REPLAY of {recording.path.name}"]
     if when:

@@ -1,4 +1,4 @@
-"""Replaying in a window: which recording is opened, and what F5, F6 and F10 do meanwhile."""
+"""The replay of a window: opening a recording, its pane, and its transport."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ KINDS = f"Recorded runs (*{SUFFIX});;All files (*)"
 
 
 class ReplayVerbs(QObject):
-    """The replay of a window: ``pane`` is its body, ``transport`` its row of the mode bar."""
+    """The replay of a window. ``pane`` is its body, ``transport`` its row of the mode bar."""
 
     opened = Signal()
-    """A recording is there to be shown."""
+    """A recording was opened."""
     closed = Signal()
-    """It was let go of."""
+    """The recording was closed."""
     refused = Signal(object)
     """A StudioError: the recording cannot be shown."""
 
@@ -62,7 +62,7 @@ class ReplayVerbs(QObject):
         return self.replay.recording is not None
 
     def open(self, path: Path | None = None) -> None:
-        """Show a recording (asking which), as soon as it is read."""
+        """Show a recording when it has been read; without ``path`` ask for one."""
         if path is None:
             start = str(self._folder if self._folder.is_dir() else Path.home())
             name, _ = QFileDialog.getOpenFileName(self._window, "Open recording", start, KINDS)
@@ -72,19 +72,19 @@ class ReplayVerbs(QObject):
         self.opening.open(path, self._drawn())
 
     def close(self) -> None:
-        """Let go of the recording."""
+        """Close the recording."""
         if self.is_open:
             self.replay.pause()
             self.closed.emit()
             self.replay.show(None)
 
     def stop(self) -> None:
-        """The window goes away: nobody waits for a recording any more."""
+        """End all work, because the window closes."""
         self.replay.pause()
         self.opening.stop()
 
     def fill(self, menu: QMenu) -> None:
-        """The newest recordings of the user's folder."""
+        """Fill a menu with the newest recordings of the user's folder."""
         menu.clear()
         for path in recordings_in(self._folder):
             words = as_it_is(recording_words(path))
@@ -93,7 +93,7 @@ class ReplayVerbs(QObject):
             menu.addAction("No run was recorded yet").setEnabled(False)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.transport.set_tokens(tokens)
         self.pane.set_tokens(tokens)
         self.card.set_tokens(tokens)

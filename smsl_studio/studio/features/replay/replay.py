@@ -1,4 +1,4 @@
-"""One recorded run being shown: which moment, whether it plays, how fast. It commands nothing."""
+"""Replay: one recorded run, the present moment in it, whether it plays, and how fast."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ NOTHING = Story(RunMoment(), RunHistory())
 
 
 class Replay(QObject):
-    """Reads like a run (see ``ShownRun``) of which nothing can be commanded.
+    """A ``ShownRun`` that cannot be commanded.
 
-    ``index`` is how many events have happened, ``time`` the simulated seconds that are shown: while
-    it plays they go on between two events as well.
+    ``index`` is the number of events that have happened. ``time`` is the shown simulated time in
+    seconds. While the replay plays, it also advances between two events.
     """
 
     changed = Signal()
-    """Another moment is shown, or another recording."""
+    """The moment or the recording changed."""
     opened = Signal()
-    """Another recording is shown, from its beginning; or none."""
+    """Another recording is shown from its beginning, or none."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -44,60 +44,60 @@ class Replay(QObject):
 
     @property
     def blueprint(self) -> Blueprint | None:
-        """The blueprint that the recorded run had; None without a recording."""
+        """The blueprint of the recorded run; None without a recording."""
         return self.recording.blueprint if self.recording is not None else None
 
     @property
     def shown(self) -> bool:
-        """Whether a recording is there."""
+        """Whether there is a recording."""
         return self.recording is not None
 
     @property
     def foreign(self) -> bool:
-        """A replay has no drawing beside it but its own."""
+        """False: a replay has no other drawing."""
         return False
 
     def is_another(self, drawn: Blueprint) -> bool:
-        """The same: what is shown is what was recorded."""
+        """False: what is shown is what was recorded."""
         return False
 
     @property
     def exists(self) -> bool:
-        """Nothing that is over can be commanded."""
+        """False: a recorded run cannot be commanded."""
         return False
 
     @property
     def phase(self) -> str:
-        """What the run did at this moment, in one word; empty without a recording."""
+        """The phase of the run at this moment in one word; empty without a recording."""
         return self.story.moment.phase if self.recording is not None else ""
 
     @property
     def sentence(self) -> str:
-        """Why the run stood as it did at this moment."""
+        """Why the run held or ended at this moment."""
         return self.story.moment.sentence
 
     @property
     def index(self) -> int:
-        """How many events have happened at this moment."""
+        """The number of events that have happened at this moment."""
         return self.story.moment.index
 
     @property
     def count(self) -> int:
-        """How many events the recording has."""
+        """The number of events in the recording."""
         return len(self.recording.playback) if self.recording is not None else 0
 
     @property
     def end(self) -> float:
-        """When the recording ends, in simulated seconds."""
+        """The end of the recording in simulated seconds."""
         return self.recording.playback.end if self.recording is not None else 0.0
 
     @property
     def playing(self) -> bool:
-        """Whether time goes on by itself."""
+        """Whether the replay plays."""
         return self._clock.isActive()
 
     def show(self, recording: Recording | None) -> None:
-        """Show another recording from where it begins; None: none."""
+        """Show a recording from its beginning; None shows none."""
         self._clock.stop()
         self.recording = recording
         self.status, self.story, self.time = None, NOTHING, 0.0
@@ -105,7 +105,7 @@ class Replay(QObject):
         self.to_time(0.0)
 
     def play(self) -> None:
-        """Go on; from the end it begins again."""
+        """Play; from the end it begins again."""
         if self.recording is None:
             return
         if self.index >= self.count:
@@ -115,19 +115,19 @@ class Replay(QObject):
         self.changed.emit()
 
     def pause(self) -> None:
-        """Stay at this moment."""
+        """Pause at the present moment."""
         self._clock.stop()
         self.changed.emit()
 
     def turn(self) -> None:
-        """Play where it rests, rest where it plays."""
+        """Pause if it plays, else play."""
         if self.playing:
             self.pause()
         else:
             self.play()
 
     def step(self, events: int = 1) -> None:
-        """So many events on, or back; a replay that plays rests there."""
+        """Go so many events forward, or back if negative, and pause there."""
         self._clock.stop()
         self.to_index(self.index + events)
 
@@ -138,14 +138,14 @@ class Replay(QObject):
             self._show(moment, moment.time)
 
     def to_time(self, time: float) -> None:
-        """Show the run at a simulated second."""
+        """Show the run at a simulated time in seconds."""
         if self.recording is not None:
             time = min(max(time, 0.0), self.end)
             playback = self.recording.playback
             self._show(playback.at(playback.index_at(time)), time)
 
     def set_speed(self, speed: float) -> None:
-        """Simulated seconds per wall second."""
+        """Set the simulated seconds per wall second."""
         self.speed = speed
 
     def _show(self, moment: RunMoment, time: float) -> None:

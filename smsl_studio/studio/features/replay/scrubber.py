@@ -1,4 +1,4 @@
-"""The scrubber: the whole of a recorded run as one line, marked where something happened."""
+"""The scrubber: a recorded run as one line with marks for what happened."""
 
 from __future__ import annotations
 
@@ -14,15 +14,18 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import Tokens
 
 HIGH, EDGE, LINE = 32, 8.0, 4.0
-"""Pixels: its height, what is left free at its ends, and the thickness of its line."""
+"""Height, free space at both ends, and thickness of the line (pixels)."""
 SIZES = {COMMIT: 4.0, PERSON: 6.0, FAULT: 8.0, HELD: 10.0}
-"""How far a mark reaches above its line: the graver, the further. Their colours differ as well."""
+"""Height of each kind of mark (pixels): the more serious, the taller. The colours differ too."""
 STEP = 0.01
-"""The share of the run that an arrow key goes on."""
+"""The share of the run by which an arrow key moves."""
 
 
 class Scrubber(QWidget):
-    """A press or a drag goes to a simulated second; arrows, Home and End do as well."""
+    """A slider over time.
+
+    A press, a drag, arrows, Home and End emit ``time_wanted`` (simulated seconds).
+    """
 
     time_wanted = Signal(float)
 
@@ -43,36 +46,36 @@ class Scrubber(QWidget):
         return QSize(320, HIGH)
 
     def show_run(self, end: float, marks: Iterable[tuple[float, str]]) -> None:
-        """Another run, so long (simulated s), with its marks in order of time."""
+        """Show another run: its end (simulated seconds), and its marks in order of time."""
         self._end, self._marks = end, {}
         for time, kind in marks:
             self._marks.setdefault(kind, []).append(time)
         self.update()
 
     def show_time(self, time: float) -> None:
-        """Show the moment at this time, in simulated seconds."""
+        """Show this moment (simulated seconds)."""
         if time != self._time:
             self._time = time
             self.setAccessibleDescription(plain_text(f"{time:.2f} of {self._end:.2f} s"))
             self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Ask for the time under the pointer."""
+        """Emit the time under the pointer."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._go(event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Ask for the time under the pointer while it is dragged."""
+        """Emit the time under the pointer during a drag."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._go(event.position())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows and page keys ask for a time nearby, Home and End for the ends."""
+        """Arrows and page keys move by a part of the run, Home and End to its ends."""
         by = {Qt.Key.Key_Left: -STEP, Qt.Key.Key_Right: STEP, Qt.Key.Key_PageUp: -10 * STEP,
               Qt.Key.Key_PageDown: 10 * STEP, Qt.Key.Key_Home: -1.0, Qt.Key.Key_End: 1.0,
               }.get(Qt.Key(event.key()))  # fmt: skip
@@ -82,7 +85,7 @@ class Scrubber(QWidget):
         self.time_wanted.emit(min(max(self._time + by * self._end, 0.0), self._end))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the line, the marks and the moment that is shown."""
+        """Paint the line, the marks and the present moment."""
         t, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         middle, here = self.height() - 11.0, self._x(self._time)
@@ -105,7 +108,7 @@ class Scrubber(QWidget):
         painter.end()
 
     def _paint_marks(self, painter: QPainter, kind: str, middle: float) -> None:
-        """One line for every pixel that has a mark, however many there are."""
+        """Paint at most one mark of a kind on each pixel."""
         times = self._marks.get(kind, [])
         painter.setPen(QPen(self._colour(kind), 2))
         at = 0

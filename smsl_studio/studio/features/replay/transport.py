@@ -1,4 +1,4 @@
-"""The transport of a replay: a scrubber with marks, play, steps and speed. It commands nothing."""
+"""The transport of a replay: scrubber, play, steps and speed."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from smsl_studio.studio.features.replay.scrubber import Scrubber
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "16×": 16.0, "64×": 64.0}
 MARK = "REPLAY"
 WIDE, NARROW = 1140, 780
-"""Pixels from which buttons have their words, and from which the phase is shown beside them."""
+"""Widths (pixels) from which buttons have words, and from which the phase is shown."""
 
 
 class ReplayTransport(QWidget):
-    """A row for the mode bar."""
+    """The row of Replay mode in the mode bar."""
 
     close_wanted = Signal()
 
@@ -67,12 +67,12 @@ class ReplayTransport(QWidget):
         self._connect()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for part in (self.scrubber, self.back, self.step, self.play):
             part.set_tokens(tokens)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The scrubber keeps its room: where there is little, the others say less."""
+        """Keep room for the scrubber: in a narrow bar the other parts are shorter or hidden."""
         super().resizeEvent(event)
         for button in (self.back, self.step, self.play):
             button.set_short(self.width() < WIDE)

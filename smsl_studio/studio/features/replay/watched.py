@@ -1,4 +1,4 @@
-"""What the keys of a run reach: the run of the window, or the replay while that is shown."""
+"""The target of the keys of a run: the replay in Replay mode, else the run of the window."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.studio.running.run_actions import RunActions
 
 
 class Watched:
-    """A transport: it asks of the replay what is asked while Replay mode is shown."""
+    """Passes actions on to the replay in Replay mode, else to the run."""
 
     def __init__(self, run: RunActions, replay: ReplayActions, mode: Callable[[], str]) -> None:
         self._run, self._replay, self._mode = run, replay, mode
@@ -19,7 +19,7 @@ class Watched:
         return self._mode() == "replay"
 
     def play(self) -> None:
-        """Play or pause the replay; else let the run go on."""
+        """Play or pause the replay; else continue the run."""
         if self._replays:
             self._replay.turn()
         else:
@@ -33,12 +33,12 @@ class Watched:
             self._run.pause()
 
     def step(self) -> None:
-        """Go to the next step of the replay; else do one operation of the run."""
+        """Go to the next event of the replay; else carry out one operation of the run."""
         if self._replays:
             self._replay.step()
         else:
             self._run.step()
 
     def show_monitor(self) -> None:
-        """Show the monitor page of the run, in Replay mode too."""
+        """Show the monitor page of the run, also in Replay mode."""
         self._run.show_monitor()

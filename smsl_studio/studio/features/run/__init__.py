@@ -1,1 +1,1 @@
-"""The run pane: a frozen blueprint under the dispatcher, seen from every side."""
+"""Run mode: one run with its canvas, world, facts, possible operations and timeline."""

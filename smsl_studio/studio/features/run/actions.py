@@ -1,4 +1,4 @@
-"""The Run menu."""
+"""The actions of a run: play, step, pause, stop, monitor, plugins."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from smsl_studio.studio.running.run_actions import RunActions
 
 
 def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
-    """The rows of the Run menu that play, step, pause and stop."""
+    """The rows for the Run menu, and the monitor for the View menu."""
 
     def play() -> None:
-        """Show the run and let it go on."""
+        """Show the run and continue it."""
         watch()
         run.play()
 
     def step() -> None:
-        """Show the run and do one operation."""
+        """Show the run and carry out one operation."""
         watch()
         run.step()
 
     def watch() -> None:
-        """Who supervises or watches a replay goes on with it; anybody else sees the run."""
+        """Switch to Run mode, unless Supervise or Replay mode is shown."""
         if shell.mode not in ("supervise", "replay"):
             shell.set_mode("run")
 

@@ -1,4 +1,4 @@
-"""An orbit camera: where the world is looked at from. Angles in radians, metres, z up."""
+"""An orbit camera for the world. Angles in radians, lengths in metres, z up."""
 
 from __future__ import annotations
 
@@ -33,7 +33,10 @@ class WorldCamera:
         return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
 
     def orbited(self, right: float, up: float) -> WorldCamera:
-        """Turned around the target; the eye stays above the table and off the pole."""
+        """The camera turned around its target.
+
+        It stays above the table and does not pass the top.
+        """
         elevation = min(max(self.elevation + up, 0.03), pi / 2 - 0.02)
         return replace(self, azimuth=self.azimuth - right, elevation=elevation)
 
@@ -42,7 +45,7 @@ class WorldCamera:
         return replace(self, distance=min(max(self.distance * factor, 0.15), 8.0))
 
     def panned(self, right: float, up: float) -> WorldCamera:
-        """The target moved in the plane of the picture, in metres."""
+        """The camera with its target moved in the plane of the picture (metres)."""
         side = np.array((-sin(self.azimuth), cos(self.azimuth), 0.0))
         high = np.array(
             (
@@ -55,7 +58,7 @@ class WorldCamera:
         return replace(self, target=(float(x), float(y), float(z)))
 
     def view_projection(self, aspect: float) -> Matrix:
-        """World to clip space, row-major; ``aspect`` is width over height."""
+        """The row-major (4, 4) matrix from world to clip space; ``aspect`` is width over height."""
         forward = np.array(self.target) - self.eye
         forward /= np.linalg.norm(forward)
         side = np.cross(forward, (0.0, 0.0, 1.0))
@@ -76,7 +79,7 @@ class WorldCamera:
     def project(
         self, point: tuple[float, float, float], width: float, height: float
     ) -> tuple[float, float] | None:
-        """Where a world point appears in a picture of that size; None behind the eye."""
+        """The pixel of a world point in a picture of this size; None if it is behind the camera."""
         clip = self.view_projection(width / max(height, 1.0)) @ np.array((*point, 1.0))
         if clip[3] <= 0:
             return None

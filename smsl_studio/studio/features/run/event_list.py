@@ -1,4 +1,4 @@
-"""The events of a run in words, newest last; a click jumps to what it is about."""
+"""The events of a run in words, the newest last; a click jumps to the element of an event."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from smsl_studio.studio.base.tips import tip_text
 
 QUIET = (run.FactChanged,)
 LONGEST = 5000
-"""Lines kept in the list; the log keeps them all."""
+"""The most lines in the list; the log has all events."""
 
 
 class EventList(QListWidget):
-    """One line an event: its time and what happened."""
+    """A line for each event: its simulated time and what happened."""
 
     jump_wanted = Signal(object)
-    """The address a clicked line is about."""
+    """Address: the person clicked a line about this element."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,7 +37,7 @@ class EventList(QListWidget):
         self.itemClicked.connect(self._jump)
 
     def add_events(self, events: tuple[run.Event, ...]) -> None:
-        """Append; the list stays at its end if it stood there."""
+        """Append events. The list stays scrolled to its end if it was there."""
         bar = self.verticalScrollBar()
         at_end = bar.value() >= bar.maximum() - 4
         for event in events:

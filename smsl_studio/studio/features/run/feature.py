@@ -1,4 +1,4 @@
-"""The run as one feature: its pane, and the world that waits for the next run."""
+"""The run as a feature: its pane, and a world kept ready for the next run."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
     from smsl_studio.studio.features.run.spare_world import SpareWorld, Wanted
 
 PATIENCE = 3000
-"""Milliseconds that a run may take to stand still before its window closes all the same."""
+"""Milliseconds that a closing window waits for its run to stop."""
 
 
 class RunFeature(Feature):
-    """Run mode. ``asked`` is what the keys of a run reach.
+    """Run mode. ``asked`` gets the actions of a run.
 
-    The pane is made when somebody first runs something or shows the mode; before that there is no
-    run of which anything could be asked.
+    The pane is made when somebody runs something or shows the mode for the first time. Before that
+    there is no run.
     """
 
     def __init__(self, parts: WindowParts, shell: Shell, spare: Spare | None) -> None:
@@ -39,7 +39,7 @@ class RunFeature(Feature):
         self._loaded: Loaded | None = None
         self.asked: RunActions = self
         self.shown_elsewhere: Callable[[], bool] = lambda: False
-        """Whether a neighbour shows a page in which a run can begin."""
+        """Tells whether another feature shows a page in which a run can begin."""
         self.part = LatePart(self._make)
         self.pages = {"run": self._page}
 
@@ -50,7 +50,7 @@ class RunFeature(Feature):
 
     @property
     def warming(self) -> SpareWorld:
-        """What has the next run's world stand ready."""
+        """The object that keeps the world of the next run ready."""
         self.part()
         return self._warming
 
@@ -77,13 +77,13 @@ class RunFeature(Feature):
         return pane
 
     def actions(self) -> tuple[Action, ...]:
-        """The Run menu."""
+        """The rows about a run."""
         return run_actions(self.asked, self._shell.program, self._shell)
 
-    # What the keys of a run ask for.
+    # What the actions of a run ask for.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that waits."""
+        """Start a run, or continue the present one."""
         self.pane.play()
 
     def pause(self) -> None:
@@ -92,22 +92,22 @@ class RunFeature(Feature):
             self.part.made.pause()
 
     def step(self) -> None:
-        """One operation, then pause; without a run, begin one."""
+        """Carry out one operation, then pause; without a run, begin one."""
         self.pane.step()
 
     def show_monitor(self) -> None:
         """Show the monitor page."""
         self.pane.show_monitor()
 
-    # What the shell asks of it.
+    # What the shell needs.
 
     def mode_shown(self) -> None:
-        """Another mode is shown: a run may begin in it."""
+        """Prepare a world, because a run may begin in the mode that is shown now."""
         if self.part.made is not None:
             self.warming.soon()
 
     def keep_warm(self, spare: Spare | None) -> None:
-        """Have the next run's world stand ready while a mode is shown in which it can begin."""
+        """Use this spare process for the worlds of the next runs; None keeps none ready."""
         self._spare = spare
         if self.part.made is not None:
             self.warming.spare = self.part.made.run.spare = spare
@@ -117,25 +117,25 @@ class RunFeature(Feature):
         return self.pane.next.wanted if shown else None
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
-        """Offer their worlds, once they were looked for."""
+        """Offer the worlds of the plugins, once these were searched for."""
         if known:
             self._loaded = loaded
             if self.part.made is not None:
                 self.part.made.set_plugins(loaded)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)
 
     def stop_run(self) -> None:
-        """A controlled stop of the run, where there is one."""
+        """Stop the run under control, if there is one."""
         if self.part.made is not None:
             self.part.made.stop()
 
     def may_leave(self, ask: Callable[[str], bool]) -> bool:
-        """Whether the run may end with the window: there is none, or the person agrees."""
+        """Whether the window may close: there is no run, or the person agrees to end it."""
         run = self.part.made.run if self.part.made is not None else None
         if run is None or not run.exists or run.blueprint is None or run.choice is None:
             return True
@@ -143,7 +143,7 @@ class RunFeature(Feature):
         return ask(f"The run of {file} in {run.choice.world} has not ended.")
 
     def stop(self) -> None:
-        """Stop the run, wait until it stands or ``PATIENCE`` is over, and let go of it."""
+        """Stop the run, wait until it has stopped or ``PATIENCE`` is over, and release it."""
         pane = self.part.made
         if pane is None:
             return
@@ -152,7 +152,7 @@ class RunFeature(Feature):
             wait = QEventLoop(pane)
 
             def look() -> None:
-                """End the wait once the run has stopped."""
+                """End the wait when the run has stopped."""
                 if run.phase == "stopped":
                     wait.quit()
 

@@ -1,4 +1,4 @@
-"""The next run: what the transport's choices come to, and when they are those of the run shown."""
+"""The next run: what a person has chosen for it in the transport."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ Wanted = tuple[Blueprint, str, int, Loaded]
 
 
 class NextRun:
-    """Fills the choices of ``transport`` from the drawing, and reads them.
+    """Offers choices from the drawing in ``transport``, and reads what is chosen.
 
-    While a run exists, and while the results of another version than the drawing are shown, the
-    choices are those of that run and cannot be changed. ``loaded`` are the plugins as they were
-    found last; None while nobody knows.
+    While a run exists, or results of another version than the drawing are shown, the choices are
+    those of that run and are locked. ``loaded`` are the plugins found last; None until they are
+    known.
     """
 
     def __init__(
@@ -31,8 +31,10 @@ class NextRun:
 
     @property
     def wanted(self) -> Wanted | None:
-        """Blueprint, world, seed and plugins of the run that Play would begin; None where there is
-        none."""
+        """Blueprint, world, seed and plugins of the run that Play would begin.
+
+        None if there would be none.
+        """
         world = self._transport.world.currentData()
         if self._run.exists or self.loaded is None or self._session.broken is not None or not world:
             return None
@@ -43,7 +45,7 @@ class NextRun:
 
     @property
     def choice(self) -> RunChoice:
-        """What the next run is, as it is chosen now."""
+        """The present choice for the next run."""
         transport = self._transport
         return RunChoice(
             world=transport.world.currentData(),
@@ -60,11 +62,11 @@ class NextRun:
         return self._run.exists or self._run.is_another(self._session.blueprint)
 
     def forget_offer(self) -> None:
-        """Another drawing, or other plugins: what can be chosen is looked up anew."""
+        """Compute the offered choices again, because the drawing or the plugins changed."""
         self._offered = False
 
     def offer(self) -> None:
-        """Have the transport offer what fits: the drawing's choices, else those of the run."""
+        """Offer the choices of the drawing, or show and lock those of the run."""
         if self.is_fixed:
             choice = self._run.choice
             if choice is not None:

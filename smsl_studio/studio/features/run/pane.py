@@ -1,4 +1,4 @@
-"""The run pane: canvas, world, facts, what is possible now, and the timeline of one run."""
+"""The body of Run mode: canvas, world, facts, possible operations and timeline of one run."""
 
 from __future__ import annotations
 
@@ -48,30 +48,30 @@ from smsl_studio.studio.running.status_words import Words, status_words
 from smsl_studio.studio.running.timeline import Timeline
 
 FACTS = 380
-"""The least width of the facts, so that their words are not cut."""
+"""The smallest width of the facts, so that their words are not cut (pixels)."""
 FRAME = 33
 """Milliseconds between two pictures of the world."""
 
 
 class RunPane(QWidget):
-    """The body of Run mode. ``transport`` is a row for the mode bar.
+    """The body of Run mode. ``transport`` is its row of the mode bar.
 
-    ``play``, ``pause``, ``step`` and ``stop`` are what the keys F5, F6, F10 and F8 call; they work
-    in every mode.
+    The keys F5, F6, F10 and F8 call ``play``, ``pause``, ``step`` and ``stop`` in every mode.
     """
 
     run_exists = Signal(bool)
-    """Whether there is a run that can be stopped."""
+    """bool: whether there is a run that can be stopped."""
     said = Signal()
-    """Other ``words`` tell how the run stands."""
+    """The result of ``words`` changed."""
     reset_wanted = Signal()
-    """A stop shall be unlatched, and what is shown instead of this has to ask for it."""
+    """The person wants to reset a stopped run while this pane is hidden, so the visible page
+    must ask."""
     monitor_wanted = Signal()
-    """What is known of every sensor shall be shown beside the window, or no longer."""
+    """Show or hide the monitor page."""
     named = Signal()
-    """``other`` may be another one than it was."""
+    """The result of ``other`` may have changed."""
     moved = Signal(object, str)
-    """(active state of every SB, SB in which an operation runs): empty where there is no run."""
+    """(active state of every SB, SB in which an operation runs); empty without a run."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -91,7 +91,7 @@ class RunPane(QWidget):
         self._asked = False
         self._begin_later: bool | None = None
         self.recordings: Callable[[], Path | None] = lambda: None
-        """The folder into which runs are recorded; None: they are not."""
+        """Returns the folder for recordings; None if runs are not recorded."""
         self._build()
         self._connect()
         self._frames = QTimer(self)
@@ -101,15 +101,17 @@ class RunPane(QWidget):
 
     @property
     def words(self) -> Words:
-        """Short sentences for the status line, for its left and its right: how the run stands."""
+        """The texts of the status line, for the left and the right side."""
         return status_words(self.run, self.transport.speed.currentData(), self.canvas.moved_on)
 
     # What is asked of the run.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that is paused, holds or waits for a hand. One that is
-        about to pause goes on from there. Of one that is stopped it is asked whether it shall be
-        reset."""
+        """Start a run, or continue one that is paused, holds, or waits for a choice by hand.
+
+        A run that is about to pause continues from there. For a stopped run the person is asked
+        whether to reset it.
+        """
         if self.run.phase == "stopped" and self.run.exists:
             self._ask_reset()
         elif not self.run.exists:
@@ -133,36 +135,35 @@ class RunPane(QWidget):
         self.run.pause()
 
     def step(self) -> None:
-        """One operation, then pause; starts the run where there is none."""
+        """Carry out one operation, then pause; without a run, begin one."""
         if self.run.exists:
             self.run.step()
         else:
             self._begin(stepping=True)
 
     def stop(self) -> None:
-        """A controlled stop, from anywhere."""
+        """Stop the run under control."""
         self.run.stop()
 
     def ask(self, address: Address) -> None:
-        """Have one operation carried out by hand; where it may not be, the reason is said."""
+        """Have one operation carried out by hand. If it is refused, the canvas shows why."""
         if self.run.exists:
             self.run.ask(address)
         else:
             self.canvas.say("Nothing runs. Play or Step starts a run")
 
     def show_monitor(self) -> None:
-        """Show every sensor, fact, node and state check of the run, in a window beside it; where
-        that is in front already, close it."""
+        """Show the monitor page; close it if it is in front already."""
         self.monitor_wanted.emit()
 
     def shut(self) -> None:
-        """End the run and free what it holds; for closing the window."""
+        """End the run and free what it holds, because the window closes."""
         self._frames.stop()
         self.run.close()
         self.world.close_graphics()
 
     def set_plugins(self, loaded: Loaded) -> None:
-        """The plugins were found: worlds can be offered, and what waited for that begins."""
+        """Offer the worlds of the plugins, and begin a run that waited for them."""
         self.next.loaded = loaded
         self.next.forget_offer()
         if self.isVisible() or self._begin_later is not None:
@@ -172,7 +173,7 @@ class RunPane(QWidget):
             self._begin(stepping)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for part in (self.transport, self.canvas, self.world, self.facts, self.check):
             part.set_tokens(tokens)
@@ -185,13 +186,13 @@ class RunPane(QWidget):
 
     @property
     def other(self) -> str:
-        """The file of the run that is shown where another one is drawn; else the empty text."""
+        """The file of the shown run, if it is not the file of the drawing; else empty."""
         run = self.run
         shown = run.foreign and run.shown and run.blueprint is not None
         return Path(run.blueprint.file).name if shown and run.blueprint is not None else ""
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Offer what can be done next."""
+        """Offer the choices for the next run."""
         super().showEvent(event)
         self.next.offer()
 
@@ -203,7 +204,7 @@ class RunPane(QWidget):
             self.run.forget()
         self.next.offer()
         if self.next.loaded is None:
-            # Where the plugins are still being looked at nobody knows which worlds there are.
+            # The worlds are not known before the plugins were searched for.
             self._begin_later = stepping
             self.canvas.say("Looking at the plugins, the run begins when they are known")
             return
@@ -295,13 +296,15 @@ class RunPane(QWidget):
     # What is shown.
 
     def file_asked(self) -> None:
-        """Another file shall be opened; until it is, questions may stay open for long."""
+        """Note that another file will be opened; questions may take long until then."""
         self._asked = self.run.exists
 
     def _another_file(self) -> None:
-        """What was shown of another file's run says nothing about this one. A run that was there
-        when the file was asked for is shown on, also when it has ended meanwhile; and the outline,
-        which shows the new file, no longer speaks of it."""
+        """Drop what was shown of a run of the former file.
+
+        A run that existed when the file was asked for stays visible, even if it has ended since.
+        The outline shows the new file, so it no longer shows that run.
+        """
         self.run.foreign = self.run.exists or (self._asked and self.run.shown)
         self._asked = False
         if not self.run.foreign:
@@ -310,7 +313,7 @@ class RunPane(QWidget):
         self._refresh()
 
     def show_drawing(self) -> None:
-        """Let go of the results of a run that is over, and show what is drawn."""
+        """Drop the results of a run that is over, and show the drawing."""
         self.events.clear()
         self.world.clear()
         self._world_name.setText("")

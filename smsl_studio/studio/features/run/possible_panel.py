@@ -1,4 +1,5 @@
-"""Possible now, with what may be done about it in Run: why it holds and the offers, and pruning."""
+"""The panel Possible now: the list, the card of a run that holds, and the question about
+pruning."""
 
 from __future__ import annotations
 
@@ -18,10 +19,13 @@ from smsl_studio.studio.running.run_session import RunSession
 
 
 class PossiblePanel(QWidget):
-    """The list, and above it a card while the run holds, and the line in which one prunes."""
+    """The list of possible operations.
+
+    Above it are the hold card and the confirmation of a decision.
+    """
 
     chosen = Signal(object)
-    """The address of a permitted operation that a person chose."""
+    """Address: the person chose this permitted operation."""
 
     def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -36,7 +40,7 @@ class PossiblePanel(QWidget):
         inset.addWidget(self.asking)
         inner = QWidget()
         inner.setLayout(inset)
-        # It scrolls rather than push the panels around it away.
+        # It scrolls, so that it does not push the panels around it away.
         self._above = Room(inner)
         self._above.hide()
         column = QVBoxLayout(self)
@@ -52,11 +56,14 @@ class PossiblePanel(QWidget):
         self.asking.dropped.connect(self._fit)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.list.set_tokens(tokens)
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
-        """Follow the run: the rows, whether they may be chosen, and what is said without any."""
+        """Show the rows.
+
+        ``by_hand`` says whether they can be chosen, ``empty`` is shown without rows.
+        """
         decision = self.asking.decision
         open_ones = [row.address for row in rows if row.kind in PRUNABLE]
         if (
@@ -69,7 +76,7 @@ class PossiblePanel(QWidget):
         self.list.show_rows(rows, by_hand, empty)
 
     def row_widgets(self) -> list[QWidget]:
-        """The lines of the list in order."""
+        """The widgets of the rows in order."""
         return self.list.row_widgets()
 
     def _ask_prune(self, address: Address) -> None:
@@ -78,13 +85,13 @@ class PossiblePanel(QWidget):
             self.ask(decisions.prune(address, status))
 
     def ask(self, decision: Decision) -> None:
-        """Ask once more; Enter does it, as in Supervise."""
+        """Ask for confirmation of a decision; Enter confirms, as in Supervise mode."""
         self.asking.show_decision(decision)
         self._fit()
         self.asking.take_focus()
 
     def _offers(self, decision: Decision) -> bool:
-        """Whether that may still be done about a run that holds or is stopped."""
+        """Whether the decision is still among the offers of a run that holds or is stopped."""
         status = self._run.status
         if status is None or not self._run.exists:
             return False
@@ -102,6 +109,6 @@ class PossiblePanel(QWidget):
         if self.asking.decision is None:
             self.hold.show_status(self._run.status, self._run.exists)
         else:
-            # What is asked stands in the place of what led to it, so that it is in sight.
+            # The question takes the place of the card that led to it, so that it is visible.
             self.hold.hide()
         self._above.setVisible(not self.hold.isHidden() or not self.asking.isHidden())

@@ -1,7 +1,7 @@
-"""Poses to a picture: moderngl draws the world off screen, Qt shows the image.
+"""From poses to a picture: moderngl draws the world off screen, and Qt shows the image.
 
-One buffer a shape, sent once; a frame sends one matrix a shape. Where no OpenGL is to be had,
-``open_renderer`` says why and the pane goes on without a picture.
+Each shape has one buffer, sent once. A frame sends one matrix for each shape. Without OpenGL
+``open_renderer`` returns the reason, and the pane shows no picture.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from smsl_studio.studio.features.run.camera import WorldCamera
 from smsl_studio.world.protocol import Shape
 
 CREASE = 0.75
-"""Cosine of the angle between faces above which an edge is drawn smooth."""
+"""Two faces are shaded smoothly across their edge if the cosine between their normals is above
+this."""
 
 _VERTEX = """
 #version 330
@@ -79,8 +80,10 @@ void main() {
 
 @dataclass(frozen=True)
 class RenderStyle:
-    """How a picture is made: its size in physical pixels, its theme, and whether edges are smooth,
-    which takes software renderers three times as long."""
+    """Size in physical pixels, theme, and whether edges are antialiased (``fine``).
+
+    Antialiasing makes software rendering three times as slow.
+    """
 
     width: int
     height: int
@@ -105,10 +108,10 @@ class _Program:
 
 
 class Renderer:
-    """Draws shapes at poses into images of any size. Not for use from two threads.
+    """Draws shapes at poses into images of any size. Use it from one thread only.
 
-    Every window has a context of its own, and OpenGL draws into whichever is current: each verb
-    makes its own the current one.
+    Each window has its own OpenGL context. OpenGL draws into the current context, so each method
+    first makes its own context current.
     """
 
     def __init__(self, context: moderngl.Context) -> None:
@@ -121,13 +124,13 @@ class Renderer:
         )
         self._shapes: list[tuple[Shape, moderngl.VertexArray, moderngl.VertexArray]] = []
         self._held: list[moderngl.VertexArray | moderngl.Buffer] = []
-        """What the shapes hold in the graphics card."""
+        """The buffers and arrays of the shapes in graphics memory."""
         self._size = (0, 0)
         self._smooth: moderngl.Framebuffer | None = None
         self._plain: moderngl.Framebuffer | None = None
 
     def load(self, shapes: Sequence[Shape]) -> None:
-        """Send the meshes; replaces what was loaded before."""
+        """Send the meshes of these shapes, in place of the former ones."""
         with self._gl:
             for old in self._held:
                 old.release()
@@ -135,7 +138,10 @@ class Renderer:
             self._shapes = [self._sent(shape) for shape in shapes]
 
     def draw(self, poses: Sequence[float], camera: WorldCamera, look: RenderStyle) -> QImage:
-        """The picture, premultiplied on transparent ground."""
+        """The picture with premultiplied alpha on a transparent background.
+
+        ``poses`` has 7 floats for each shape.
+        """
         with self._gl:
             return self._draw(poses, camera, look)
 
@@ -159,7 +165,7 @@ class Renderer:
         return image.flipped(Qt.Orientation.Vertical)
 
     def close(self) -> None:
-        """Release the OpenGL context; nothing can be drawn after that."""
+        """Release the OpenGL context. Nothing can be drawn after that."""
         self._gl.release()
 
     def _draw_ground(self, poses: Sequence[float], view: bytes, dark: bool) -> None:
@@ -217,7 +223,8 @@ class Renderer:
 
 
 def matrices(poses: Sequence[float]) -> NDArray[np.float32]:
-    """Row-major 4x4 matrices, one for every 7 floats (position, quaternion x, y, z, w)."""
+    """Row-major (n, 4, 4) matrices, one for each 7 floats (position in metres, quaternion x, y,
+    z, w)."""
     rows = np.asarray(poses, dtype=np.float64).reshape(-1, 7)
     x, y, z, w = rows[:, 3], rows[:, 4], rows[:, 5], rows[:, 6]
     out = np.zeros((len(rows), 4, 4))
@@ -230,7 +237,10 @@ def matrices(poses: Sequence[float]) -> NDArray[np.float32]:
 
 
 def normals(points: NDArray[np.float32]) -> NDArray[np.float32]:
-    """A normal for every corner of a triangle soup: smooth across faces that meet gently."""
+    """A normal for each corner of a list of triangles, (3 n, 3).
+
+    Edges between similar faces are smooth.
+    """
     if not len(points):
         return points
     corners = points.reshape(-1, 3, 3)
@@ -247,12 +257,12 @@ def normals(points: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def open_renderer() -> Renderer | str:
-    """A renderer, or the reason why there can be none here."""
+    """A renderer, or the reason why there is none."""
     reasons: list[str] = []
     choices: tuple[dict[str, Any], ...] = ({"backend": "egl"}, {})
     for options in choices:
         try:
             return Renderer(moderngl.create_standalone_context(require=330, **options))
-        except Exception as error:  # the driver decides what it raises; any of it means no GL
+        except Exception as error:  # a driver may raise anything, and all of it means no OpenGL
             reasons.append(str(error) or type(error).__name__)
     return "; ".join(dict.fromkeys(reasons))

@@ -1,4 +1,4 @@
-"""A world in waiting, so that the next run begins at once."""
+"""A world kept ready, so that the next run begins at once."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from smsl_studio.host.spare import Spare
 from smsl_studio.library.loaded import Loaded
 
 QUIET = 700
-"""Milliseconds without a change after which it is worth building a world."""
+"""Milliseconds without a change before a world is prepared."""
 
 Wanted = tuple[Blueprint, str, int, Loaded]
 
 
 class SpareWorld(QObject):
-    """Keeps a spare child ready for the run that the person would begin now.
+    """Prepares a spare process for the run that Play would begin.
 
-    ``wanted`` tells blueprint, world, seed and plugins of that run, None where there would be none.
-    Without a ``spare`` nothing is kept ready, and runs start their own children.
+    ``wanted`` returns blueprint, world, seed and plugins of that run, or None. Without a ``spare``
+    nothing is prepared, and each run starts its own process.
     """
 
     def __init__(self, wanted: Callable[[], Wanted | None], parent: QObject) -> None:
@@ -34,7 +34,7 @@ class SpareWorld(QObject):
         self._quiet.timeout.connect(self._warm)
 
     def soon(self) -> None:
-        """Something has changed: once it is quiet, have a world ready for it."""
+        """Prepare a world after some time without another change."""
         if self.spare is not None:
             self._quiet.start()
 

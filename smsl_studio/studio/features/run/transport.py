@@ -1,4 +1,4 @@
-"""The transport: what to run, how fast, and the buttons that play, step, pause and stop it."""
+"""The transport: choices for the next run, speed, and the buttons step, play, pause and stop."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from smsl_studio.studio.running.runner import FASTEST
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
 LONGEST = 150
 WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
-"""Pixels from which the choices have labels, buttons their words, the seed is shown, and choices
-are shown at all."""
+"""Widths (pixels) from which choices have labels, buttons have words, the seed is shown, and
+choices are shown at all."""
 
 
 class Transport(QWidget):
-    """A row for the mode bar. It knows no run: it offers choices and says what was pressed."""
+    """The row of Run mode in the mode bar. It offers choices and emits what was pressed."""
 
     play_wanted = Signal()
     pause_wanted = Signal()
@@ -85,16 +85,16 @@ class Transport(QWidget):
         starts: Sequence[tuple[str, str]],
         goals: Sequence[tuple[str, str]],
     ) -> None:
-        """Fill the choices with pairs (what is shown, address); the first one is the default.
+        """Fill the choices with pairs (text, address); the first is the default.
 
-        What a person chose is kept where it still exists.
+        A choice that a person made stays if it still exists.
         """
         _fill(self.world, [(name, name) for name in worlds])
         _fill(self.start, starts)
         _fill(self.goal, goals)
 
     def show_choice(self, world: str, start: str, goal: str, seed: int) -> None:
-        """Show what a run was begun with; an empty address is the first choice, the default."""
+        """Show what a run was begun with; an empty address is the default."""
         for combo, data in ((self.world, world), (self.start, start), (self.goal, goal)):
             at = combo.findData(data) if data else 0
             if at >= 0 and at != combo.currentIndex():
@@ -103,12 +103,12 @@ class Transport(QWidget):
             self.seed.settle(str(seed))
 
     def lock(self, locked: bool) -> None:
-        """While a run exists, what it started from cannot be changed."""
+        """Lock or unlock the choices. A run keeps those it was begun with."""
         for widget in (self.world, self.start, self.goal, self.seed):
             widget.setEnabled(not locked)
 
     def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
-        """Show how the run stands; ``exists`` says whether there is one to stop."""
+        """Show the phase of the run; ``exists`` says whether there is one to stop."""
         self.phase.show_phase(*phase_words(phase), tip)
         self.stop.setToolTip(
             tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
@@ -120,7 +120,7 @@ class Transport(QWidget):
         self._precedence.fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for button in (self.step, self.play, self.stop):
             button.set_tokens(tokens)
 
@@ -135,7 +135,7 @@ class Transport(QWidget):
         self.play.setToolTip(tip_text(tip))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where it is narrow, words give way before buttons; Stop never does."""
+        """In a narrow row first words are hidden, then buttons; Stop never is."""
         super().resizeEvent(event)
         wide = self.width()
         for words in self._labels:
@@ -192,7 +192,7 @@ class Transport(QWidget):
 
 
 class _Choice(Combo):
-    """A choice as wide as the longest of its words, within reason."""
+    """A combo box as wide as its longest entry, within limits."""
 
     def __init__(self, least: int, tip: str) -> None:
         super().__init__()
@@ -203,12 +203,12 @@ class _Choice(Combo):
         self.setMaximumWidth(LONGEST)
 
     def say(self) -> None:
-        """The tooltip has the whole of what is chosen, for where there is no room to show it."""
+        """Put the whole of the present choice into the tooltip."""
         chosen = self.currentText()
         self.setToolTip(tip_text(f"{self._tip}: {chosen}" if chosen else self._tip))
 
     def sizeHint(self) -> QSize:
-        """As wide as the longest entry, between the least and the greatest width."""
+        """The width of the longest entry, within limits."""
         metrics = self.fontMetrics()
         words = (self.itemText(at) for at in range(min(self.count(), 500)))
         widest = max((metrics.horizontalAdvance(text) for text in words), default=0) + 38
@@ -216,7 +216,10 @@ class _Choice(Combo):
 
 
 def _fill(combo: _Choice, items: Sequence[tuple[str, str]]) -> None:
-    """Replace the items; keeps a choice that was made and still exists, else takes the first."""
+    """Replace the items.
+
+    A choice that was made stays if it still exists, else the first is selected.
+    """
     before = combo.currentData() if combo.currentIndex() > 0 else None
     blocked = combo.blockSignals(True)
     combo.clear()

@@ -1,7 +1,7 @@
-"""The world as a picture drawn from poses, with an orbit camera under the mouse.
+"""The picture of the world, drawn from poses, with an orbit camera under the mouse.
 
-Drag turns, Shift-drag or the middle button pans, the wheel zooms, a double click comes back. Where
-no OpenGL is to be had the pane says so; the run goes on.
+A drag turns, Shift-drag or the middle button pans, the wheel zooms, a double click returns to the
+chosen view. Without OpenGL the pane says so, and the run goes on.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ from smsl_studio.studio.features.run.renderer import Renderer, RenderStyle, open
 from smsl_studio.world.protocol import Shape
 
 LIMIT = 0.025
-"""Wall seconds a smooth picture may take, so that all pictures are smooth."""
+"""If a smooth picture takes longer than this (wall seconds), moving pictures are rough."""
 REST = 160
-"""Milliseconds without a move after which a rough picture is made smooth."""
+"""Milliseconds without a move before a rough picture is drawn smooth."""
 
 
 class WorldView(QWidget):
-    """Shows shapes at poses. ``show_poses`` is cheap where nothing moved."""
+    """Shows shapes at poses. ``show_poses`` costs little if nothing moved."""
 
     drawn = Signal()
-    """A new picture is on the screen."""
+    """A new picture was drawn."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class WorldView(QWidget):
         self._frames: list[float] = []
         self._fine = self._quick = True
         self.patient = False
-        """Draw every picture with smooth edges, however long it takes."""
+        """Draw every picture smooth, however long it takes."""
         self._took = 0.0
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
@@ -69,16 +69,16 @@ class WorldView(QWidget):
 
     @property
     def has_picture(self) -> bool:
-        """Whether there is something to see: shapes, and a place to draw them."""
+        """Whether there are shapes and a renderer."""
         return bool(self._shapes) and isinstance(self._renderer, Renderer)
 
     @property
     def sentence(self) -> str:
-        """What is said in place of a picture; the empty text where there is one."""
+        """The text that is shown instead of a picture; empty if there is a picture."""
         return "" if self.has_picture and self._poses else self._sentence
 
     def load(self, shapes: Sequence[Shape], world: str) -> None:
-        """Show another world; without shapes it has nothing to draw and says so."""
+        """Show another world. Without shapes a sentence says that there is nothing to draw."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None
         if not shapes:
             self._sentence = (
@@ -94,13 +94,13 @@ class WorldView(QWidget):
         self.update()
 
     def clear(self) -> None:
-        """No run: say so."""
+        """Show that there is no run."""
         self.load((), "")
         self._sentence = "Starts with the run"
         self._status = ()
 
     def show_poses(self, poses: tuple[float, ...], status: Mapping[str, str]) -> None:
-        """Draw the newest poses, if they moved."""
+        """Draw these poses if they changed; ``status`` has the world's words for people."""
         words = tuple(f"{key.capitalize()} {value}".strip() for key, value in status.items())
         if words != self._status:
             self._status = words
@@ -111,27 +111,27 @@ class WorldView(QWidget):
             self._moving()
 
     def set_view(self, name: str) -> None:
-        """Look from one of the named places (``VIEWS``)."""
+        """Look from one of the named places in ``VIEWS``."""
         self._home = VIEWS[name]
         self._look(self._home)
 
     def come_back(self) -> None:
-        """Look from where the named place is again."""
+        """Return to the named place that was chosen."""
         self._look(self._home)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens, self._image = tokens, None
         self.update()
 
     def close_graphics(self) -> None:
-        """Free what OpenGL holds."""
+        """Release the OpenGL context."""
         if isinstance(self._renderer, Renderer):
             self._renderer.close()
         self._renderer = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the picture and its labels; without OpenGL or poses a sentence."""
+        """Paint the picture and its labels; without OpenGL or poses paint a sentence."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_sky(painter)
@@ -144,12 +144,12 @@ class WorldView(QWidget):
         self._paint_chips(painter)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin to turn or pan."""
+        """Begin to turn or pan the camera."""
         self._drag = event.position()
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Turn the camera; with Shift or the middle button pan it."""
+        """Turn the camera; pan it with Shift or the middle button."""
         if self._drag is None:
             return
         moved, self._drag = event.position() - self._drag, event.position()
@@ -166,7 +166,7 @@ class WorldView(QWidget):
         self.unsetCursor()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Go back to the view that was chosen by name."""
+        """Return to the named place that was chosen."""
         self.come_back()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -179,7 +179,7 @@ class WorldView(QWidget):
         self._moving()
 
     def _render(self) -> QImage:
-        """Draw anew; where smooth edges take too long, only once nothing moves any more."""
+        """Draw the picture; smooth if that is fast enough or nothing moves."""
         assert isinstance(self._renderer, Renderer)
         began, ratio = perf_counter(), self.devicePixelRatioF()
         fine = self._quick or self.patient or not self._rest.isActive()
@@ -197,7 +197,7 @@ class WorldView(QWidget):
         return image
 
     def _moving(self) -> None:
-        """Something moved: the picture is old, and may be rough until it rests."""
+        """Mark the picture as outdated. It may be rough until nothing moves."""
         self._image = None
         self._rest.start()
         self.update()

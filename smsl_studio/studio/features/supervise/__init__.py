@@ -1,1 +1,1 @@
-"""Supervise mode: what a responsible person sees of a run, and what they may do about it."""
+"""Supervise mode: what a responsible person sees of a run, and what they can do about it."""

@@ -1,5 +1,7 @@
-"""The rows of supervision in the Run menu. Their keys act in Supervise mode, where the pane answers
-them itself: each asks once more before anything happens."""
+"""The actions of supervision in the Run menu.
+
+The pane answers their keys itself, only in Supervise mode. Each asks for confirmation first.
+"""
 
 from __future__ import annotations
 
@@ -13,17 +15,17 @@ from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Shell
 
 NAMES = {"reset": "run_reset", "end": "run_end"}
-"""Actions that are not called as their commands are."""
+"""The ids of actions that differ from the words of their commands."""
 
 
 class Supervising(Protocol):
-    """What actions ask of Supervise mode."""
+    """What these actions need of Supervise mode."""
 
     def run_exists(self) -> bool:
         """Whether there is a run."""
 
     def is_located(self) -> bool:
-        """Whether a run that was taken over fits one configuration only."""
+        """Whether the facts of a run that was taken over fit exactly one configuration."""
 
     def is_stopped(self) -> bool:
         """Whether the run is stopped."""
@@ -32,30 +34,30 @@ class Supervising(Protocol):
         """Whether the run is stopped, or holds after a fault or without a route."""
 
     def is_mapped(self) -> bool:
-        """Whether every state of the SB is shown."""
+        """Whether the full map of the SB is shown."""
 
     def choose_first(self) -> None:
-        """Give the keys to the first card."""
+        """Give the keyboard focus to the first card."""
 
     def ask_for(self, word: str) -> None:
-        """Ask a person once more for a command, named by its word."""
+        """Ask the person to confirm the command with this word."""
 
 
 def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
-    """The rows of the Run menu by which a person supervises."""
+    """The rows of supervision in the Run menu."""
 
     def there(call: Callable[[], object]) -> Callable[[], None]:
-        """Show Supervise, where what is asked can be seen, then ask."""
+        """The call, with Supervise mode shown first, so that its question is visible."""
 
         def ask() -> None:
-            """Show Supervise, then ask."""
+            """Show Supervise mode, then make the call."""
             shell.set_mode("supervise")
             call()
 
         return ask
 
     def command(one: CommandRow) -> Action:
-        """The row of one command of supervision."""
+        """The action of one command."""
         ask, name = partial(pane.ask_for, one.word), NAMES.get(one.word, one.word)
         if one.word == "full_map":
             return Action(name, one.label, there(ask), "Run", one.icon, (), pane.run_exists,

@@ -1,4 +1,4 @@
-"""What Supervise shows in the mode bar: goal, supervisor, how the run stands, step, pause, stop."""
+"""The row of Supervise mode in the mode bar: goal, supervisor, phase, step, pause, stop."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.phase_badge import PhaseBadge
 
 NARROW = 620
-"""Pixels from which the buttons have their words."""
+"""The width from which the buttons have words (pixels)."""
 LONGEST = 170
-"""Pixels that a goal and a name may take where it is narrow; a quarter of the bar where not."""
+"""Largest width of the goal and of the name (pixels); in a wide bar a quarter of it."""
 
 
 class SuperviseBar(QWidget):
-    """Stop has the same place and size as in Run mode."""
+    """The row. Stop has the same place and size as in Run mode."""
 
     step_wanted = Signal()
     play_wanted = Signal()
@@ -45,7 +45,7 @@ class SuperviseBar(QWidget):
         self.play.clicked.connect(self._play_or_pause)
         self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
         for pressed in (self.reset, self.end, self.step, self.play):
-            # So that Enter presses the one that has the focus, as it does in the body.
+            # Enter presses the button with the focus, as in the page.
             pressed.setAutoDefault(True)
         self.reset.setToolTip("Unlatch the stop, to paused")
         self.end.setToolTip("End the run for good")
@@ -79,7 +79,7 @@ class SuperviseBar(QWidget):
         self.show_run("", exists=False, tip="", goal="", person="")
 
     def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
-        """Show how the run stands, where it goes, and in whose name one commands it."""
+        """Show the phase of the run, its goal, and the person who commands."""
         self.phase.show_phase(*phase_words(phase), tip)
         pairs = ((self._goal, goal), (self._person, person))
         for before, (part, said) in zip(self._said, pairs, strict=True):
@@ -92,7 +92,7 @@ class SuperviseBar(QWidget):
         latched = phase == "stopped" and exists
         for button in (self.reset, self.end):
             self._precedence.want(button, latched)
-        # What would only be refused is not offered: step in is where one gives back.
+        # Commands that would be refused are hidden. Giving back is done in Step in.
         for button in (self.step, self.play):
             self._precedence.want(button, not latched and phase != "taken_over")
         self._pauses = exists and phase in ("running", "opening", "waiting")
@@ -109,17 +109,17 @@ class SuperviseBar(QWidget):
 
     @property
     def person(self) -> str:
-        """In whose name one commands; empty where nobody said who works here."""
+        """The name of the person who commands; empty if nobody gave a name."""
         return self._person.text()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for button in (self.step, self.play, self.stop):
             button.set_tokens(tokens)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where it is narrow, words give way before buttons; Stop never does."""
+        """In a narrow row first words are hidden, then buttons; Stop never is."""
         super().resizeEvent(event)
         for button in (self.step, self.play):
             button.set_short(self.width() < NARROW)

@@ -1,4 +1,5 @@
-"""The board of the partial view: where one came from, where one is, and what may be done."""
+"""The board of the partial view: the previous state, the active state, its operations, their
+targets."""
 
 from __future__ import annotations
 
@@ -17,12 +18,12 @@ from smsl_studio.studio.features.supervise.surface import PartialSurface
 
 
 class Board(QScrollArea):
-    """Scrolls where there are more operations than room; the states stay in sight."""
+    """Scrolls if there are more operations than room; the states stay visible."""
 
     card_chosen = Signal(object)
-    """The address of an operation whose card was pressed."""
+    """Address: the person pressed the card of this operation."""
     columns_moved = Signal(object)
-    """Where the columns stand now (``Columns``)."""
+    """Columns: the present places of the columns."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -39,7 +40,7 @@ class Board(QScrollArea):
 
     @property
     def inner(self) -> QWidget:
-        """What scrolls: cards and states stand in it."""
+        """The widget that scrolls, with cards and states on it."""
         return self._inner
 
     @property
@@ -49,26 +50,26 @@ class Board(QScrollArea):
 
     @property
     def view(self) -> PartialView | None:
-        """The partial view that is shown; None while there is none."""
+        """The partial view that is shown; None if there is none."""
         return self._inner.view
 
     @property
     def columns(self) -> Columns | None:
-        """Where the columns stand."""
+        """The places of the columns; None if there are none."""
         return self._inner.columns
 
     @property
     def shift(self) -> int:
-        """How far it is scrolled to the right."""
+        """How far the board is scrolled to the right (pixels)."""
         return self.horizontalScrollBar().value()
 
     @property
     def spots(self) -> list[StateSpot]:
-        """The states that are shown: the previous one, the active one, the neighbours."""
+        """The visible states: the previous one, the active one, the targets."""
         return self._inner.shown_spots()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._inner.set_tokens(tokens)
 
     def show_view(
@@ -78,13 +79,16 @@ class Board(QScrollArea):
         chosen: Address | None,
         sensed: tuple[tuple[int, str], ...] = (),
     ) -> None:
-        """Show one SB; ``chosen`` is the operation that a decision is open on, ``sensed`` says
-        which facts of the active state are sensed to differ or are unknown."""
+        """Show one SB.
+
+        ``chosen`` is the operation of an open decision. ``sensed`` lists facts of the active state
+        as (digit, "differs" or "unknown").
+        """
         self._inner.show_view(blueprint, view, chosen, sensed)
         self._follow()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the states in the middle of what is in sight."""
+        """Keep the states in the middle of the visible part."""
         super().resizeEvent(event)
         self._follow()
 

@@ -1,4 +1,4 @@
-"""The wide buttons of stepping in: an icon, words, a hint, and the key that does the same."""
+"""The wide buttons of Step in: an icon, words, a hint, and the key."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SIDE, ICON, CHIP = 12, 16, 20
 
 
 class StepInButton(QPushButton):
-    """40 high; the words at the left, the key at the right."""
+    """A button 40 pixels high, with words at the left and the key at the right."""
 
     def __init__(self, words: str, key: str, name: str, tokens: Tokens, hint: str = "") -> None:
         super().__init__(words)
@@ -25,14 +25,14 @@ class StepInButton(QPushButton):
         self.setAccessibleName(plain_text(words.rstrip("…")))
 
     def set_words(self, words: str, hint: str, name: str) -> None:
-        """Do something else from now on."""
+        """Give the button other words, another hint and another icon."""
         self._hint, self._icon = hint, name
         self.setText(words)
         self.setAccessibleName(plain_text(words.rstrip("…")))
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
@@ -42,7 +42,7 @@ class StepInButton(QPushButton):
         return QSize(round(words) + 2 * SIDE + ICON + 8 + (CHIP + 8 if self._key else 0), 40)
 
     def minimumSizeHint(self) -> QSize:
-        """80 pixels wide: the words are shortened."""
+        """80 pixels wide, because the words can be shortened."""
         return QSize(80, CONTROL_DECISION)
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -1,4 +1,4 @@
-"""A card of the partial view: one operation out of the active state, as a button that shows it."""
+"""A card of the partial view: one operation of the active state, as a button."""
 
 from __future__ import annotations
 
@@ -29,9 +29,12 @@ from smsl_studio.studio.base.tips import tip_text
 
 HEIGHT = 50
 ROOM = 160
-"""Pixels that a reason needs on a card to say anything; else it is told when the card is chosen."""
+"""The width from which a reason is shown on the card (pixels).
+
+A chosen card shows it anyway, in the decision.
+"""
 INSET = 3
-"""Around the border, for the ring of a card that is chosen or has the focus."""
+"""Pixels around the border, for the ring of a card that is chosen or has the focus."""
 RISKS = {"low": 1, "medium": 2, "high": 3}
 BADGES = {
     RUNNING: "running",
@@ -47,10 +50,10 @@ ACTORS = {"human": "a person acts", "shared": "a person and the robot act", "rob
 
 
 class CardButton(QAbstractButton):
-    """A click only chooses the operation; a decision must still be confirmed."""
+    """One operation. A click chooses it, and the decision must still be confirmed."""
 
     step_wanted = Signal(int)
-    """The card so many places further on is wanted."""
+    """int: give the focus to the card so many places further."""
 
     def __init__(self, card: OperationCard, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -62,23 +65,23 @@ class CardButton(QAbstractButton):
         self.show_card(card, chosen=False)
 
     def show_card(self, card: OperationCard, chosen: bool) -> None:
-        """Show another standing of the same operation, or another operation."""
+        """Show another state of the same operation, or another operation."""
         self.card, self._chosen = card, chosen
         self.setAccessibleName(plain_text(card_words(card, chosen)))
         self.setToolTip(tip_text(_tip(card)))
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def sizeHint(self) -> QSize:
-        """The size of a card and the room around it."""
+        """The size of a card with the room around it."""
         return QSize(265 + 2 * INSET, HEIGHT + 2 * INSET)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows ask for the card before or after; other keys press it as usual."""
+        """Arrows move the focus to the next or previous card; other keys work as usual."""
         steps = {
             Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1,
         }  # fmt: skip
@@ -89,7 +92,7 @@ class CardButton(QAbstractButton):
             self.step_wanted.emit(step)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground, the badge, the name and the second line."""
+        """Paint background, badge, name and second line."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         box = QRectF(self.rect()).adjusted(INSET, INSET, -INSET, -INSET)
@@ -132,7 +135,7 @@ class CardButton(QAbstractButton):
         painter.drawRoundedRect(box, RADIUS_NODE, RADIUS_NODE)
 
     def _badge(self, painter: QPainter, box: QRectF) -> float:
-        """Paint the key, or what is special; where it begins."""
+        """Paint the badge, or the number key if there is none; returns its left edge (pixels)."""
         t, words = self._tokens, BADGES.get(self.card.standing, "")
         if not words:
             return self._key(painter, box)
@@ -220,7 +223,7 @@ def _triangle(painter: QPainter, x: float, y: float, fill: QColor | None, tokens
 
 
 def card_words(card: OperationCard, chosen: bool = False) -> str:
-    """A card in words, for those who do not see it."""
+    """A card in words, for assistive tools."""
     words = [f"{card.number}, {card.name}"]
     words.append(f"stays in {card.target}" if card.stays else f"to {card.target}")
     words += ["chosen"] if chosen else []

@@ -1,4 +1,4 @@
-"""The panel below the partial view: the state check fact by fact, and what is outside of it."""
+"""The panel below the partial view: the state check by facts, and facts of other SBs."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HEAD = 36
 
 
 class CheckPanel(QWidget):
-    """Says what decides: nothing but sensed facts does."""
+    """Shows what the state check is based on: only on sensed facts."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -71,16 +71,16 @@ class CheckPanel(QWidget):
 
     @property
     def words(self) -> str:
-        """The state and how its check stands."""
+        """The state and the verdict of its check."""
         return f"{self._state.text()} {self._verdict.text()}".strip()
 
     @property
     def outside(self) -> tuple[OutsideFact, ...]:
-        """The facts of other SBs that block something."""
+        """The facts of other SBs that block an operation."""
         return self._outside.lines
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.table.set_tokens(tokens)
         self._outside.set_tokens(tokens)
@@ -93,7 +93,11 @@ class CheckPanel(QWidget):
         lost: bool,
         over: bool = False,
     ) -> None:
-        """Follow the run, for the SB that is shown; of one that is over nothing has an age."""
+        """Show the check of the shown SB.
+
+        ``lost`` says that the world has failed. ``over`` says that the run has ended, so facts have
+        no age.
+        """
         found = None
         if blueprint is not None and status is not None and view is not None:
             found = check_view(blueprint, status, view.branch, lost)
@@ -122,10 +126,13 @@ class CheckPanel(QWidget):
 
 
 class _Written(Elided):
-    """The check as the paper writes it, whole or not at all; its tooltip has it always."""
+    """The check in the paper's notation, shown only if all of it fits.
+
+    The tooltip always has it.
+    """
 
     def write(self, text: str) -> None:
-        """Show this where there is room for it."""
+        """Set the text, and show it if it fits."""
         self._whole = text
         self._fit()
 
@@ -136,13 +143,13 @@ class _Written(Elided):
         self.setText(self._whole if fits else "")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the check only where all of it fits."""
+        """Show the text only if all of it fits."""
         super().resizeEvent(event)
         self._fit()
 
 
 class _OutsideLines(QWidget):
-    """Facts of other SBs, each with its value, why it blocks, and what."""
+    """Facts of other SBs, each with its value, the reason, and the operations it blocks."""
 
     LINE = 26
 
@@ -153,12 +160,12 @@ class _OutsideLines(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def show_lines(self, lines: tuple[OutsideFact, ...]) -> None:
-        """Show other lines; without lines it hides."""
+        """Show these lines; hidden without lines."""
         if lines != self.lines:
             self.lines = lines
             said = "\n".join(
@@ -180,7 +187,7 @@ class _OutsideLines(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a line for each fact: name, value, what it blocks."""
+        """Paint a line for each fact: name, value, and what it blocks."""
         t, plain, strong = self._tokens, Type(text_font(12)), Type(text_font(13))
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

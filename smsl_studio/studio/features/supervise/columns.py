@@ -1,4 +1,4 @@
-"""Where the columns of the partial view stand, for any width: numbers alone."""
+"""The places of the columns of the partial view at any width: numbers only."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from dataclasses import dataclass
 
 LEFT, RIGHT = 18.0, 22.0
 CARD = (230.0, 265.0, 380.0)
-"""The width of a card where it is narrow, as designed, and at most."""
+"""The width of a card: smallest, as designed, largest (pixels)."""
 LEAST = (84.0, 52.0, 44.0)
-"""The gaps: to the active state, to the cards, to their targets."""
+"""The smallest gaps before the active state, the cards, and the targets (pixels)."""
 SHARES = (0.48, 0.29, 0.23)
 NODE = 90.0
-"""No state is drawn narrower."""
+"""The smallest width of a state (pixels)."""
 DESIGNED = 1045.0
 NARROWEST = 724
-"""So many pixels take the columns at least; where there are fewer, one scrolls."""
+"""The smallest width of all columns (pixels); a narrower view scrolls."""
 
 
 @dataclass(frozen=True)
 class Columns:
-    """Left edges and widths, in pixels."""
+    """The (left edge, width) of each column in pixels."""
 
     previous: tuple[float, float]
     current: tuple[float, float]
@@ -28,8 +28,10 @@ class Columns:
 
 
 def columns(width: float, wanted: tuple[float, float, float]) -> Columns:
-    """Spread the columns over ``width``; ``wanted`` are the widths the previous state, the active
-    one and the neighbours would have. States give way before the gaps are less than they may be.
+    """Distribute the columns over ``width`` pixels.
+
+    ``wanted`` are the widths that the previous state, the active state and the targets need. States
+    become narrower before the gaps fall below their smallest size.
     """
     width = max(width, NARROWEST)
     low, usual, high = CARD

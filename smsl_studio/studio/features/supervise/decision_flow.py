@@ -1,4 +1,4 @@
-"""How one decides: what is chosen, what is asked once more, and what becomes of the answer."""
+"""The way of a decision: an operation is chosen, confirmed, and sent to the run."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from smsl_studio.studio.running.run_session import RunSession
 
 
 class DecisionFlow(QObject):
-    """Asks in the box of step in, and commands the run when it was answered.
+    """Asks for confirmation in the box of Step in, and then commands the run.
 
-    ``home`` takes the keys when nothing is asked and what had them before is gone.
+    ``home`` gets the keyboard focus afterwards if the widget that had it is gone.
     """
 
     changed = Signal()
-    """Something is chosen or asked, or no longer."""
+    """The chosen operation or the question changed."""
 
     def __init__(self, run: RunSession, step_in: StepIn, home: QWidget) -> None:
         super().__init__(home)
@@ -40,12 +40,12 @@ class DecisionFlow(QObject):
         run.events_told.connect(self._tell)
 
     def pick(self, card: OperationCard) -> None:
-        """Choose an operation, and ask what shall be done with it."""
+        """Choose an operation and ask what to do with it."""
         self.picked = card.address
         self.ask(decisions.choose(card))
 
     def ask(self, decision: Decision) -> None:
-        """Ask for a decision; the keys go there."""
+        """Ask for confirmation of a decision, with the keyboard focus on it."""
         if self._asking.decision is None:
             focus = QApplication.focusWidget()
             inside = focus is not None and self._home.isAncestorOf(focus)
@@ -56,7 +56,7 @@ class DecisionFlow(QObject):
         self.changed.emit()
 
     def drop(self) -> None:
-        """Nothing is decided; what was chosen is let go of."""
+        """Cancel the question and the choice."""
         status = self._run.status
         self._let_be = status.candidates if status is not None else None
         self._asking.show_decision(None)
@@ -66,18 +66,22 @@ class DecisionFlow(QObject):
         self.changed.emit()
 
     def confirm(self) -> bool:
-        """Do what is asked about; whether something is."""
+        """Confirm the present question; returns whether there is one."""
         if self._asking.decision is None:
             return False
         self._asking.confirm()
         return True
 
     def follow(self, status: DispatchStatus | None, view: PartialView | None) -> None:
-        """A question whose ground is gone is asked no more; a located state is asked about."""
+        """Update the question after a change of the run.
+
+        A question that makes no sense any more is dropped. If the state was located, it asks
+        whether to accept it.
+        """
         if view is None or view.card(self.picked) is None:
             self.picked = None
         if self._run.exists and _tells(status, self._step_in.refusal):
-            # The card above says why the run holds: once is enough.
+            # The hold card above already gives the reason.
             self._step_in.say("")
         located = self._located(status)
         decision = self._asking.decision
@@ -113,13 +117,13 @@ class DecisionFlow(QObject):
         self.changed.emit()
 
     def _go_back(self) -> None:
-        """The keys go back to where they were before something was asked."""
+        """Return the keyboard focus to where it was before the question."""
         back, self._came_from = self._came_from, None
         there = back is not None and isValid(back) and back.isVisible()
         (back if back is not None and there else self._home).setFocus()
 
     def _tell(self, events: tuple[Event, ...]) -> None:
-        """What the run refused is said in place."""
+        """Show in Step in what the run refused."""
         for event in events:
             if isinstance(event, Commanded) and event.refused:
                 self._step_in.say(capital(event.refused))
@@ -128,12 +132,12 @@ class DecisionFlow(QObject):
 
 
 def _is_restored(decision: Decision, card: OperationCard) -> bool:
-    """Whether what was to be restored may be used again already."""
+    """Whether the operation to be restored can already be used again."""
     return decision.command == "restore" and card.standing not in (PRUNED, RISKY, VETOED)
 
 
 def _tells(status: DispatchStatus | None, refusal: str) -> bool:
-    """Whether the sentence on why a run holds has all of a refusal."""
+    """Whether the sentence of the hold card contains the refusal."""
     if status is None or status.phase not in LATCHED or not refusal:
         return False
     return refusal.rstrip(".").casefold() in status.sentence.casefold()

@@ -1,4 +1,4 @@
-"""The state check of the SB that is shown, fact by fact: pure functions from a run's status."""
+"""The state check of the shown SB by facts: pure functions from the status of a run."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ SIGNS = {True: "true", False: "false", None: "unknown"}
 
 @dataclass(frozen=True)
 class CheckView:
-    """A state check: whose, how it stands, its facts, and its written form with every term.
+    """A state check: its state, verdict, facts, formula, and the reason of every term.
 
-    ``kind`` dresses the verdict: good, held, unknown. ``awaited`` says that an operation which
-    leads to this state still runs.
+    ``kind`` selects the colour of the verdict: good, held, unknown. ``awaited`` says that an
+    operation to this state still runs.
     """
 
     state: str
@@ -39,8 +39,11 @@ class CheckView:
 def check_view(
     blueprint: Blueprint, status: DispatchStatus, branch: str, lost: bool = False
 ) -> CheckView | None:
-    """The check that decides next in an SB: of the state an operation leads to while it runs, of
-    the active state otherwise. ``lost``: the world is gone, and nothing is known of now."""
+    """The check that decides next in an SB; None if the SB has no active state.
+
+    While an operation runs, it is the check of its target, otherwise that of the active state.
+    ``lost`` says that the world has failed, so no reading is valid.
+    """
     state = status.configuration.get(branch, "")
     own = blueprint.branches.get(branch)
     if own is None or state not in own.table:
@@ -70,7 +73,8 @@ def check_view(
 def sensed_marks(
     blueprint: Blueprint, status: DispatchStatus, branch: str
 ) -> tuple[tuple[int, str], ...]:
-    """The facts of the active state that are sensed to differ, or unknown, while nothing moves."""
+    """The facts of the active state that sensors contradict or do not know, while no operation
+    runs."""
     state = status.configuration.get(branch, "")
     own = blueprint.branches.get(branch)
     if own is None or state not in own.table or status.running is not None:
@@ -84,7 +88,7 @@ def sensed_marks(
 
 
 class _Here(NamedTuple):
-    """The state that is shown, whether the SB leaves it now, and whether no reading comes."""
+    """The active state, whether an operation leaves it now, and whether the world has failed."""
 
     state: str
     moving: bool
@@ -150,7 +154,10 @@ def _sub_row(
     status: DispatchStatus,
     term: Term | None,
 ) -> FactRow:
-    """A fact that a sub-SB expands has no sensor: it is the sub-SB's state check."""
+    """The row of a fact that a sub-SB expands.
+
+    It has no sensor; the sub-SB's state check is its value.
+    """
     words = f"{sub.name} in {status.configuration.get(sub.name, 'no state')}"
     sensed = term.reading if term is not None else None
     if term is not None and term.truth is None and term.reason:
@@ -166,9 +173,9 @@ def _sub_row(
 
 
 def _sources(sources: Sequence[SourceState], fact: tuple[str, int], value: str) -> str:
-    """Who says so; and who does not."""
+    """Which sources agree with the value, and which do not."""
     here = [one.said for one in sources if one.fact == fact]
-    # Where a person has said it, that is what counts.
+    # If a person has stated the fact, that counts and comes first.
     here.sort(key=lambda said: not said.human)
     agree = [said.source for said in here if said.value == value]
     silent = [said.source for said in here if said.value != value]

@@ -1,4 +1,4 @@
-"""Supervision as one feature: its page, and its rows of the Run menu."""
+"""Supervision as a feature: its page, and its rows of the Run menu."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class SuperviseFeature(Feature):
     """Supervise mode. Its pane is made together with the run that it shows.
 
-    ``run`` answers with the run of the window.
+    ``run`` returns the run of the window.
     """
 
     def __init__(self, parts: WindowParts, shell: Shell, run: Callable[[], RunSession]) -> None:
@@ -46,17 +46,17 @@ class SuperviseFeature(Feature):
         return pane
 
     def actions(self) -> tuple[Action, ...]:
-        """What a supervisor commands."""
+        """The rows of supervision."""
         return supervise_actions(self, self._shell)
 
-    # What its actions ask.
+    # What its actions need.
 
     def run_exists(self) -> bool:
         """Whether there is a run."""
         return self.part.made is not None and self.part.made.run_exists()
 
     def is_located(self) -> bool:
-        """Whether a run that was taken over fits one configuration only."""
+        """Whether the facts of a run that was taken over fit exactly one configuration."""
         return self.part.made is not None and self.part.made.is_located()
 
     def is_stopped(self) -> bool:
@@ -68,30 +68,30 @@ class SuperviseFeature(Feature):
         return self.part.made is not None and self.part.made.is_held()
 
     def is_mapped(self) -> bool:
-        """Whether every state of the SB is shown."""
+        """Whether the full map of the SB is shown."""
         return self.part.made is not None and self.part.made.is_mapped()
 
     def choose_first(self) -> None:
-        """Give the keys to the first card."""
+        """Give the keyboard focus to the first card."""
         self.pane.choose_first()
 
     def ask_for(self, word: str) -> None:
-        """Ask a person once more for a command, named by its word."""
+        """Ask the person to confirm the command with this word."""
         self.pane.ask_for(word)
 
-    # What the shell asks of it.
+    # What the shell needs.
 
     def is_shown(self) -> bool:
-        """Whether its page is in view."""
+        """Whether its page is visible."""
         return self.part.made is not None and self.part.made.isVisible()
 
     def refresh(self) -> None:
-        """Show the run as it stands, where it is shown."""
+        """Show the present state of the run, if the page exists."""
         if self.part.made is not None:
             self.part.made.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)

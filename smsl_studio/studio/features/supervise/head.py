@@ -1,4 +1,4 @@
-"""The line above the partial view: which State Branch, what its columns are, and the full map."""
+"""The head of the partial view: buttons for the SBs, names of the columns, and the full map."""
 
 from __future__ import annotations
 
@@ -20,13 +20,15 @@ from smsl_studio.studio.features.supervise.surface import draw_dots
 from smsl_studio.studio.running.frames import tool
 
 HIGH, LOW = 64, 40
-"""With the names of the columns, and without."""
+"""The height with the names of the columns, and without them (pixels)."""
 TOP = 40
 
 
 class PartialHead(QWidget):
-    """With several SBs one button each; the one in which something happens is chosen unasked,
-    until a person chooses."""
+    """The head. With several SBs each has a button.
+
+    The SB in which an operation runs is selected by itself, until a person selects one.
+    """
 
     branch_wanted = Signal(str)
     map_wanted = Signal(bool)
@@ -56,7 +58,7 @@ class PartialHead(QWidget):
         self.setLayout(top)
 
     def branches(self) -> list[QToolButton]:
-        """The buttons of the SBs, in order."""
+        """The buttons of the SBs in order."""
         return [
             button
             for at in range(self._buttons.count())
@@ -66,21 +68,24 @@ class PartialHead(QWidget):
         ]
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self._dress_map()
         self.update()
 
     def show_columns(self, columns: Columns | None, previous: bool, shift: int) -> None:
-        """Name the columns where they stand; None: there are none. ``shift`` says how far what is
-        below is scrolled to the right, ``previous`` whether there is a state before."""
+        """Show the names of the columns; None shows none.
+
+        ``shift`` is how far the board is scrolled to the right (pixels). ``previous`` says whether
+        there is a previous state.
+        """
         told = (columns, previous, shift)
         if told != (self._columns, self._previous, self._shift):
             self._columns, self._previous, self._shift = told
             self.update()
 
     def show_branches(self, names: Sequence[str], shown: str, live: str) -> None:
-        """``live`` is the SB in which an operation runs."""
+        """Show a button for each SB; ``shown`` is selected, and in ``live`` an operation runs."""
         told = (tuple(names), shown, live)
         if told == (self._names, self._shown, self._live):
             return
@@ -88,7 +93,7 @@ class PartialHead(QWidget):
         self._fill()
 
     def show_map(self, on: bool, possible: bool) -> None:
-        """Whether the full map is shown, and whether it may be asked for."""
+        """Show whether the full map is on, and whether it can be switched on."""
         if (on, possible) == self._mapped:
             self.map.setChecked(on)
             return
@@ -145,7 +150,7 @@ class PartialHead(QWidget):
         return QSize(600, HIGH)
 
     def minimumSizeHint(self) -> QSize:
-        """Any width will do: what does not fit is left out."""
+        """No minimum width, because names can be shortened."""
         return QSize(0, HIGH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -155,7 +160,7 @@ class PartialHead(QWidget):
             self._fill()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the heads of the columns."""
+        """Paint the background and the names of the columns."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self._tokens.canvas)
         draw_dots(painter, self.rect(), self._tokens)

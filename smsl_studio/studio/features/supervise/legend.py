@@ -1,4 +1,4 @@
-"""The legend of the partial view: what its marks mean, where there is room to say so."""
+"""The legend of the partial view, shown where there is room for it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LINE, LEFT, WORDS = 22, 20, 62
 
 
 class PartialLegend(QWidget):
-    """Four lines; the last one only where sub-SBs expand facts."""
+    """Explains the signs in three lines, and in a fourth the sub-SB if there is one."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -26,12 +26,12 @@ class PartialLegend(QWidget):
         self._say()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def show_sub(self, fact: str) -> None:
-        """Name the fact that a sub-SB expands; empty where there is none."""
+        """Set the name of the fact that a sub-SB expands; empty if there is none."""
         if fact != self._sub:
             self._sub = fact
             self._say()
@@ -52,7 +52,7 @@ class PartialLegend(QWidget):
         return QSize(round(WORDS + widest) + 8, len(self._lines()) * LINE + 8)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a mark and its words in each line."""
+        """Paint a sign and its words in each line."""
         t, kind = self._tokens, Type(text_font(12))
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

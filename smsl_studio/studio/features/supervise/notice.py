@@ -1,4 +1,4 @@
-"""What Supervise says where no run is there: how one starts, or how the last one ended."""
+"""The page of Supervise mode without a run: how to start one, or how the last one ended."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.studio.running.run_session import RunSession
 
 
 class Notice(QWidget):
-    """A sentence, what to do, and a button that does it."""
+    """A title, an explanation, and a button that starts a run."""
 
     pressed = Signal()
 
@@ -43,16 +43,16 @@ class Notice(QWidget):
 
     @property
     def words(self) -> str:
-        """Everything that is said."""
+        """The shown title and explanation."""
         return f"{self._title.text()} {self._why.text()}"
 
     def say(self, why: str) -> None:
-        """Why a run could not begin."""
+        """Show why a run could not begin."""
         self._refusal = capital(why.strip())
         self._why.setText(self._refusal)
 
     def show_run(self, run: RunSession, drawn: Blueprint) -> None:
-        """Follow the run; ``drawn`` is what the next one would be of."""
+        """Show the present state of the run; ``drawn`` is the blueprint of the next one."""
         if run.exists:
             self._refusal = ""
             self._title.setText("Opening the world")

@@ -1,4 +1,4 @@
-"""The body of Supervise: the partial view, what decides, and the column in which one steps in."""
+"""The body of Supervise mode: the partial view, the state check, and the column Step in."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ from smsl_studio.studio.running.run_session import RunSession
 
 RIGHT = 396
 BELOW = 246
+"""The designed height of the panels below the partial view (pixels)."""
 KEYS = {Qt.Key(ord(row.key)): row.word for row in COMMANDS.values() if len(row.key) == 1}
-"""What a letter asks for."""
-"""The height of the panels below the partial view, as designed."""
+"""The words of commands by their letter keys."""
 
 
 class SupervisePane(QWidget):
-    """Shows the run of this window; it never runs anything by itself.
+    """Shows the run of this window and sends it the supervisor's commands.
 
-    ``task_slot`` and ``level_slot`` take the widgets that ask people, and say how far they lead.
+    ``task_slot`` and ``level_slot`` are layouts for the task card and the panel of levels.
     """
 
     begin_wanted = Signal()
-    """A run shall start."""
+    """The person wants to start a run."""
 
     def __init__(
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
@@ -72,21 +72,24 @@ class SupervisePane(QWidget):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for part in self._wearing:
             part.set_tokens(tokens)
         self.refresh()
 
-    # What is asked of it.
+    # What others ask of it.
 
     @property
     def view(self) -> PartialView | None:
-        """What the partial view shows now."""
+        """The partial view that is shown; None if there is none."""
         return self._view
 
     @property
     def subject(self) -> Address | None:
-        """The operation that a veto or a prune would be about: the chosen one, else the next."""
+        """The operation that a veto or a prune is about: the chosen one, else the next.
+
+        None for none.
+        """
         status = self._run.status
         if self._view is not None and self._view.card(self.deciding.picked) is not None:
             return self.deciding.picked
@@ -95,44 +98,44 @@ class SupervisePane(QWidget):
         return status.running or status.carrying or next(iter(status.route), None)
 
     def choose(self, number: int) -> None:
-        """Choose the operation with this key; Enter does the rest."""
+        """Choose the operation with this number key; Enter confirms."""
         card = self._view.numbered(number) if self._view is not None else None
         if card is not None and self._run.exists:
             self.pick(card.address)
 
     def pick(self, address: Address) -> None:
-        """Choose one operation and ask what shall be done with it."""
+        """Choose an operation and ask what to do with it."""
         card = self._view.card(address) if self._view is not None else None
         if card is not None and self._run.exists:
             self.deciding.pick(card)
 
     def accept(self) -> None:
-        """Ask for the state that was located, where one was."""
+        """Ask whether to accept the located state, if there is one."""
         status = self._run.status
         if status is not None and self.is_located():
             self.deciding.ask(decisions.accept(status))
 
     def set_full_map(self, on: bool) -> None:
-        """Show the whole of the SB; that it was looked at stands in the run's record."""
+        """Show or hide the full map of the SB. The run's record notes that it was looked at."""
         if self._run.exists:
             self._run.full_map(on)
             if on:
                 self.full_map.show_branch(self._branch)
 
     def show_branch(self, name: str) -> None:
-        """Show this SB from now on, whatever happens elsewhere."""
+        """Show this SB from now on, even if an operation runs in another one."""
         self._chosen_branch = name
         self.deciding.drop()
         self.refresh()
 
-    # What the actions ask.
+    # What the actions need.
 
     def run_exists(self) -> bool:
         """Whether there is a run."""
         return self._run.exists
 
     def is_located(self) -> bool:
-        """Whether a run that was taken over fits one configuration only."""
+        """Whether the facts of a run that was taken over fit exactly one configuration."""
         status = self._run.status
         taken = status is not None and status.phase == "taken_over"
         return taken and status is not None and len(status.candidates) == 1
@@ -146,16 +149,16 @@ class SupervisePane(QWidget):
         return self._run.exists and self._run.phase in ("stopped", "fault_hold", "no_route")
 
     def is_mapped(self) -> bool:
-        """Whether every state of the SB is shown."""
+        """Whether the full map of the SB is shown."""
         return self._run.exists and self._run.status is not None and self._run.status.full_map
 
     def choose_first(self) -> None:
-        """Lead the keys to the first card."""
+        """Give the keyboard focus to the first card."""
         if self.board.cards:
             self.board.cards[0].setFocus()
 
     def ask_for(self, word: str) -> None:
-        """Ask once more for a command; where it needs more than that, in its own way."""
+        """Ask for confirmation of the command with this word."""
         own = {
             "veto": self.step_in.ask_veto,
             "prune": self.step_in.ask_prune,
@@ -173,7 +176,7 @@ class SupervisePane(QWidget):
             self.deciding.ask(decisions.decision(word))
 
     def turn_map(self) -> None:
-        """Show every state of the SB, or no longer."""
+        """Switch the full map on or off."""
         self.set_full_map(not self.is_mapped())
 
     # Building.
@@ -206,8 +209,10 @@ class SupervisePane(QWidget):
         column.addWidget(self._sides)
 
     def _right(self) -> QWidget:
-        """What people are asked and why it holds scroll where they need more than there is, and
-        stepping in stays in view below them."""
+        """The column at the right.
+
+        Task and hold card scroll if they need more room; Step in stays visible below.
+        """
         inner = QWidget()
         column = QVBoxLayout(inner)
         column.setContentsMargins(12, 12, 12, 0)
@@ -228,7 +233,7 @@ class SupervisePane(QWidget):
         whole.setSpacing(0)
         room, edge = Room(inner), rule()
         edge.hide()
-        # The line says that what stands above it goes on.
+        # The line shows that the part above can be scrolled.
         room.verticalScrollBar().rangeChanged.connect(lambda _, most: edge.setVisible(most > 0))
         whole.addWidget(room)
         whole.addWidget(edge)
@@ -237,7 +242,7 @@ class SupervisePane(QWidget):
         return right
 
     def add_levels(self, widget: QWidget) -> None:
-        """Show how far people and automation lead, beside the state check."""
+        """Put the panel of levels beside the state check."""
         self.level_slot.addWidget(widget)
         self.level.show()
 
@@ -263,7 +268,7 @@ class SupervisePane(QWidget):
     # What is shown.
 
     def refresh(self) -> None:
-        """Show the run as it stands."""
+        """Show the present state of the run."""
         run, status, blueprint = self._run, self._run.status, self._run.blueprint
         here = status is not None and blueprint is not None
         branch = ""
@@ -311,14 +316,14 @@ class SupervisePane(QWidget):
         self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show how the run stands now."""
+        """Show the present state of the run."""
         super().showEvent(event)
         self.refresh()
 
     # Keys.
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Answer the keys of supervision; a key that is held down counts once."""
+        """Answer the keys of supervision; a key that is held counts once."""
         plain = event.modifiers() in (
             Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier,
         )  # fmt: skip
@@ -327,7 +332,7 @@ class SupervisePane(QWidget):
         super().keyPressEvent(event)
 
     def _press(self, key: Qt.Key) -> bool:
-        """Obey a key; whether it means something here."""
+        """Act on a key; returns whether it means something here."""
         if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
             self.choose(key - Qt.Key.Key_0)
         elif key in KEYS:
@@ -341,7 +346,7 @@ class SupervisePane(QWidget):
         return True
 
     def _enter(self) -> bool:
-        """Enter presses the button that has the focus, else it does what was asked about."""
+        """Press the button that has the focus, else confirm the present question."""
         focus = QApplication.focusWidget()
         if isinstance(focus, QAbstractButton) and self.isAncestorOf(focus):
             focus.click()

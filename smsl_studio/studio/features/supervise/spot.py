@@ -1,4 +1,4 @@
-"""A state of the partial view: its box, and what stands below it."""
+"""A state of the partial view: its box, and the words below it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from smsl_studio.studio.base.theme import text_font
 from smsl_studio.studio.base.tips import tip_text
 
 AROUND = 26
-"""Room for the glow and the ring."""
+"""Pixels around the box for the glow and the ring."""
 BELOW = 38
-"""Room for two lines of words below the box."""
+"""Pixels for two lines of words below the box."""
 
 
 class StateSpot(QWidget):
-    """Shows one state; ``place`` puts the middle of its box somewhere."""
+    """Shows one state; ``place`` moves the middle of its box to a point."""
 
     def __init__(self, ink: Ink, parent: QWidget) -> None:
         super().__init__(parent)
@@ -37,11 +37,11 @@ class StateSpot(QWidget):
 
     @property
     def wide(self) -> float:
-        """The width of the box."""
+        """The width of the box (pixels)."""
         return self._wide
 
     def set_ink(self, ink: Ink) -> None:
-        """Take the fonts and colours of another theme."""
+        """Use the fonts and colours of another theme."""
         self._ink = ink
         self.update()
 
@@ -54,9 +54,13 @@ class StateSpot(QWidget):
         most: float,
         words: tuple[str, str] = ("", ""),
     ) -> None:
-        """Show a state at most ``most`` pixels wide; ``words`` stand below it, strong and soft."""
+        """Show a state at most ``most`` pixels wide.
+
+        ``words`` are two lines below it, the first one bold. ``role`` is its role for assistive
+        tools.
+        """
         self._wide = min(full_width(face, self._ink), most)
-        # Arrows arrive where an initial state has its own: that mark belongs to the map.
+        # The sign of an initial state is left out, because arrows arrive at its place here.
         face = replace(face, initial=False)
         self._face, self._look, (self._strong, self._soft) = face, look, words
         facts = [f"{branch.fact_name(digit)}: {chip.text}" for digit, chip in enumerate(face.chips)]
@@ -67,15 +71,15 @@ class StateSpot(QWidget):
         self.update()
 
     def place(self, centre: QPointF) -> None:
-        """Put the middle of the box at a point of the parent."""
+        """Move the middle of the box to a point of the parent."""
         self.move(round(centre.x() - self.width() / 2), round(centre.y() - AROUND - 27))
 
     def sizeHint(self) -> QSize:
-        """The size of the box, the room around it and the words below."""
+        """The size of the box with the room around it and the words below."""
         return QSize(round(self._wide) + 2 * AROUND, round(FULL_SIZE[1]) + 2 * AROUND + BELOW)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the box of the state, and the words below it."""
+        """Paint the box and the words below it."""
         if self._face is None:
             return
         painter = QPainter(self)

@@ -1,4 +1,4 @@
-"""Step in: veto, prune, take over and give back, and the box in which each is asked once more."""
+"""Step in: veto, prune, take over and give back, and the box that asks for confirmation."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ NOBODY_MOVES = ("stopped", "taken_over")
 
 
 class StepIn(QWidget):
-    """What a person may do about the operation that is next, or that they chose."""
+    """The commands about the next or the chosen operation."""
 
     wanted = Signal(object)
-    """A decision to ask for."""
+    """Decision: ask for its confirmation."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -66,16 +66,16 @@ class StepIn(QWidget):
 
     @property
     def detour(self) -> str:
-        """The sentence on what would follow a veto."""
+        """The sentence about the route after a veto."""
         return self._detour.text()
 
     @property
     def refusal(self) -> str:
-        """Why what was pressed last could not be done; empty where it could."""
+        """Why the last command could not be done; empty if it could."""
         return "" if self._why.isHidden() else self._why.text()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for button in (self.veto, self.prune, self.hand):
             button.set_tokens(tokens)
 
@@ -86,7 +86,10 @@ class StepIn(QWidget):
         exists: bool,
         subject: Address | None,
     ) -> None:
-        """Follow the run; ``subject`` is the operation that a veto or a prune is about."""
+        """Show the present state of the run.
+
+        ``subject`` is the operation that a veto or a prune is about.
+        """
         self._status = status if exists else None
         self._subject = subject if exists else None
         whole = f"on {subject.operation}" if self._subject and subject else ""
@@ -106,7 +109,7 @@ class StepIn(QWidget):
         hand = COMMANDS["give_back" if taken else "take_over"]
         self.hand.set_words(hand.label, "the scene is read first" if taken else LOCKED, hand.icon)
         if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
-            # Why it holds stands above already.
+            # The hold card above already gives the reason.
             self.say("")
         item = decisions.possible(self._subject, status) if status is not None else None
         if item is not None and item.pruned:
@@ -121,21 +124,21 @@ class StepIn(QWidget):
         self._detour.setVisible(bool(said))
 
     def ask_veto(self) -> None:
-        """Ask once more for a veto; where it is not possible, say why."""
+        """Ask for confirmation of a veto; if it is not possible, show why."""
         self._want(self._no_veto(), lambda: decisions.veto(*self._about()))
 
     def ask_prune(self) -> None:
-        """Ask once more for pruning; where it is not possible, say why."""
+        """Ask for confirmation of a prune; if it is not possible, show why."""
         self._want(self._no_prune(), lambda: decisions.prune(*self._about()))
 
     def ask_hand(self) -> None:
-        """Take over, or give back what was taken over."""
+        """Ask whether to take over, or to give back after that."""
         taken = self._status is not None and self._status.phase == "taken_over"
         word = "give_back" if taken else "take_over"
         self._want(self._no_hand(), lambda: decisions.decision(word))
 
     def say(self, why: str) -> None:
-        """Say why something was not done; empty takes it away."""
+        """Show why something was not done; empty hides the sentence."""
         self._why.setText(why)
         self._why.setVisible(bool(why))
 

@@ -1,4 +1,4 @@
-"""The surface of the partial view, which scrolls: cards and states as widgets, wires behind."""
+"""The scrolled surface of the partial view: cards and states as widgets, wires painted behind."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ DOTS = 16
 
 
 class PartialSurface(QWidget):
-    """Cards stand in a column; the states stay in the middle of what is in sight."""
+    """Cards stand in a column.
+
+    The active and the previous state stay in the middle of the visible part.
+    """
 
     card_chosen = Signal(object)
     seen_wanted = Signal(object)
@@ -54,7 +57,7 @@ class PartialSurface(QWidget):
         self._told: object = None
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens, self._ink = tokens, Ink(tokens)
         for spot in (self._previous, self._current, *self._neighbours):
             spot.set_ink(self._ink)
@@ -70,8 +73,8 @@ class PartialSurface(QWidget):
         chosen: Address | None,
         sensed: tuple[tuple[int, str], ...],
     ) -> None:
-        """Show another view; the same one again costs nothing. ``sensed``: digits with values."""
-        # A run tells how it stands many times a second; only whole seconds of it are shown.
+        """Show a view, unless it is the same; ``sensed`` lists (digit, "differs" or "unknown")."""
+        # A run reports many times a second, but only whole seconds are shown.
         whole = replace(view, seconds=float(int(view.seconds))) if view is not None else None
         told = (whole, chosen, sensed)
         if blueprint is self._blueprint and told == self._told:
@@ -87,13 +90,13 @@ class PartialSurface(QWidget):
         self._arrange()
 
     def set_window(self, window: QRect) -> None:
-        """Which part is in sight: the states stay in its middle."""
+        """Set the visible part (pixels), in whose middle the states stay."""
         if window != self._window:
             self._window = window
             self._arrange()
 
     def shown_spots(self) -> list[StateSpot]:
-        """The states that are in view now."""
+        """The visible states."""
         spots = (self._previous, self._current, *self._neighbours)
         return [spot for spot in spots if not spot.isHidden()]
 
@@ -103,7 +106,7 @@ class PartialSurface(QWidget):
         return QSize(800, TOP + count * PITCH + BOTTOM)
 
     def minimumSizeHint(self) -> QSize:
-        """High enough for all cards, as narrow as the columns allow."""
+        """High enough for all cards, with the smallest width of the columns."""
         return QSize(NARROWEST, self.sizeHint().height())
 
     # Filling.
@@ -252,7 +255,7 @@ class PartialSurface(QWidget):
         self._legend.move(self._window.x(), y)
         assert self.columns is not None
         under = self._middle() + 27 + 44
-        # Its last line may reach below the wires, but never over a card.
+        # It may reach below the wires, but never over a card.
         self._legend.setVisible(y > under and self._legend.width() < self.columns.cards[0])
         self._legend.lower()
 
@@ -260,7 +263,7 @@ class PartialSurface(QWidget):
         return self._window.y() + self._window.height() // 2
 
     def _way(self) -> tuple[float, float]:
-        """From where to where the way that led here goes."""
+        """The left and the right end of the line from the previous to the active state (pixels)."""
         assert self.columns is not None
         x, wide = self.columns.previous
         left = x + wide / 2 + self._previous.wide / 2
@@ -270,7 +273,7 @@ class PartialSurface(QWidget):
     # Painting.
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground, the way so far and the wires; cards and states are widgets."""
+        """Paint background, the line to the active state, and the wires."""
         painter = QPainter(self)
         painter.fillRect(event.rect(), self._tokens.canvas)
         draw_dots(painter, event.rect(), self._tokens)
@@ -315,7 +318,10 @@ class PartialSurface(QWidget):
             draw_wire(painter, QPointF(box.right(), y), end, card.standing, self._tokens, True)
 
     def _arrivals(self) -> list[float]:
-        """Where each wire meets its target: several of one target keep apart."""
+        """The y at which each wire meets its target (pixels).
+
+        Wires to one target keep a distance.
+        """
         found = []
         for button in self.cards:
             mates = [one for one in self.cards if one.card.target == button.card.target]
@@ -331,7 +337,7 @@ class PartialSurface(QWidget):
 
 
 def draw_dots(painter: QPainter, rect: QRect, tokens: Tokens) -> None:
-    """The dots of every canvas, 16 apart."""
+    """Paint the dots of the background, 16 pixels apart."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(tokens.dot)
     for y in range(rect.top() // DOTS * DOTS, rect.bottom() + 1, DOTS):
@@ -340,6 +346,6 @@ def draw_dots(painter: QPainter, rect: QRect, tokens: Tokens) -> None:
 
 
 def clock(seconds: float) -> str:
-    """Minutes and seconds: 00:41."""
+    """Minutes and seconds, such as 00:41."""
     whole = int(seconds)
     return f"{whole // 60:02d}:{whole % 60:02d}"

@@ -26,7 +26,7 @@ FAN = 5.0
 
 
 def wire_pen(standing: str, tokens: Tokens) -> QPen:
-    """How the wire of an operation is drawn; dashes say the same as colours."""
+    """The pen for the wire of an operation; dashes say the same as colours."""
     t = tokens
     if standing in (WAITS, RUNNING, PAUSED):
         return pen(t.acc, 2.2)
@@ -42,7 +42,7 @@ def wire_pen(standing: str, tokens: Tokens) -> QPen:
 
 
 def curve(start: QPointF, end: QPointF) -> QPainterPath:
-    """A line that leaves and arrives level."""
+    """A curve that begins and ends horizontally."""
     path = QPainterPath(start)
     bend = max((end.x() - start.x()) * 0.55, 16.0)
     path.cubicTo(QPointF(start.x() + bend, start.y()), QPointF(end.x() - bend, end.y()), end)
@@ -52,7 +52,7 @@ def curve(start: QPointF, end: QPointF) -> QPainterPath:
 def draw_wire(
     painter: QPainter, start: QPointF, end: QPointF, standing: str, tokens: Tokens, head: bool
 ) -> None:
-    """Draw one wire; ``head`` ends it in an arrow."""
+    """Draw one wire; ``head`` adds an arrowhead."""
     line = wire_pen(standing, tokens)
     stop = QPointF(end.x() - (HEAD - 2 if head else 0), end.y())
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -63,7 +63,7 @@ def draw_wire(
 
 
 def draw_head(painter: QPainter, tip: QPointF, colour: QColor) -> None:
-    """The head of an arrow that arrives from the left."""
+    """Draw an arrowhead that points to the right."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(colour)
     painter.drawPolygon(
@@ -72,7 +72,7 @@ def draw_head(painter: QPainter, tip: QPointF, colour: QColor) -> None:
 
 
 def draw_way(painter: QPainter, start: QPointF, end: QPointF, tokens: Tokens) -> None:
-    """The way that led here: a line on its band."""
+    """Draw the line from the previous to the active state, on a wide pale band."""
     stop = QPointF(end.x() - HEAD + 2, end.y())
     painter.setPen(pen(faded(tokens.acc, 0.16), 9))
     painter.drawLine(start, stop)
@@ -82,6 +82,6 @@ def draw_way(painter: QPainter, start: QPointF, end: QPointF, tokens: Tokens) ->
 
 
 def fan(count: int) -> list[float]:
-    """How far from the middle each of so many wires leaves the state; they stay within it."""
+    """The vertical offsets from the middle at which so many wires leave the state (pixels)."""
     apart = min(FAN, 36.0 / max(count, 1))
     return [(at - (count - 1) / 2) * apart for at in range(count)]
