@@ -1,1 +1,3 @@
-"""Partial view, during: one D-SFO step at a time. No thread, no Qt, no clock, no file."""
+"""Runs a blueprint, one D-SFO step at a time, from the partial view. It has no thread, Qt, clock or
+file.
+"""

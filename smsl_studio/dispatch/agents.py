@@ -9,10 +9,11 @@ RISKS = ("low", "medium", "high")
 
 
 class RiskLimit:
-    """Allows operations up to a declared risk, refuses those above it, asks about the others.
+    """Allows operations up to a declared risk, vetoes those above it, and asks a person about the
+    others.
 
-    It sees what every supervisor sees: the operation that is proposed, nothing further ahead. An
-    operation of which no risk is declared is not safe for that: a person is asked.
+    It sees only the proposed operation, as every supervisor does. An operation without a declared
+    risk is not assumed to be safe, so a person is asked.
     """
 
     def __init__(self, limit: str = "medium") -> None:
@@ -23,11 +24,11 @@ class RiskLimit:
 
     @property
     def name(self) -> str:
-        """How the record calls this supervisor, with its limit."""
+        """The name of this supervisor in the record, with its limit."""
         return f"risk limit {self.limit}"
 
     def review(self, proposal: Proposal) -> Verdict:
-        """Allow, veto, or ask a person where nobody has declared the risk."""
+        """Return ``allow`` or ``veto``, or ``ask`` if no risk is declared."""
         risk = proposal.risk
         if risk not in RISKS:
             return Verdict(ASK, f"No risk is declared for {proposal.operation}.")

@@ -1,8 +1,8 @@
-"""The dispatcher: one D-SFO step at a time, as a person or the plan would have it.
+"""The dispatcher: it carries out one D-SFO step at a time, chosen by a person or by the plan.
 
-``tick`` takes the commands first, then makes one host tick where something runs or lives, otherwise
-it proposes the next operation. ``docs/supervision.md`` draws the run states. Nothing here reads a
-clock or a file or starts a thread.
+``tick`` carries out the waiting commands first. Then it makes one host tick if something is carried
+out or the world is live, or else proposes the next operation. ``docs/supervision.md`` draws the run
+states. Nothing here reads a clock or a file, or starts a thread.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ from smsl_studio.stop import BrokenOff, Stopped, restartable
 
 
 class Dispatcher(Commands):
-    """Runs one blueprint on one host, on the terms that were settled before.
+    """Runs one blueprint on one host.
 
-    ``levels`` say who acts, senses, inspects and supervises (by default as the blueprint has it).
-    ``supervisor`` is asked before every operation, last of all guards. ``someone`` says whether
-    anybody will answer what people are asked; where it is not given, that is whoever attends the
-    run.
+    ``terms`` are settled before the run. ``levels`` say who acts, senses, inspects and supervises;
+    by default the blueprint declares them. ``supervisor`` is asked before every operation, after
+    all guards. ``someone`` says whether anybody will answer questions; by default this is so in an
+    attended run.
 
-    Commands are taken while the run is open; the record of a finished one is closed.
+    Commands are taken while the run is open. The record of a finished run takes none.
     """
 
     def __init__(
@@ -65,8 +65,9 @@ class Dispatcher(Commands):
         self._status: DispatchStatus | None = None
 
     def take(self, command: Command) -> None:
-        """Have a command wait for the next tick; each row of ``Commands`` is a method that says
-        it."""
+        """Keep a command for the next tick. Each row of ``Commands`` is a method that calls
+        this.
+        """
         self._waiting.append(command)
 
     @property
@@ -77,9 +78,10 @@ class Dispatcher(Commands):
     # the run ------------------------------------------------------------------------------------
 
     def open(self) -> tuple[Event, ...]:
-        """Open the host and ask the guards of the start; a refusal ends in ``run_finished``.
+        """Open the host and check the start. Return the first events; a refusal ends in
+        ``run_finished``.
 
-        WorldError and PluginError where the world cannot be built at all.
+        WorldError and PluginError if the world cannot be built at all.
         """
         try:
             terms = self._terms
@@ -97,10 +99,11 @@ class Dispatcher(Commands):
         return self._drain()
 
     def tick(self) -> tuple[Event, ...]:
-        """One step: commands first, then one host tick or the next proposal; what happened.
+        """Make one step, and return its events: commands first, then one host tick or the next
+        proposal.
 
-        Where it lasts (a long plan, a world that does not answer) it heeds whoever listens (see
-        ``stop``). Called off, it tells what has happened until then: the next tick goes on.
+        Steps that may last, such as a long plan, heed the listener (see ``stop``). If the step is
+        called off, the events so far are returned, and the next tick goes on.
         """
         driver = self._driver
         if driver is None or self._ended is not None:
@@ -129,8 +132,9 @@ class Dispatcher(Commands):
         return self._drain()
 
     def watch(self) -> tuple[Event, ...]:
-        """For a run that stands still, nothing moves: whether the host is still there, and what
-        sensors elsewhere say meanwhile."""
+        """Return the events of a run that stands still: the host may be lost, and remote sensors
+        may have new readings.
+        """
         driver = self._driver
         if driver is None or self.finished:
             return ()
@@ -144,11 +148,13 @@ class Dispatcher(Commands):
         return self._drain()
 
     def leave(self) -> None:
-        """Whoever attended the run is gone: from the next tick on it ends where it waits."""
+        """Note that nobody attends the run any more. From the next tick on, the run ends if it
+        waits.
+        """
         self._leaving = True
 
     def break_off(self) -> tuple[Event, ...]:
-        """End a run that was called off in the middle of a tick, which is not gone on with."""
+        """End a run that was called off in the middle of a tick. Return the last events."""
         driver = self._driver
         if driver is None:
             return self._end("stopped", UNBEGUN)
@@ -159,39 +165,39 @@ class Dispatcher(Commands):
         return self._end("stopped", BROKEN_OFF)
 
     def close(self) -> None:
-        """Free the host; calling it twice is harmless."""
+        """Free the host. A second call does nothing."""
         self.host.close()
 
     @property
     def opened(self) -> OpenedWorld | None:
-        """What the host said when its world stood; None before, and where it never stood."""
+        """The description of the opened world, None before it is open."""
         return self._driver.run.opened if self._driver else None
 
     @property
     def finished(self) -> bool:
-        """Whether the run is over; ``run_finished`` was its last event."""
+        """Whether the run is over. Its last event was ``run_finished``."""
         return self._ended is not None
 
     @property
     def time(self) -> float:
-        """Simulated seconds."""
+        """The simulated time (s)."""
         return self._driver.run.time if self._driver else 0.0
 
     @property
     def phase(self) -> str:
-        """The run state, one of ``runlog.phase.RUN_STATES``; when it is over, the last one."""
+        """The run state, one of ``runlog.phase.RUN_STATES``. After the end it is the last one."""
         if self._ended is not None:
             return phase_at_end(self._ended.reason)
         return self._driver.phase if self._driver else "idle"
 
-    # what is seen -------------------------------------------------------------------------------
+    # views --------------------------------------------------------------------------------------
 
     @property
     def status(self) -> DispatchStatus:
-        """How the run stands now; the same object until something happens, or more is known.
+        """The status of the run. It is the same object until something happens, or more is known.
 
-        Where routes take long to find it heeds whoever listens (see ``stop``), and shows what is
-        known by then (``planning``).
+        The search for routes may last and heeds the listener (see ``stop``). If it is called off,
+        the status has what is known, and ``planning`` is true.
         """
         if self._status is None or self._status.planning:
             ended, driver = self._ended, self._driver
@@ -205,7 +211,7 @@ class Dispatcher(Commands):
 
     @property
     def standing(self) -> Standing:
-        """Where the run stands now; unlike ``status`` it plans nothing."""
+        """The place of the run, without any planning."""
         ended, driver = self._ended, self._driver
         if driver is None:
             nothing = self.status
@@ -215,13 +221,15 @@ class Dispatcher(Commands):
     # the end ------------------------------------------------------------------------------------
 
     def _host_gone(self, error: HostError) -> tuple[Event, ...]:
-        """The run holds with the reason; where library code runs no more, that is its end."""
+        """End the run, because no library code can run any more. A hold with the reason comes
+        first.
+        """
         details = (error.advice,) if error.advice else ()
         held = Held(t=self.time, reason=error.sentence, details=details)
         return self._end("failed", error.sentence, held)
 
     def end_for(self, reason: str, sentence: str) -> RunFinished:
-        """The last event of the run if it ended now, for this reason."""
+        """Return the event that would end the run now, for this reason."""
         run = self._driver.run if self._driver else None
         return RunFinished(
             t=self.time,
@@ -232,7 +240,7 @@ class Dispatcher(Commands):
         )
 
     def _end(self, reason: str, sentence: str, *before: Event) -> tuple[Event, ...]:
-        """End outside the driver; what it had to tell comes first."""
+        """End the run outside the driver. Its waiting events come first."""
         self._ended = self.end_for(reason, sentence)
         if self._driver is not None:
             refuse(self._driver, self._waiting, "the run is over")

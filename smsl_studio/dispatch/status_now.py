@@ -1,4 +1,4 @@
-"""Looking at a run: how it stands now, as one frozen value."""
+"""The current status of a live run, as one frozen value."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ Answer = TypeVar("Answer")
 
 
 class Standing(NamedTuple):
-    """Where a run stands: the time (s), where every SB is believed, the facts as they are sensed,
-    and why it ended or holds.
+    """The place of a run: the time (simulated s), the believed states, the sensed facts, and why
+    the run has ended or holds.
     """
 
     time: float
@@ -33,7 +33,7 @@ class Standing(NamedTuple):
 
 
 def stand(driver: Driver, phase: str, ended: RunFinished | None) -> Standing:
-    """Where an opened run stands; nothing is planned for it."""
+    """Return the place of an opened run. Nothing is planned."""
     run, held = driver.run, driver.state.held
     reason = ended.reason if ended else held.kind if held else ""
     sentence = ended.sentence if ended else _sentence(driver, phase)
@@ -41,10 +41,10 @@ def stand(driver: Driver, phase: str, ended: RunFinished | None) -> Standing:
 
 
 def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatus:
-    """How an opened run stands.
+    """Return the status of an opened run.
 
-    It asks for routes, which may last, and heeds (see ``stop``): called off, it shows what is
-    known.
+    The search for routes may last and heeds the listener (see ``stop``). If it is called off, the
+    status has what is known.
     """
     run, carrier, state = driver.run, driver.carrier, driver.state
     standing = stand(driver, phase, ended)
@@ -96,7 +96,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
 
 
 class _Sought:
-    """What is asked of the planner; ``all`` says whether all of it is known."""
+    """Asks questions that need the planner. ``all`` says whether every question was answered."""
 
     def __init__(self) -> None:
         self.all = True
@@ -112,21 +112,22 @@ class _Sought:
 
 
 def _begun(driver: Driver) -> tuple[Address, ...]:
-    """What is left of the step that is carried out, and of the plan."""
+    """Return the remaining edges of the step that is carried out, and of the plan."""
     current = driver.carrier.remaining if driver.carrier else ()
     return (*(edge.address for edge in current), *driver.course.ahead)
 
 
 def _route(driver: Driver, phase: str, ended: RunFinished | None) -> tuple[Address, ...]:
-    """The edges still to be carried out."""
+    """Return the edges still to be carried out."""
     route = _begun(driver)
     if driver.carrier is None and driver.desk.busy and not ended:
         following = driver.next_edge()
         if following is not None and following not in route[:1]:
-            # What people are asked about is still to be carried out, and first.
+            # The operation that people are asked about is still to be carried out, as the first
+            # one.
             route = (following, *route)
     if not route and phase == "paused" and not holds(_here(driver), driver.course.goals):
-        # What was asked for by hand has no plan behind it; one sees what would come all the same.
+        # An operation that was asked for by hand has no plan. The route after it is shown even so.
         route = driver.course.prospect(_here(driver))
     return route
 
@@ -134,7 +135,7 @@ def _route(driver: Driver, phase: str, ended: RunFinished | None) -> tuple[Addre
 def look_at_nothing(
     phase: str, goals: Sequence[Address], ended: RunFinished | None
 ) -> DispatchStatus:
-    """Before the world stands, or where a guard of the start said no."""
+    """Return the status before the world is open, or after the start was refused."""
     return DispatchStatus(
         phase=phase,
         time=0.0,
@@ -157,7 +158,9 @@ def look_at_nothing(
 
 
 def _latched(driver: Driver, phase: str, possible: Iterable[Possible]) -> Iterator[Possible]:
-    """Every edge out of the active states; none may be asked for while the run is latched."""
+    """Yield every edge out of the active states. While the run is latched, none may be asked
+    for.
+    """
     latched = COMMANDS["ask"].why_refused(phase, driver.state.taken_over)
     for one in possible:
         if phase in ("stopped", "taken_over"):
@@ -167,7 +170,7 @@ def _latched(driver: Driver, phase: str, possible: Iterable[Possible]) -> Iterat
 
 
 def _detour(driver: Driver) -> tuple[Address, ...] | None:
-    """The way to the goals if the next operation were vetoed."""
+    """Return the route to the goals if the next operation was vetoed. None if there is none."""
     course = driver.course
     if driver.carrier is not None:
         following = course.ahead[0] if course.ahead else None
@@ -182,12 +185,12 @@ def _detour(driver: Driver) -> tuple[Address, ...] | None:
 
 
 def _sentence(driver: Driver, phase: str) -> str:
-    """What is the matter: what people are asked, where that is what the run waits for."""
+    """Return the sentence about the run. It is the question if the run waits for an answer."""
     asked, said = driver.desk.sentence, driver.sentence
     return asked or said if phase == "waiting" else said or asked
 
 
 def _here(driver: Driver) -> Mapping[str, str]:
-    """Where the run stands, or will when what it carries out has ended."""
+    """Return the configuration of the run, or the one after the current step."""
     carrier = driver.carrier
     return {**driver.run.configuration, **(carrier.step.after if carrier else {})}

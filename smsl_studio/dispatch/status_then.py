@@ -1,4 +1,4 @@
-"""Looking at a moment of a run that its events tell: how it stood, as a live run shows itself."""
+"""The status of a recorded run at a moment, in the same form as that of a live run."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from smsl_studio.runlog.phase import phase_at_end
 
 
 def status_at(blueprint: Blueprint, moment: RunMoment) -> DispatchStatus:
-    """How the run stood. What the blueprint does not have (it may be another version) is left out.
+    """Return the status at a moment. Elements that the blueprint does not have are left out,
+    because it may be another version.
 
-    Nothing is possible: what is over cannot be commanded.
+    Nothing is possible in it, because the past takes no commands.
     """
     configuration = {
         name: state
@@ -60,7 +61,7 @@ def status_at(blueprint: Blueprint, moment: RunMoment) -> DispatchStatus:
 def _check(
     blueprint: Blueprint, running: Address | None, configuration: Mapping[str, str], scene: Scene
 ) -> CheckResult | None:
-    """The check that is awaited, worked out from what was sensed at that moment."""
+    """Return the awaited state check, computed from the facts of that moment."""
     if running is None or not scene.readings:
         return None
     target = blueprint[running.branch].table[running.state][running.operation]
@@ -74,7 +75,7 @@ def _first_known(blueprint: Blueprint, texts: Iterable[str]) -> Address | None:
 
 
 def _known(blueprint: Blueprint, texts: Iterable[str]) -> Iterator[Address]:
-    """The operations that the blueprint has."""
+    """Yield the operations that the blueprint has."""
     for text in texts:
         parts = Address.split(text)
         branch = blueprint.branches.get(parts[0])

@@ -1,4 +1,4 @@
-"""What whoever writes a supervisor imports; ``drive.supervisor`` explains it."""
+"""The names that the author of a supervisor imports. ``drive.supervisor`` explains them."""
 
 from __future__ import annotations
 

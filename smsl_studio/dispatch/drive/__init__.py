@@ -1,1 +1,1 @@
-"""What a run does at each tick by itself: from its start to its goals, step by step."""
+"""What a run does at each tick by itself, from its start to its goals."""

@@ -1,8 +1,8 @@
-"""From a proposed step to its beginning: facts that people say, guards, the supervisor, consent.
+"""The admission of a proposed step: facts from people, guards, the supervisor, and consent.
 
-In this order, each only where the ones before let it pass, and everything before anything moves.
-Where people had to be asked the guards are asked once more, because time has passed. Every
-function answers why the step was refused at once; empty where it begins or people are asked.
+They come in this order, and each only if those before agree. Nothing moves before all have agreed.
+If people were asked, the guards are checked again, because time has passed. Every function returns
+why the step was refused at once. The text is empty if the step begins or if people are asked.
 """
 
 from __future__ import annotations
@@ -26,8 +26,10 @@ from smsl_studio.runlog.events import Commanded, OperationPruned, OperationRefus
 
 
 class Admission:
-    """Lets steps begin, or turns them down. ``proposed`` is the operation that was last put to the
-    guards, ``chosen`` says that a person asked for it."""
+    """Admits or refuses steps.
+
+    ``proposed`` is the operation that was checked last. ``chosen`` says that a person asked for it.
+    """
 
     def __init__(
         self,
@@ -44,15 +46,16 @@ class Admission:
         self._reviewer, self._loops, self._conduct = reviewer, loops, conduct
 
     def admit(self, step: JointStep, chosen: bool = False) -> str:
-        """Let a step begin, if everything that is asked first agrees. ``chosen``: a person asked
-        for it, so nobody has to supervise that choice, and a refusal holds nothing."""
+        """Let a step begin if everything agrees. ``chosen`` says that a person asked for it. Then
+        nobody supervises the choice, and the run does not hold if it is refused.
+        """
         self.proposed, self.chosen = step.asked.address, chosen
         facts = of_step(self._run, step)
         if not facts:
             return self._guarded(step, chosen)
 
         def said(closed: tuple[Closed, ...]) -> None:
-            """Go on to the guards where no person said no about the facts; else refuse the step."""
+            """Go on to the guards if people have told all facts. Otherwise refuse the step."""
             no = no_words(closed)
             self._refuse(step, chosen, (no,)) if no else self._guarded(step, chosen)
 
@@ -60,10 +63,12 @@ class Admission:
         return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
     def _supervised(self, step: JointStep, why: str = "") -> str:
-        """Ask a person whether a step of the route may begin; why that is no use, if it is none."""
+        """Ask a person whether a step of the route may begin. Return why nobody can be asked, if
+        so.
+        """
 
         def decided(closed: tuple[Closed, ...]) -> None:
-            """Go on where the person in the supervisor's place said yes; else do what they said."""
+            """Go on if the answer is yes. Otherwise do what the person has decided."""
             if closed[0].yes:
                 self._confirmed(step, chosen=False)
             else:
@@ -99,15 +104,16 @@ class Admission:
         return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
     def _confirmed(self, step: JointStep, chosen: bool, fresh: bool = False) -> str:
-        """People confirm what must be confirmed, all of it before anything moves; then it begins.
+        """Ask for all confirmations of a step before anything moves. Then it begins.
 
-        ``fresh``: the guards were asked at this very moment."""
+        ``fresh`` says that the guards were checked at this moment.
+        """
         questions = confirmations(self._run, step) if self._run.people_act else ()
         if not questions:
             return self._begin(step, chosen, fresh)
 
         def said(closed: tuple[Closed, ...]) -> None:
-            """Begin the step where everybody consented; else refuse it."""
+            """Begin the step if everybody has agreed. Otherwise refuse it."""
             no = no_words(closed)
             self._refuse(step, chosen, (no,)) if no else self._begin(step, chosen)
 
@@ -115,7 +121,7 @@ class Admission:
         return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
     def _begin(self, step: JointStep, chosen: bool, fresh: bool = False) -> str:
-        """Begin, if the guards still agree."""
+        """Begin a step if the guards still agree."""
         reasons = () if fresh else self._barred(step) or refusals(self._run, step)
         if reasons:
             return self._refuse(step, chosen, reasons)
@@ -123,7 +129,7 @@ class Admission:
         return ""
 
     def _barred(self, step: JointStep) -> tuple[str, ...]:
-        """What was shut out since the step was worked out."""
+        """Return the edges of the step that were excluded after it was planned, as sentences."""
         shut = self._course.shut
         if not shut:
             return ()
@@ -138,7 +144,9 @@ class Admission:
         return "; ".join(reasons)
 
     def _obey_people(self, step: JointStep, closed: Closed) -> None:
-        """A person has decided against a step: skip it, shut it out, pause; or has not decided."""
+        """Do what a person has decided against a step: skip it once, exclude it, or pause. Without
+        a decision refuse the step.
+        """
         run, address = self._run, step.asked.address
         if closed.outcome != ANSWERED or closed.answer is None:
             self._refuse(step, False, (no_words([closed]),))
@@ -153,7 +161,9 @@ class Admission:
             self._skip(address, decision, "")
 
     def _obey_supervisor(self, step: JointStep, verdict: Verdict) -> None:
-        """The supervisor does not let it begin: skip it, shut it out, pause, or ask a person."""
+        """Do what the supervisor has decided: skip the step once, exclude it, pause, or ask a
+        person.
+        """
         run, address = self._run, step.asked.address
         reason, name = verdict.reason, self._reviewer.name
         said = {"by": name, "address": str(address), "reason": reason}
@@ -170,7 +180,7 @@ class Admission:
         self._skip(address, verdict.decision, reason)
 
     def _skip(self, address: Address, decision: str, reason: str) -> None:
-        """Shut an operation out until it is restored, or skip it once."""
+        """Exclude an operation until it is restored, or skip it once."""
         run = self._run
         if decision == PRUNE:
             self._course.prune(address, reason)
@@ -180,8 +190,9 @@ class Admission:
 
 
 def confirmations(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
-    """Whoever must confirm an edge of a step: its ``confirm`` roles, or one person where the
-    operation is shared."""
+    """Return the questions to those who must confirm the edges of a step: the roles in ``confirm``,
+    or one person for a shared operation.
+    """
     found = []
     for edge in step.edges:
         if edge.branch not in run.people_act:

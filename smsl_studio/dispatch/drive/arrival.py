@@ -1,8 +1,8 @@
-"""Arrival: a goal is told, and a run is over, only after a fresh check of where it stands.
+"""The arrival at goals. A goal is reached, and a run is over, only after a fresh check.
 
-The configuration says where the run believes to be. Before a goal counts, the world goes on for at
-least one more tick, every sensor is read, and the goal's state check must be true with readings
-that are newer than whatever happened last: a commit, a command, a disturbance.
+The configuration is only what the run believes. Before a goal counts, the world goes on for at
+least one more tick, and every sensor is read. Then the goal's state check must be true, with
+readings that are newer than the last commit, command or disturbance.
 """
 
 from __future__ import annotations
@@ -22,10 +22,11 @@ HAIR = 1e-9
 
 
 class Arrival:
-    """What has been told of the goals of one run, and since when it stands at the next ones.
+    """The goals of one run that were told, and the time since when fresh readings are awaited.
 
-    ``closing``: whoever attended the run is gone, so it ends here, whatever the check says.
-    ``moved``: an operation has ended since goals were looked for; by hand nothing else is a reason.
+    ``closing`` says that nobody attends the run any more, so it ends whatever the check says.
+    ``moved`` says that an operation has ended since the last look at the goals. A run by hand looks
+    only then.
     """
 
     def __init__(
@@ -44,9 +45,10 @@ class Arrival:
 
     @property
     def open(self) -> bool:
-        """Whether the run stands where a goal was not told yet, or where all of them hold."""
+        """Whether the run stands at a goal that was not told yet, or at all goals."""
         here = self._run.configuration
-        for goal in self._goals:  # asked at every tick, where a generator is dear
+        # a loop, because this is asked at every tick and a generator is slow
+        for goal in self._goals:
             if here[goal.branch] != goal.state:
                 return False
             if goal not in self._told:
@@ -55,28 +57,31 @@ class Arrival:
 
     @property
     def _reached(self) -> tuple[Address, ...]:
-        """The goals in their order, up to the first where the run does not stand."""
+        """The goals in order, up to the first one at which the run does not stand."""
         here = self._run.configuration
         away = (n for n, goal in enumerate(self._goals) if here[goal.branch] != goal.state)
         return self._goals[: next(away, len(self._goals))]
 
     def begin(self, moved: bool = False) -> None:
-        """Only readings from now on count; ``moved``: also where that was said before."""
+        """Wait for readings that are newer than now. ``moved`` says that an operation has ended, so
+        an earlier time no longer counts.
+        """
         self.moved |= moved
         if moved or self._since is None:
             self._since = self._run.senses.moment
 
     def close(self) -> None:
-        """Whoever attended the run is gone."""
+        """Note that nobody attends the run any more."""
         self.closing = True
 
     def forget(self) -> None:
-        """Something happened: readings must be newer than that."""
+        """Note that something has happened, so new readings are needed."""
         self._since = None
 
     def look(self) -> None:
-        """A tick has passed: tell the goals where the check is true, hold where it is not. Where
-        readings are still awaited, and within the settling time, nothing happens."""
+        """Check the goals after a tick. Tell them if the check is true, and hold if it is not.
+        Nothing happens while readings are awaited, or within the settling time.
+        """
         run, since = self._run, self._since
         if since is None:
             return
@@ -113,7 +118,7 @@ class Arrival:
         self._conduct.arrived(bool(new), arrived, words)
 
     def _facts(self, goals: Sequence[Address]) -> set[FactKey]:
-        """Every fact that goals hang on, and every critical one."""
+        """Return the facts that these goals depend on, and all critical facts."""
         run = self._run
         found = {(name, digit) for name, digits in run.critical.items() for digit in digits}
         names = {goal.branch for goal in goals} | {name for name, _ in found}

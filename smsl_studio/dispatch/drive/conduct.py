@@ -1,4 +1,4 @@
-"""What a part of a run may have the whole run do, without knowing who drives it."""
+"""The effects on the whole run that a part of it may cause, without knowing the driver."""
 
 from __future__ import annotations
 
@@ -9,26 +9,30 @@ from smsl_studio.dispatch.execution.trouble import Hold
 
 
 class Conduct(Protocol):
-    """A run that can be held, ended, paused, or told to begin a step."""
+    """A run that can begin a step, hold, pause and end."""
 
     def begin(self, step: JointStep, chosen: bool) -> None:
-        """Carry a step out from this tick on; every guard was asked. ``chosen``: by a person."""
+        """Carry out a step from this tick on. All guards have agreed. ``chosen`` says that a person
+        asked for it.
+        """
 
     def hold(self, hold: Hold | None) -> None:
-        """Nobody moves until someone decides; None does nothing."""
+        """Let nothing move until somebody decides. None does nothing."""
 
     def finish(self, reason: str, sentence: str) -> None:
-        """The run is over."""
+        """End the run."""
 
     def arrived(self, new: bool, moved: bool, sentence: str) -> None:
-        """The run stands at goals, confirmed by a fresh check. ``new``: one was not told before;
-        ``moved``: that, or an operation led there. ``sentence`` has all goals where all hold."""
+        """Note that the run stands at goals, after a fresh check. ``new`` says that one of them is
+        told for the first time. ``moved`` says that, or that an operation has ended there.
+        ``sentence`` names all goals if all hold, and is empty otherwise.
+        """
 
     def say(self, sentence: str) -> None:
-        """What the run waits for now, for people."""
+        """Set the sentence about what the run waits for."""
 
     def paused_or_held(self, why: str) -> None:
-        """Whoever is asked about an operation wants a pause; unattended, the run is over."""
+        """Pause, because the person or agent who was asked wants so. Without attendance, hold."""
 
     def withdraw(self) -> None:
-        """What was proposed is so no longer."""
+        """Withdraw what was proposed."""

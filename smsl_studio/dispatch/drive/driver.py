@@ -1,7 +1,7 @@
 """The driver: what a run does at each tick.
 
-It stands between the door (``dispatcher``), which takes commands and tells what happened, and the
-carrier, which carries out one joint step. What commands make of it is ``supervision``.
+The dispatcher above it takes commands and returns events. The carrier below it carries out one
+joint step. ``supervision`` has the effects of commands on the driver.
 """
 
 from __future__ import annotations
@@ -41,9 +41,11 @@ from smsl_studio.stop import restartable
 
 
 class Driver:
-    """One opened run. ``ended`` is None until it is over; ``sentence`` says why it ended or does
-    not go on. ``attended`` says whether somebody is there to decide when it holds, ``someone``
-    whether anybody will answer what people are asked (where it is not given: whoever attends).
+    """One opened run.
+
+    ``ended`` is None until the run is over. ``sentence`` says why it ended or does not go on.
+    ``attended`` says whether somebody can decide when the run holds. ``someone`` says whether
+    anybody will answer questions; by default this is so in an attended run.
     """
 
     def __init__(
@@ -75,16 +77,18 @@ class Driver:
 
     @property
     def phase(self) -> str:
-        """What the run does now, in one word, such as "paused"; see ``RunMode``."""
+        """The run state in one word, such as ``paused`` (see ``RunMode``)."""
         return self.state.phase_while(self.carrier is not None, self.desk.busy)
 
     # one tick -----------------------------------------------------------------------------------
 
     def go_on(self) -> None:
-        """One host tick where something runs or lives, otherwise the next proposal."""
+        """Make one host tick if something is carried out or the world is live, else the next
+        proposal.
+        """
         carrier, asking = self.carrier, self.desk.busy
         if carrier is not None and not (asking or self.state.frozen):
-            self._carry(carrier)  # whatever the run state: what is on its way goes on
+            self._carry(carrier)  # in every run state: what has begun goes on
             return
         phase = self.state.phase_while(carrier is not None, asking)
         if phase == "paused":
@@ -102,14 +106,14 @@ class Driver:
             self._live(watched=phase == "ready")
 
     def _start(self) -> None:
-        """The start goes on where something came between it and the answers it needs."""
+        """Go on with the start, after something came between it and the answers it needs."""
         try:
             self.starting.go_on()
         except RunRefused as refused:
             self.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
 
     def _wait(self, watched: bool) -> None:
-        """Go on with what people answered; until they have, the world lives and time passes."""
+        """Go on with the answers of people. Until they are complete, time passes in the world."""
         if self.desk.settled():
             return
         if self.carrier is None:
@@ -125,15 +129,18 @@ class Driver:
         self.desk.settled()
 
     def _outlived(self) -> bool:
-        """Whether what people are asked for is no longer carried out; then they are not."""
+        """Return whether people are asked about a step that has ended meanwhile. Then the questions
+        are withdrawn.
+        """
         if self.carrier is None or self.carrier.stage is ActionStage.ASKING:
             return False
         self.desk.withdraw()
         return True
 
     def _live(self, watched: bool) -> None:
-        """The world lives while a person thinks; integrity is watched (clause 9) where the run
-        has not given it up already."""
+        """Let time pass in the world while a person thinks. If ``watched``, check integrity (clause
+        9).
+        """
         run = self.run
         self.arrival.begin()
         self._tick()
@@ -154,7 +161,7 @@ class Driver:
             self.hold(self.trouble.relocalise())
 
     def _tick(self) -> None:
-        """The world goes on for one tick, and its sensors say what they are due to say."""
+        """Make one tick of the world and take in the samples of its sensors."""
         _, changes = self.run.senses.tick()
         self.run.emit(*changes)
 
@@ -171,7 +178,7 @@ class Driver:
             self.admission.admit(step)
 
     def _next(self) -> JointStep | None:
-        """The next step of the route; None where the run holds instead."""
+        """Return the next step of the route, or None if the run holds instead."""
         run, course = self.run, self.course
         self.pricing.ask()
         try:
@@ -191,11 +198,13 @@ class Driver:
         return step
 
     def _lost(self) -> bool:
-        """Whether the run has begun, and holds now because a critical fact is lost."""
+        """Return whether the run has begun and now holds because a critical fact is lost."""
         return self.starting.told and self.integrity.lost()
 
     def begin(self, step: JointStep, chosen: bool) -> None:
-        """Carry a step out, from this tick on; every guard was asked. ``chosen``: by a person."""
+        """Carry out a step from this tick on. All guards have agreed. ``chosen`` says that a person
+        asked for it.
+        """
         if chosen:
             self.course.drop_plan()
             self.loops.forget()
@@ -215,7 +224,7 @@ class Driver:
         self._after(carrier)
 
     def _after(self, carrier: Carrier) -> None:
-        """What becomes of a step that has gone on, by a tick or by an answer."""
+        """Handle the new stage of a step, after a tick or an answer."""
         if carrier.stage is ActionStage.ASKING:
             nobody = self.desk.ask(carrier.wants, partial(self._answered, carrier))
             if nobody:
@@ -243,11 +252,14 @@ class Driver:
         self._after(carrier)
 
     def _failed(self, step: JointStep, failure: StepFailure) -> None:
-        """Relocalise, once people have said what only they know of the scene. Where the step lost
-        what it rests on the run holds at once, and people are asked when it is to go on."""
+        """Find out where the run stands, after people have told the facts that only they know.
+
+        If the step has lost a fact that it needs, the run holds at once. People are then asked
+        before it goes on.
+        """
 
         def relocalise() -> None:
-            """Find out where the run stands, and hold where the trouble asks for it."""
+            """Find out where the run stands, and hold if necessary."""
             hold = self.trouble.after(failure)
             self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
 
@@ -257,10 +269,11 @@ class Driver:
         else:
             self.integrity.informed(relocalise)
 
-    # what commands need -------------------------------------------------------------------------
+    # for commands
+    # ----------------------------------------------------------------------------------
 
     def next_edge(self) -> Address | None:
-        """The operation that people are asked about, else what the route begins next from here."""
+        """Return the operation that people are asked about, else the next one of the route."""
         proposed = self.admission.proposed
         if proposed is not None and self.desk.busy and not self.desk.keeps:
             return proposed
@@ -269,19 +282,21 @@ class Driver:
         return self.course.next_operation(self.run.configuration)
 
     def now_paused(self) -> None:
-        """Nothing moves from now on, and simulated time stands still."""
+        """Pause now. Nothing moves, and simulated time stands still."""
         self.state.pause(carrying=self.carrier is not None or self.desk.busy)
         self.run.emit(Paused(t=self.run.time))
 
     def paused_or_held(self, why: str) -> None:
-        """Whoever is asked about an operation wants a pause; unattended, the run is over."""
+        """Pause, because the person or agent who was asked wants so. Without attendance, hold."""
         if self.attended:
             self.now_paused()
         else:
             self.hold(Hold(why))
 
     def arrived(self, new: bool, moved: bool, sentence: str) -> None:
-        """Goals were told: a step ends here, and where all hold (``sentence``) the run does."""
+        """Handle goals that were told: a single step ends, and if all goals hold (``sentence``) the
+        run ends.
+        """
         state = self.state
         if new:
             self.loops.forget()
@@ -295,20 +310,20 @@ class Driver:
             self.finish("goal_reached", sentence)
 
     def say(self, sentence: str) -> None:
-        """What the run waits for, or why it does not go on."""
+        """Set the sentence about what the run waits for, or why it does not go on."""
         self.sentence = sentence
 
     def let_go(self) -> Carrier | None:
-        """Nothing is carried out any more; what was, until now."""
+        """Drop the step that is carried out, and return its carrier."""
         carrier, self.carrier = self.carrier, None
         return carrier
 
     def nobody_attends(self) -> None:
-        """Nobody is there any more to decide when it holds."""
+        """Note that nobody attends the run any more."""
         self.attended = False
 
     def withdraw(self) -> None:
-        """What was proposed is so no longer: the next proposal is made anew."""
+        """Withdraw what was proposed, so that the next proposal is made anew."""
         self.course.drop_plan()
         self.reviewer.forget()
         if self.carrier is None and not self.desk.keeps:
@@ -317,7 +332,9 @@ class Driver:
     # waiting and ending -------------------------------------------------------------------------
 
     def hold(self, hold: Hold | None) -> None:
-        """Nobody moves until someone decides; unattended, the run is over. None does nothing."""
+        """Let nothing move until somebody decides. Without attendance the run ends. None does
+        nothing.
+        """
         if hold is None:
             return
         self.desk.withdraw()
@@ -331,13 +348,13 @@ class Driver:
             self.finish(hold.ends, hold.reason)
 
     def release(self) -> None:
-        """The run holds no longer."""
+        """End the hold."""
         self.state.release()
         self.sentence, self._broken_since = "", None
         self.trouble.forget()
 
     def finish(self, reason: str, sentence: str) -> None:
-        """The run is over; the last event, which is told at the end of the tick, says why."""
+        """End the run. The event with the reason is told at the end of the tick."""
         run = self.run
         self.desk.withdraw()
         self.sentence, self.carrier = sentence, None

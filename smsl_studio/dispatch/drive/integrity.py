@@ -1,4 +1,6 @@
-"""Integrity while nothing is carried out: critical facts, and asking people for what they know."""
+"""Integrity while no step is carried out: critical facts, and questions for facts that people
+know.
+"""
 
 from __future__ import annotations
 
@@ -13,14 +15,15 @@ from smsl_studio.dispatch.execution.trouble import Trouble
 
 
 class Integrity:
-    """Holds a run that has begun where a critical fact is lost."""
+    """Holds a run that has begun if a critical fact is lost."""
 
     def __init__(self, run: LiveRun, desk: Desk, trouble: Trouble, conduct: Conduct) -> None:
         self._run, self._desk, self._trouble, self._conduct = run, desk, trouble, conduct
 
     def informed(self, then: Callable[[], None]) -> None:
-        """Do it once people were asked for those facts of the active states that are unknown and
-        theirs to say; at once where there are none, or nobody is there."""
+        """Call ``then`` after people were asked for the unknown facts of the active states that
+        they may tell. Call it at once if there are no such facts, or if nobody will answer.
+        """
         run = self._run
         run.look()
         facts = in_checks(run, run.checks(run.configuration))
@@ -28,10 +31,10 @@ class Integrity:
             then()
 
     def lost(self) -> bool:
-        """Hold where a critical fact is false or unknown; whether that is so.
+        """Hold if a critical fact is false or unknown. Return whether this is so.
 
-        It holds at once, whatever people are being asked. Only where all that is lost is theirs to
-        say they are asked first, or may finish what they are asked already.
+        The run holds at once, even while people are asked something else. Only if people may tell
+        all lost facts, they are asked first, or may finish their open questions about facts.
         """
         run = self._run
         if not lost_critical(run):

@@ -1,4 +1,6 @@
-"""The loop guard: the same edge from the same configuration, again and again, gets nowhere."""
+"""The loop guard: it stops a run that begins the same edge from the same configuration
+repeatedly.
+"""
 
 from __future__ import annotations
 
@@ -7,33 +9,36 @@ from collections.abc import Mapping
 from smsl_studio.blueprint.edges import Edge
 
 VISITS = 3
-"""So often the automatic route may begin one edge from one configuration."""
+"""How often the automatic route may begin one edge from one configuration."""
 REPEATS = 100
-"""So often a script may ask for one that it asks for every time."""
+"""How often a script may ask for the same edge from one configuration."""
 
 
 class LoopGuard:
-    """Counts what the automatic route begins; forgets it where a person decides, or a goal is
-    reached."""
+    """Counts the beginnings of edges. The counts are dropped if a person decides or a goal is
+    reached.
+    """
 
     def __init__(self, most: int = VISITS) -> None:
         self.most = most
         self._visits: dict[tuple[tuple[str, ...], str], int] = {}
 
     def why_not(self, configuration: Mapping[str, str], edge: Edge) -> str:
-        """Why an edge must not begin: it was begun too often from here. Empty where it may."""
+        """Return why an edge must not begin: it was begun too often from here. Empty if it may
+        begin.
+        """
         if self._visits.get(_key(configuration, edge), 0) < self.most:
             return ""
         here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
         return f"{edge} was begun {self.most} times from {here} without getting further."
 
     def count(self, configuration: Mapping[str, str], edge: Edge) -> None:
-        """An edge begins."""
+        """Count one beginning of an edge."""
         key = _key(configuration, edge)
         self._visits[key] = self._visits.get(key, 0) + 1
 
     def forget(self) -> None:
-        """Count from zero again."""
+        """Set all counts to zero."""
         self._visits.clear()
 
 

@@ -1,4 +1,4 @@
-"""Asking the supervisor, last of all guards."""
+"""The question to the supervisor, which comes after all guards."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ ALLOWED = Verdict(ALLOW)
 
 
 class Reviewer:
-    """Puts proposals to a supervisor, who may be nobody.
+    """Asks a supervisor about proposed steps. There may be none.
 
-    What it paused for begins without asking it again, once a person let the run go on from there.
-    Where it asks for a person's answer, nothing but that answer lets the operation begin.
+    If the supervisor has paused the run and a person lets it go on, the same step is not reviewed
+    again. If the supervisor asks for a person's answer, the operation needs this answer to begin.
     """
 
     def __init__(self, supervisor: Supervisor | None) -> None:
@@ -35,11 +35,11 @@ class Reviewer:
 
     @property
     def name(self) -> str:
-        """Who it is, for the record; empty where it is nobody."""
+        """The name of the supervisor in the record, empty if there is none."""
         return "" if self._supervisor is None else self._supervisor.name
 
     def verdict(self, run: LiveRun, step: JointStep) -> Verdict:
-        """What is said of a step of the route."""
+        """Return the verdict on a step of the route."""
         if self._supervisor is None:
             return ALLOWED
         here = (tuple(run.configuration.values()), step.asked.address)
@@ -53,8 +53,9 @@ class Reviewer:
         return verdict
 
     def objection(self, run: LiveRun, step: JointStep) -> str:
-        """Why an operation that a person asked for may not begin. Who asks back or wants a pause
-        has been answered by the person's asking."""
+        """Return why an operation that a person asked for must not begin, or the empty text. The
+        person's request already answers a supervisor that asks or wants a pause.
+        """
         supervisor = self._supervisor
         if supervisor is None:
             return ""
@@ -64,15 +65,17 @@ class Reviewer:
         return f"{supervisor.name} says no" + (f": {verdict.reason}" if verdict.reason else "")
 
     def trust(self) -> None:
-        """A person lets the run go on, knowing what the supervisor said."""
+        """Note that a person lets the run go on, and knows what the supervisor said."""
         self._trusted = self._doubtful is not None
 
     def forget(self) -> None:
-        """Drop what the supervisor paused for, and what a person let go on."""
+        """Forget which step the supervisor has paused, and that a person lets it go on."""
         self._doubtful, self._trusted = None, False
 
     def _review(self, supervisor: Supervisor, run: LiveRun, step: JointStep) -> Verdict:
-        """What the supervisor says; where it fails or says nothing known, a person is asked."""
+        """Return the verdict of the supervisor. If it fails, or decides something unknown, a person
+        is asked.
+        """
         try:
             verdict = supervisor.review(proposal(run, step))
             if verdict.decision in DECISIONS:
@@ -84,7 +87,7 @@ class Reviewer:
 
 
 def proposal(run: LiveRun, step: JointStep) -> Proposal:
-    """The partial view of a step that a supervisor decides on."""
+    """Return the partial view of a step for a supervisor."""
     risks = [_risk(run, edge.address) for edge in step.edges]
     return Proposal(
         time=run.time,

@@ -1,4 +1,4 @@
-"""The run state of a live run, and what commands and holds make of it."""
+"""The run state of a live run, and its changes by commands and holds."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from smsl_studio.runlog.phase import RunMode
 
 
 class RunState(RunMode):
-    """What a run state is made of, and how it becomes another.
+    """The values that a run state follows from, and their changes.
 
-    ``pausing``: it will be paused when the running operation has ended. ``offered``: the
-    configuration that giving back found. ``touched``: the facts that a stop may have left anywhere.
-    ``too_late``: the edge for which a veto came too late.
+    ``pausing`` says that the run will pause when the running operation has ended. ``offered`` is
+    the configuration that giving back found. ``touched`` are the facts that a stopped operation may
+    have changed. ``too_late`` is the edge for which a veto came too late.
     """
 
     def __init__(self, by_hand: bool) -> None:
@@ -31,35 +31,37 @@ class RunState(RunMode):
     # pausing and going on -----------------------------------------------------------------------
 
     def pause(self, carrying: bool) -> None:
-        """A person paused it; ``carrying``: in the middle of a step, or while people are asked."""
+        """Pause. ``carrying`` says that a step is carried out or people are asked."""
         self.paused, self.pausing, self.once, self.frozen = True, False, False, carrying
 
     def pause_later(self) -> None:
-        """It will be paused when the running operation has ended."""
+        """Pause when the running operation has ended."""
         self.pausing = True
 
     def resume(self) -> None:
-        """It goes on."""
+        """Go on."""
         self.paused = self.pausing = self.frozen = self.once = False
 
     def step(self) -> None:
-        """One operation, then wait again."""
+        """Carry out one operation, then wait again."""
         self.once, self.paused, self.pausing, self.frozen = True, False, False, False
 
     def stepped(self) -> None:
-        """The one operation is over."""
+        """Note that the single operation is over."""
         self.once = False
 
     def thaw(self) -> None:
-        """What a pause held in the middle is held no more."""
+        """Note that no step is frozen by a pause any more."""
         self.frozen = False
 
     def follow(self, route: bool) -> None:
-        """Follow the route by itself, or wait to be asked."""
+        """Follow the route without requests, or wait for requests."""
         self.by_hand = not route
 
     def begin(self, chosen: bool) -> None:
-        """A step begins. One that a person chose in a run that holds leaves it paused."""
+        """Note that a step begins. If a person chose it while the run held, the run is paused
+        afterwards.
+        """
         if chosen:
             self.paused |= self.held is not None and not self.by_hand
         self.held, self.too_late = None, None
@@ -67,51 +69,53 @@ class RunState(RunMode):
     # holding ------------------------------------------------------------------------------------
 
     def hold(self, why: Hold) -> None:
-        """It cannot go on by itself."""
+        """Hold, because the run cannot go on by itself."""
         self.held = why
         self.once = self.pausing = self.paused = False
 
     def release(self) -> None:
-        """It holds no longer."""
+        """End the hold."""
         self.held = None
 
     def come_too_late(self, address: Address) -> None:
-        """A veto of this operation came too late."""
+        """Note that a veto of this operation came too late."""
         self.too_late = address
 
     # latches ------------------------------------------------------------------------------------
 
     def stop(self, by: str, touched: tuple[FactKey, ...]) -> None:
-        """Latched; ``touched`` are the facts that it may have left anywhere."""
+        """Latch a stop. ``touched`` are the facts that the stopped operation may have changed."""
         self._latch()
         self.taken_over, self.stopped, self.touched = "", by, touched
 
     def reset(self) -> tuple[FactKey, ...]:
-        """Unlatched, to paused and no further; the facts that the stop may have left anywhere."""
+        """Release the stop to paused. Return the facts that the stopped operation may have
+        changed.
+        """
         touched, self.touched, self.stopped = self.touched, (), ""
         self.pause(carrying=False)
         return touched
 
     def take_over(self, by: str) -> None:
-        """Automation is locked out."""
+        """Lock automation out."""
         self._latch()
         self.taken_over = by
 
     def offer(self, configuration: Mapping[str, str] | None) -> None:
-        """What giving back found, to be accepted; None: nothing."""
+        """Set the configuration that giving back found, None for nothing."""
         self.offered = configuration
 
     def give_back(self) -> None:
-        """Nobody has taken over any more; by hand it is ready, else paused."""
+        """End a take-over. The run is then ready if it is run by hand, else paused."""
         self._latch()
         self.taken_over = ""
         self.paused = not self.by_hand
 
     def show_map(self, on: bool) -> None:
-        """A supervisor sees the whole map, or no longer."""
+        """Show the whole map to the supervisor, or only the partial view."""
         self.full_map = on
 
     def _latch(self) -> None:
-        """Nothing that was going on or wanted goes on by itself."""
+        """Clear everything that would go on by itself."""
         self.resume()
         self.held, self.offered, self.too_late = None, None, None

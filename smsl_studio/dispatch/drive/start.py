@@ -1,4 +1,4 @@
-"""The start of a run: every guard that can refuse it before anything moves (clauses 1, 3, 11)."""
+"""The start of a run: all checks that can refuse it before anything moves (clauses 1, 3 and 11)."""
 
 from __future__ import annotations
 
@@ -24,9 +24,10 @@ def begin_run(
     goals: Sequence[Address],
     levels: Levels | None = None,
 ) -> tuple[LiveRun, tuple[Address, ...]]:
-    """Open the host where the run starts; the run and its goals in order. RunRefused says why not.
+    """Open the host in the start configuration. Return the run and its goals in order.
 
-    Nothing is opened where the blueprint, the start or the goals already refuse.
+    RunRefused says why a run cannot start. If the blueprint, the start or the goals are the reason,
+    nothing is opened.
     """
     hierarchy = Hierarchy(blueprint)
     if not blueprint.branches:
@@ -45,8 +46,10 @@ def begin_run(
 def start_events(
     run: LiveRun, seed: int, goals: Sequence[Address], changes: Sequence[FactChanged]
 ) -> tuple[Event, ...]:
-    """The first events of a run whose sensors were read, which brought ``changes``; RunRefused
-    where a state check is not true on sensed facts."""
+    """Return the first events of a run. ``changes`` are the first changes of facts.
+
+    RunRefused if a state check is not true on sensed facts.
+    """
     checks = run.checks(run.configuration)
     failed = [check for check in checks if check.truth is not True]
     if failed:
@@ -67,7 +70,7 @@ def start_events(
 
 
 _TOLD = 20
-"""So many state checks that refuse a start are told, and so many sensors that are silent."""
+"""The largest number of failed state checks, and of silent sensors, in a refusal."""
 
 
 def _checked(run: LiveRun) -> Iterator[StateChecked]:
@@ -82,7 +85,7 @@ def _checked(run: LiveRun) -> Iterator[StateChecked]:
 
 
 def _silent(run: LiveRun, checks: Sequence[CheckResult]) -> str:
-    """What to do about facts that nobody has told from elsewhere; empty where there are none."""
+    """Return an advice about remote sensors that have sent nothing. Empty if there are none."""
     elsewhere = run.opened.remote
     wanted = {term.fact for check in checks for term in check.terms if term.truth is None}
     silent = {(*one.fact, one.said.source) for one in run.senses.sources if one.said.value is None}

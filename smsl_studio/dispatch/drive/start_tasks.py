@@ -1,4 +1,4 @@
-"""The start of a run, as far as people have a part in it: facts they say, findings they accept."""
+"""The part of people in the start of a run: they tell facts and accept findings."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from smsl_studio.runlog.events import FactChanged
 
 
 class StartTasks:
-    """What stands between an opened world and the first operation.
+    """The tasks between an opened world and the first operation.
 
-    First the facts of the start that only people know, then the state checks of the start, then
-    (where ``findings`` has words) whether a person accepts what inspection found. ``goals`` and
-    ``seed`` are for the record.
+    First people tell the facts of the start that only they know. Then the state checks of the start
+    follow. If ``findings`` is not empty, a person must then accept the findings of inspection.
+    ``goals`` and ``seed`` are for the record.
     """
 
     def __init__(
@@ -45,12 +45,13 @@ class StartTasks:
 
     @property
     def told(self) -> bool:
-        """Whether the world stands at the start, and the run has begun."""
+        """Whether the run has begun, which means that the world was checked at the start."""
         return self._told
 
     def go_on(self) -> None:
-        """As far as it goes now. RunRefused where the world does not stand at the start, or
-        nobody is there to say so."""
+        """Go on as far as possible now. RunRefused if the world is not at the start, or if nobody
+        is there to tell.
+        """
         if self._told:
             self._accepted()
             return
@@ -84,7 +85,7 @@ class StartTasks:
         self._accepted()
 
     def _accepted(self) -> None:
-        """Ask whether the findings are accepted, where there are any to accept."""
+        """Ask whether the findings are accepted, if there are any."""
         if not self._findings:
             return
         nobody = self._desk.ask([start_task(self._findings)], self._decided)

@@ -1,4 +1,4 @@
-"""The supervisor: whoever is asked before an operation begins, a person or an automatic agent."""
+"""The supervisor: a person or an automatic agent that is asked before an operation begins."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ ALLOW, VETO, PRUNE, PAUSE, ASK = "allow", "veto", "prune", "pause", "ask"
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """The partial view that a supervisor decides on: here, the operation, and what it leads to.
+    """The partial view for a decision: the active states, the proposed operation and its target.
 
-    ``operations`` are all edges of the joint step in the order in which they start, the one that
-    was asked for last; ``risk`` is the highest declared among them (empty: none is declared).
+    ``operations`` are all edges of the joint step. The proposed operation comes last, the others in
+    the order in which they start. ``risk`` is the highest declared risk among them, empty if none
+    is declared. ``time`` is simulated seconds.
     """
 
     time: float
@@ -32,21 +33,23 @@ class Proposal:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What a supervisor says: allow, veto (once), prune, pause, or ask a person; and why."""
+    """A supervisor's decision, with its reason: ``allow``, ``veto`` (once), ``prune``, ``pause`` or
+    ``ask`` (a person).
+    """
 
     decision: str
     reason: str = ""
 
 
 class Supervisor(Protocol):
-    """Asked last, after every other guard, before anything moves. ``name`` stands in the record.
+    """A supervisor is asked after every other guard, before anything moves.
 
-    It must answer at once: who needs to think answers ``ask`` or ``pause``.
+    It must answer at once. If it needs time, it answers ``ask`` or ``pause``.
     """
 
     @property
     def name(self) -> str:
-        """The name that stands in the record of the run."""
+        """The name of the supervisor in the record of the run."""
 
     def review(self, proposal: Proposal) -> Verdict:
-        """Decide on an operation that is proposed; called once before it begins."""
+        """Decide on a proposed operation. It is called once before the operation begins."""

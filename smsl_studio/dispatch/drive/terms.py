@@ -1,4 +1,4 @@
-"""The terms of a run: all that is settled before its first tick and never changes."""
+"""The terms of a run: they are settled before its first tick and never change."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from smsl_studio.dispatch.drive.loop_guard import VISITS
 
 @dataclass(frozen=True, slots=True)
 class RunTerms:
-    """Where a run starts, where it is to go, and what it may do by itself.
+    """The start and the goals of a run, and what it may do by itself.
 
-    ``start`` names the state of an SB, ``goals`` are states. Neither routing nor a person may use
-    an edge of ``avoid``. With ``on_mismatch`` ``hold`` a mismatch waits for a person; with
-    ``adopt`` the run goes on from the one configuration that the scene agrees with. A run that is
-    not ``automatic`` chooses no operation by itself. ``attended`` says whether somebody is there
-    to decide; None: not in an automatic run. Where nobody is there, a hold or a stop ends the run.
-    The automatic route begins one edge from one configuration at most ``visits`` times, then the
-    run holds. ``findings`` are the words of inspection that a person must accept before anything
-    moves; empty where nobody has to.
+    ``start`` has the state of some SBs, and ``goals`` are states. Neither a route nor a person may
+    use an edge in ``avoid``. If ``on_mismatch`` is ``hold``, a mismatch waits for a person. If it
+    is ``adopt``, the run goes on from the configuration that fits the scene, if there is only one.
+    A run that is not ``automatic`` chooses no operation by itself. ``attended`` says whether
+    somebody is there to decide; None means that only a run by hand is attended. Without attendance
+    a hold or a stop ends the run. The automatic route begins an edge from one configuration at most
+    ``visits`` times, and then the run holds. ``findings`` are the findings that a person must
+    accept before anything moves, in words.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -35,7 +35,7 @@ class RunTerms:
 
     @property
     def adopts(self) -> bool:
-        """Whether a mismatch is taken for the configuration that the scene agrees with."""
+        """Whether a mismatch is resolved by the only configuration that fits the scene."""
         return self.on_mismatch == "adopt"
 
     @property
@@ -45,4 +45,4 @@ class RunTerms:
 
 
 USUAL = RunTerms()
-"""An automatic run from INITIAL to ACTIVATING, which nobody attends."""
+"""An automatic run from INITIAL to ACTIVATING, without attendance."""

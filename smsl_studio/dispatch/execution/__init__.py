@@ -1,1 +1,1 @@
-"""A joint step carried out: the facts of a run, its senses, guards, checks, and what goes wrong."""
+"""Carries out a joint step: the data of a run, its senses, guards and checks, and its failures."""

@@ -1,6 +1,6 @@
-"""Bypasses: an edge with ``subs: load`` changes the facts of its subs by its own function.
+"""Bypasses: an edge with ``subs: load`` sets the facts of its sub-SBs by its own function.
 
-None of the subs' operations is carried out then. A run that goes by such an edge says so before.
+No operation of these sub-SBs is carried out then. The run says so before it uses such an edge.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from smsl_studio.runlog.events import SubsBypassed
 
 
 class Bypasses:
-    """The bypasses of one run, and which of them have been told."""
+    """The bypasses of one run, and which of them were told."""
 
     def __init__(self, run: LiveRun, course: Course) -> None:
         notes = (note for branch in run.blueprint for note in branch.notes.operations.values())
@@ -25,7 +25,9 @@ class Bypasses:
         self._told: set[Address] = set()
 
     def tell(self, addresses: Iterable[Address], again: bool = False) -> None:
-        """Tell those among some edges that load; ``again``: also where it was told before."""
+        """Tell the bypasses among some edges, once each. With ``again`` tell them a second time
+        too.
+        """
         run = self._run
         for edge in self._among(addresses):
             if again or edge.address not in self._told:
@@ -35,7 +37,7 @@ class Bypasses:
                 run.emit(told)
 
     def sentences(self, addresses: Iterable[Address]) -> tuple[str, ...]:
-        """What is to be said of some edges, each once."""
+        """Return the sentences about the bypasses among some edges."""
         return tuple(self._sentence(edge) for edge in self._among(addresses))
 
     def _among(self, addresses: Iterable[Address]) -> Iterator[Edge]:

@@ -1,4 +1,4 @@
-"""Carrying out one joint step, tick by tick: begin, run, settle, check, commit (clauses 5 to 7)."""
+"""Carries out one joint step, tick by tick: begin, run, settle, check, commit (clauses 5 to 7)."""
 
 from __future__ import annotations
 
@@ -28,9 +28,12 @@ UNSURE = "the operation was cancelled and may have changed it"
 
 
 class Carrier:
-    """One joint step on its way. ``advance`` takes it one tick on; nothing here decides what
-    comes after it. ``wants`` are the questions that people must answer while it is ``ASKING``; it
-    goes on when it is told how they were ``answered``."""
+    """One joint step that is being carried out.
+
+    ``advance`` makes one tick of it. The driver decides what comes after the step. ``wants`` are
+    the questions that people must answer while the stage is ``ASKING``. ``answered`` lets the step
+    go on.
+    """
 
     def __init__(self, run: LiveRun, step: JointStep) -> None:
         self.step = step
@@ -40,7 +43,7 @@ class Carrier:
         self.check: CheckResult | None = None
         self.wants: tuple[Question, ...] = ()
         self.action = step.actions[0]
-        """The action that is on its way, or the last one that was."""
+        """The current action, or the last one."""
         self._run = run
         self._index = 0
         self._until = 0.0
@@ -53,12 +56,12 @@ class Carrier:
 
     @property
     def bound(self) -> Bound:
-        """What carries out the current action."""
+        """The function or person that carries out the current action."""
         return self._run.bound[self.action.edge.address]
 
     @property
     def moving(self) -> bool:
-        """Whether a function runs or a person acts, or the world settles after it."""
+        """Whether a function runs, a person acts, or the world settles after it."""
         return self.stage in MOVING
 
     @property
@@ -69,12 +72,12 @@ class Carrier:
 
     @property
     def running(self) -> Address | None:
-        """The edge whose function runs."""
+        """The edge whose function runs, or None."""
         return self.action.edge.address if self.moving else None
 
     @property
     def can_freeze(self) -> bool:
-        """Whether a pause may hold it where it is, to go on with it later."""
+        """Whether a pause may freeze the step as it is, so that it can go on later."""
         return self.stage in (ActionStage.ASKING, ActionStage.SETTLING) or (
             self.bound.stop == "hold" and self.bound.resumes
         )
@@ -87,12 +90,14 @@ class Carrier:
 
     @property
     def touched(self) -> tuple[FactKey, ...]:
-        """The facts that what has begun and is not committed may have changed."""
+        """The facts that actions which have begun and are not committed may have changed."""
         begun = self.step.actions[: self._index + (self.stage is not ActionStage.NEXT)]
         return tuple(sorted(touched(self._run, begun, set(self.uncommitted))))
 
     def advance(self, shut: Mapping[Address, str]) -> None:
-        """One tick. Afterwards ``stage`` says whether the step goes on, is done or has failed."""
+        """Make one tick. Then ``stage`` says whether the step goes on, is done or has failed.
+        ``shut`` are the edges that must not begin, with reasons.
+        """
         if self.stage is ActionStage.NEXT:
             self._begin(shut)
         elif self.stage is ActionStage.RUNNING:
@@ -104,8 +109,10 @@ class Carrier:
                 self._decide()
 
     def watch(self) -> None:
-        """Where a fact on which the step rests is false or unknown, end it as its operation
-        declares (``finish``: it goes on to its end). Whatever ends, nothing commits any more."""
+        """End the operation if a fact that the step needs is false or unknown, in the way that the
+        operation declares (``finish`` lets it go on to its end). In any case nothing commits any
+        more.
+        """
         if not self.moving or not self._notice():
             return
         own = self.stage is ActionStage.RUNNING or self._person_acts
@@ -118,7 +125,7 @@ class Carrier:
         self._settle()
 
     def _notice(self) -> bool:
-        """Whether it is seen at this moment, and not before, that the step's ground is gone."""
+        """Return whether the step has lost a needed fact just now, and not before."""
         if self._lost:
             return False
         asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
@@ -134,7 +141,9 @@ class Carrier:
         return self.stage is ActionStage.ASKING and self.wants[0].kind == "operation"
 
     def abort(self, mode: str, reason: str) -> None:
-        """Cancel the running function; the step fails without blame once the world has settled."""
+        """Cancel the running function. The step fails after the world has settled, and no operation
+        is tagged risky.
+        """
         if self.stage is ActionStage.RUNNING:
             self._cancel(mode, "cancelled", reason)
             self._fault, self._blame = reason, False
@@ -147,8 +156,9 @@ class Carrier:
             self._fail(reason, risky=False, pending=bool(self._run.transit))
 
     def cut(self, reason: str) -> tuple[FactKey, ...]:
-        """End it where it is: braked, nothing settles and nothing more commits. What it may have
-        touched."""
+        """End the step as it is: the world is braked, and nothing settles or commits any more.
+        Return the facts that the step may have changed.
+        """
         touched = self.touched
         if self.stage is ActionStage.RUNNING:
             stop = self.bound.stop
@@ -159,14 +169,18 @@ class Carrier:
         return touched
 
     def _end_asking(self, reason: str) -> None:
-        """Nobody needs to answer any more; a person who was acting is not, as far as we know."""
+        """Withdraw the questions. If a person was acting, the run assumes that the person has
+        stopped.
+        """
         if self._person_acts:
             self._ended("cancelled", reason)
             self._run.emit(*self._run.senses.doubt(self.touched, UNSURE))
         self.wants = ()
 
     def _cancel(self, mode: str, outcome: str, message: str) -> None:
-        """End the function; what it may have touched is unknown until it is sensed anew."""
+        """End the function. The facts that it may have changed are unknown until they are sensed
+        again.
+        """
         run = self._run
         run.host.cancel(mode)
         self._ended(outcome, message)
@@ -205,7 +219,7 @@ class Carrier:
         self.wants, self.stage = questions, ActionStage.ASKING
 
     def answered(self, closed: Sequence[Closed]) -> None:
-        """People have answered what it wants, or will not: it goes on from there."""
+        """Go on after people have answered the questions, or will not answer them."""
         wants, self.wants = self.wants, ()
         no = no_words(closed)
         if wants[0].kind == "operation":
@@ -216,20 +230,22 @@ class Carrier:
             self._decide()
 
     def unanswered(self, reason: str) -> None:
-        """Nobody is there to answer what it wants."""
+        """Fail, because nobody is there to answer the questions."""
         kind, self.wants = self.wants[0].kind, ()
         if kind == "operation":
             self._ended("cancelled", reason)
         self._fail(reason, risky=False, unanswered=True)
 
     def _person_ended(self, closed: Closed | None, no: str) -> None:
-        """A person has done it, could not, or nobody said so: as with a function, that decides
-        nothing but failure."""
+        """Handle the end of a person's action: done, not possible, or no answer. As with a
+        function, only a failure is believed at once.
+        """
         run, edge = self._run, self.action.edge
         if closed is not None and closed.yes:
             self._by = f"done by {who_words(closed)}"
             if run.opened.world == TABLE:
-                # Nobody can touch a table that stands in memory: what was done is written down.
+                # Nobody can touch a table in memory, so its function writes down what the person
+                # has done.
                 run.host.begin(edge.address)
                 self.stage = ActionStage.RUNNING
                 return
@@ -278,7 +294,9 @@ class Carrier:
             self._decide()
 
     def _decide(self) -> None:
-        """Whatever the function returned, the state check on sensed facts decides."""
+        """End the action: the state check on sensed facts decides, whatever the function
+        returned.
+        """
         run, action = self._run, self.action
         run.look()
         self._notice()
@@ -321,7 +339,7 @@ class Carrier:
 
     def _told(self, check: CheckResult) -> None:
         run, truth = self._run, check.truth
-        # What checks true has neither: it is what nearly every check comes to.
+        # A check that is true has neither. Most checks are true, so this saves time.
         misses = () if truth else all_words(run.blueprint, check.misses)
         unknown = () if truth else all_words(run.blueprint, check.unknown)
         run.emit(
@@ -337,7 +355,9 @@ class Carrier:
     def _fail(
         self, reason: str, risky: bool, pending: bool | None = None, unanswered: bool = False
     ) -> None:
-        """Pending from the moment a crossing starts until it commits."""
+        """Fail. By default the step counts as pending if its action has digits in transit, which is
+        so from the start of a crossing until its commit.
+        """
         if pending is None:
             pending = bool(self.action.transit)
         edge = self.action.edge

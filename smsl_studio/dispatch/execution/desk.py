@@ -1,4 +1,4 @@
-"""The desk: where a run puts its questions to people, and goes on with what they answered."""
+"""The desk: it puts the run's questions to people, and calls back with the answers."""
 
 from __future__ import annotations
 
@@ -20,15 +20,17 @@ from smsl_studio.runlog.moment import waiting_words
 
 NOBODY = "nobody is there to answer"
 Then = Callable[[tuple[Closed, ...]], None]
-"""What the run does with the answers: all of them, or up to the first that lets it not go on."""
+"""The function that is called with the closed tasks: all of them, or those up to the first answer
+that stops the run.
+"""
 
 
 class Desk:
-    """One errand at a time: some questions that are asked together, and what comes of them.
+    """Keeps one group of questions that are asked together.
 
-    ``someone`` says whether anybody is there to answer. Nothing here decides: whoever asked is
-    called with how the tasks ended, once all are, or one of them is no yes; then the others are
-    withdrawn, because their answers could change nothing.
+    ``someone`` says whether anybody is there to answer. The desk decides nothing. It calls ``then``
+    with the closed tasks when all are closed, or when one of them is not a yes. In this case the
+    others are withdrawn, because their answers could change nothing.
     """
 
     def __init__(self, run: LiveRun, someone: Callable[[], bool]) -> None:
@@ -41,8 +43,9 @@ class Desk:
 
     @property
     def keeps(self) -> bool:
-        """Whether people are asked where the procedure stands: whatever is said about edges
-        meanwhile, that stays open, and until it is answered the scene is not judged."""
+        """Whether people are asked about the facts of the procedure. Such questions stay open
+        whatever commands come about edges, and the scene is not judged until they are answered.
+        """
         return self.busy and self._keeps
 
     @property
@@ -57,17 +60,18 @@ class Desk:
 
     @property
     def sentence(self) -> str:
-        """What the run waits for, for people; empty where it does not."""
+        """The sentence about what the run waits for, empty if it does not wait for people."""
         return waiting_words([task.question for task in self._board.tasks])
 
     @property
     def nobody(self) -> str:
-        """Why an open question stays so, where nobody is there."""
+        """The sentence that nobody is there to answer the open question."""
         return " ".join((NOBODY, *(_quoted(task.question) for task in self._board.tasks[:1])))
 
     def ask(self, questions: Sequence[Question], then: Then, keep: bool = False) -> str:
-        """Put questions to people; why that is no use, empty where they were put. ``keep``: they
-        are about where the procedure stands, not about what it does next."""
+        """Put questions to people. Return why this is not possible, or the empty text. ``keep``
+        says that they are about the facts of the procedure, not about its next step.
+        """
         if not self._someone():
             return f"{NOBODY} {_quoted(questions[0].question)}"
         self.withdraw()
@@ -80,18 +84,20 @@ class Desk:
         return ""
 
     def answer(self, task: str, option: str, role: str, by: str) -> str:
-        """Somebody answers; why it does not count, empty where it does."""
+        """Take somebody's answer. Return why it does not count, or the empty text."""
         now = self._run.time
         events = self._board.answer(task, option, by=by, role=role, now=now)
         self._tell(events)
         return next(one.refused for one in events if isinstance(one, TaskAnswered))
 
     def pass_time(self) -> None:
-        """Time has gone on: other roles are asked, deadlines pass."""
+        """Let time pass: other roles may be asked, and deadlines may end."""
         self._tell(self._board.tick(self._run.time))
 
     def settled(self) -> bool:
-        """Whether the answers are in; whoever asked has gone on with them then."""
+        """Return whether the answers are complete. If so, the function ``then`` was called with
+        them.
+        """
         closed = [one for name in self._names if (one := self._board.closed(name)) is not None]
         if self._then is None or (
             len(closed) < len(self._names) and all(one.yes for one in closed)
@@ -103,8 +109,8 @@ class Desk:
         return True
 
     def withdraw(self) -> None:
-        """The run has moved on; nobody is called."""
-        if self._then is None:  # no task is open without an errand
+        """Withdraw all questions, because the run has moved on. Nobody is called back."""
+        if self._then is None:  # without a group of questions no task is open
             return
         self._then, self._names = None, ()
         self._run.emit(*self._board.withdraw(self._run.time))
@@ -116,7 +122,9 @@ class Desk:
                 self._learn(event)
 
     def _learn(self, event: TaskClosed) -> None:
-        """What people say of a fact is known from that moment on, also while others are asked."""
+        """Take in a fact that people have told. It counts at once, even while others are still
+        asked.
+        """
         closed = self._board.closed(event.task)
         if closed is None or closed.task.kind != "fact" or not closed.yes or not closed.answer:
             return
@@ -127,12 +135,12 @@ class Desk:
 
 
 def no_words(closed: Sequence[Closed]) -> str:
-    """Why the answers do not let the run go on; empty where they do."""
+    """Return why the answers do not let the run go on, or the empty text."""
     return next((_why(one) for one in closed if not one.yes), "")
 
 
 def who_words(closed: Closed) -> str:
-    """Who answered a task."""
+    """Return the names of those who have answered a task."""
     return " and ".join(one.by for one in closed.task.answered) or "nobody"
 
 

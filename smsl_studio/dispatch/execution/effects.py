@@ -1,4 +1,6 @@
-"""What an operation changes, or may have changed when it is cut short: which facts, no values."""
+"""The facts that an operation changes, or may have changed if it was interrupted. Values are not
+known.
+"""
 
 from __future__ import annotations
 
@@ -15,9 +17,9 @@ from smsl_studio.dispatch.execution.run import LiveRun
 def touched(
     run: LiveRun, begun: Iterable[JointAction], open_edges: Collection[Address]
 ) -> set[FactKey]:
-    """The facts that actions which have begun may have changed, as far as it is not committed.
+    """Return the facts that some actions may have changed and that are not committed.
 
-    ``open_edges`` are those of their edges that are not.
+    ``open_edges`` are the edges of these actions that are not committed.
     """
     found: set[FactKey] = set()
     for action in begun:
@@ -35,7 +37,7 @@ def touched(
 
 
 def changed_by(run: LiveRun, action: JointAction) -> set[FactKey]:
-    """The facts that an action is to change, or says that it may."""
+    """Return the facts that an action should change, or declares that it may change."""
     found = set(run.bound[action.edge.address].touches)
     for name, state in {**action.moved, **action.committed}.items():
         found |= _differing(run.blueprint[name], run.believed[name], state)
@@ -43,7 +45,7 @@ def changed_by(run: LiveRun, action: JointAction) -> set[FactKey]:
 
 
 def moved_by(run: LiveRun, edge: Edge) -> frozenset[str]:
-    """The SBs that carrying out one edge moves: its own, with ``load`` also those it sets below."""
+    """Return the SBs that one edge moves: its own, and with ``load`` the sub-SBs that it sets."""
     if not edge.load:
         return frozenset((edge.branch,))
     subs = dict(run.hierarchy.subs[edge.branch])
@@ -52,7 +54,7 @@ def moved_by(run: LiveRun, edge: Edge) -> frozenset[str]:
 
 
 def _loaded(run: LiveRun, action: JointAction) -> set[FactKey]:
-    """The facts of the SBs below that the function of a ``load`` edge brings about itself."""
+    """Return the facts of sub-SBs that the function of a ``load`` edge changes itself."""
     found: set[FactKey] = set()
     for name, state in {**action.moved, **action.committed}.items():
         branch = run.blueprint[name]
@@ -62,6 +64,6 @@ def _loaded(run: LiveRun, action: JointAction) -> set[FactKey]:
 
 
 def _differing(branch: StateBranch, source: str, target: str) -> set[FactKey]:
-    """The facts that two states of an SB do not share."""
+    """Return the facts in which two states of an SB differ."""
     pairs = zip(branch.facts(source), branch.facts(target), strict=False)
     return {(branch.name, digit) for digit, (old, new) in enumerate(pairs) if old != new}

@@ -1,7 +1,7 @@
-"""Guards: all that is asked before anything moves, for every edge of a joint step (clause 4).
+"""Guards: all checks before anything moves, for every edge of a joint step (clause 4).
 
-What does not depend on sensing (permitted, not shut out, bound, sub-SB routes) is answered by the
-stepper; here are the questions to the scene. The supervisor is asked last (``review``).
+The stepper has checked what does not depend on sensors: permission, exclusions, bindings and routes
+of sub-SBs. Here are the checks of the scene. The supervisor is asked last (``review``).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from smsl_studio.errors import AddressError
 
 
 def refusals(run: LiveRun, step: JointStep) -> tuple[str, ...]:
-    """Why a joint step may not begin now, as sentences; empty where it may."""
+    """Return why a joint step may not begin now, as sentences. Empty if it may."""
     reasons = [*_sources(run, step), *lost_critical(run)]
     for edge in step.edges:
         if edge.requires:
@@ -32,9 +32,10 @@ def refusals(run: LiveRun, step: JointStep) -> tuple[str, ...]:
 
 
 def asked(run: LiveRun, course: Course, address: Address) -> JointStep | tuple[str, ...]:
-    """The joint step of an operation that a person asks for, or every reason why there is none.
+    """Return the joint step of an operation that a person asks for, or all reasons why there is
+    none.
 
-    What the scene, the supervisor and people say to it is asked next.
+    The scene, the supervisor and people are asked after this.
     """
     if not address.operation:
         return (f"{address} is no operation",)
@@ -52,8 +53,9 @@ def asked(run: LiveRun, course: Course, address: Address) -> JointStep | tuple[s
 
 
 def _sources(run: LiveRun, step: JointStep) -> list[str]:
-    """Every edge that starts in an active state needs that state's check true on sensed facts;
-    later ones are checked when the run gets there."""
+    """Return the failed state checks of the active states that edges of a step leave. Later states
+    are checked when the run gets there.
+    """
     found: list[str] = []
     met: set[str] = set()
     for edge in step.edges:
@@ -67,14 +69,16 @@ def _sources(run: LiveRun, step: JointStep) -> list[str]:
 
 
 def doubt(run: LiveRun, edge: Edge) -> str:
-    """Why an edge of a step that is under way may not run its function now: what it starts from
-    does not check true. Empty where it may. What it requires is asked of ``Safeguards``."""
+    """Return why an edge of a step that has begun may not run its function now, or the empty text.
+    The reason is the state check of the state it leaves. ``Safeguards`` checks what the edge
+    requires.
+    """
     check = run.check(edge.branch, run.believed[edge.branch], run.transit)
     return "" if check.truth is True else check_words(run.blueprint, check)
 
 
 def needs(run: LiveRun, edge: Edge) -> Iterator[Term]:
-    """The facts of other SBs that an edge requires, as they stand now."""
+    """Yield the facts of other SBs that an edge requires, with their readings."""
     for branch, digit, value in edge.requires:
         if digit < 0:
             yield Term((branch, digit), value, None, None, "there is no such fact")
@@ -85,7 +89,9 @@ def needs(run: LiveRun, edge: Edge) -> Iterator[Term]:
 
 
 def _required(run: LiveRun, step: JointStep) -> Iterator[str]:
-    """Required facts of SBs that the step has not moved by then must be sensed so."""
+    """Yield the required facts that are not sensed as required, for SBs that the step has not moved
+    before.
+    """
     moved: set[str] = set()
     for edge in step.edges:
         if edge.requires:
@@ -94,7 +100,9 @@ def _required(run: LiveRun, step: JointStep) -> Iterator[str]:
 
 
 def _unmet(run: LiveRun, edge: Edge, moved: Collection[str]) -> Iterator[str]:
-    """What an edge requires of SBs that are not moved, and is not sensed so."""
+    """Yield the facts that an edge requires and that are not sensed as required, without the moved
+    SBs.
+    """
     for term in needs(run, edge):
         branch, digit = term.fact
         if digit >= 0 and branch not in moved and term.truth is not True:

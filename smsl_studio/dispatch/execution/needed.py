@@ -1,4 +1,6 @@
-"""Which facts people must be asked for: needed now, unknown, and theirs to say."""
+"""The facts for which people must be asked: they are needed now, unknown, and people may tell
+them.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +17,10 @@ from smsl_studio.dispatch.people.questions import fact_task
 
 
 def in_checks(run: LiveRun, checks: Iterable[CheckResult]) -> tuple[Question, ...]:
-    """The facts that keep state checks from being known. A check that is false already stays so,
-    whatever people say, so nobody is asked for its sake."""
+    """Return questions for the facts that make state checks unknown.
+
+    A check that is false stays false whatever people tell, so nobody is asked because of it.
+    """
     if not run.people_say:
         return ()
     terms = (term for check in checks if check.truth is None for term in check.unknown)
@@ -24,7 +28,7 @@ def in_checks(run: LiveRun, checks: Iterable[CheckResult]) -> tuple[Question, ..
 
 
 def of_step(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
-    """The facts that a step's guards need: sources' state checks, and what its edges require."""
+    """Return questions for the unknown facts that the guards of a step need."""
     if not run.people_say:
         return ()
     branches = dict.fromkeys(edge.branch for edge in step.edges)
@@ -41,7 +45,7 @@ def of_step(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
 
 
 def everywhere(run: LiveRun) -> tuple[Question, ...]:
-    """Every fact that is unknown and people's to say, wherever the run may stand."""
+    """Return questions for all unknown facts that people may tell, in any state of the run."""
     if not run.people_say:
         return ()
     found = []
@@ -57,7 +61,7 @@ def everywhere(run: LiveRun) -> tuple[Question, ...]:
 
 
 def all_theirs(run: LiveRun, terms: Iterable[Term]) -> bool:
-    """Whether every one of these terms is unknown, and behind it are facts that people may say."""
+    """Return whether all these terms are unknown, and people may tell facts that they depend on."""
     return run.people_say and all(
         term.truth is None and bool(_questions(run, [term])) for term in terms
     )
@@ -72,8 +76,10 @@ def _questions(run: LiveRun, terms: Iterable[Term]) -> tuple[Question, ...]:
 
 
 def _theirs(run: LiveRun, term: Term, met: set[FactKey]) -> Iterator[tuple[FactKey, str]]:
-    """The unknown facts behind a term that people may say, each with why it is unknown. ``met``
-    are those that were looked behind: several bases may share one sub-SB."""
+    """Yield the unknown facts that a term depends on and people may tell, each with the reason.
+
+    ``met`` has the facts that were followed already, because several bases may share a sub-SB.
+    """
     name, digit = term.fact
     if digit < 0 or term.reason == IN_TRANSIT or term.fact in met:
         return

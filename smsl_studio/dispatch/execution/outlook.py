@@ -1,4 +1,4 @@
-"""What can be done now: every edge out of the active states, permitted or with its reasons."""
+"""What is possible now: every edge out of the active states, permitted or with reasons."""
 
 from __future__ import annotations
 
@@ -18,11 +18,13 @@ from smsl_studio.dispatch.route.course import Course
 from smsl_studio.stop import BrokenOff, Stopped
 
 MOST_TOLD = 200
-"""So many edges are told of where no route leads on."""
+"""The largest number of edges in the details of a run without a route."""
 
 
 class Outlook:
-    """Questions to a run that change nothing; answers are kept until the scene or terms change."""
+    """Answers questions about a run and changes nothing. Answers are kept until the scene or the
+    terms change.
+    """
 
     def __init__(self, run: LiveRun, course: Course) -> None:
         self._run = run
@@ -31,9 +33,9 @@ class Outlook:
         self._possible: tuple[Possible, ...] = ()
 
     def possible(self) -> tuple[Possible, ...]:
-        """Every edge out of the active states, bases first, in written order.
+        """Return every edge out of the active states, bases first, in written order.
 
-        It heeds (see ``stop``): called off and asked again, it goes on.
+        It heeds the listener (see ``stop``). If it is called off and asked again, it goes on.
         """
         key = self._now()
         if key != self._key:
@@ -43,8 +45,9 @@ class Outlook:
         return self._possible
 
     def known(self) -> tuple[tuple[Possible, ...], bool]:
-        """The same at once, and whether that is all: where an edge's way is still being looked
-        for, it is not permitted yet, and says why."""
+        """Return the same without a long search, and whether the result is complete. An edge whose
+        joint step is still being searched is not permitted yet, and its reason says so.
+        """
         if self._now() == self._key:
             return self._possible, True
         route, found, whole = frozenset(self._course.ahead), [], True
@@ -61,7 +64,7 @@ class Outlook:
         return tuple(found), whole
 
     def _now(self) -> object:
-        """All that the answers depend on."""
+        """Return everything that the answers depend on."""
         run, course = self._run, self._course
         facts = tuple(reading.value for reading in run.senses.scene.readings.values())
         return tuple(run.configuration.values()), facts, course.version, course.ahead
@@ -72,15 +75,16 @@ class Outlook:
             yield from edges.out(name, self._run.configuration[name])
 
     def details(self) -> tuple[str, ...]:
-        """Why each edge out of the active states does not help, edge by edge; of very many the
-        first, and how many more there are."""
+        """Return why each edge out of the active states does not help. Of very many edges, the
+        first ones and the number of the others are told.
+        """
         every = self.possible()
         told = tuple(f"{one.address}: {self._hindrance(one)}" for one in every[:MOST_TOLD])
         more = len(every) - len(told)
         return (*told, f"and {more:,} more operations") if more else told
 
     def _hindrance(self, one: Possible) -> str:
-        """Why an edge does not help, though a person may ask for it."""
+        """Return why an edge does not help, even if a person may ask for it."""
         if one.reasons:
             return "; ".join(one.reasons)
         closed = self._course.closed.get(one.address)
@@ -95,13 +99,15 @@ class Outlook:
 
     @property
     def _movers(self) -> set[str]:
-        """The SBs that move for the goals: the trees of the roots they are below."""
+        """The SBs that may move for the goals: all SBs below the roots of the goals' SBs."""
         known = self._run.hierarchy
         roots = {root for goal in self._course.goals for root in known.roots_of(goal.branch)}
         return {name for root in roots for name in known.tree(root)}
 
     def awaited(self, carrier: Carrier | None) -> CheckResult | None:
-        """The check that decides next: the running operation's target, else the active state."""
+        """Return the next state check that decides: that of the running operation's target, else
+        that of an active state.
+        """
         run = self._run
         if carrier is not None:
             edge = carrier.action.edge
@@ -110,7 +116,9 @@ class Outlook:
         return run.check(goal, run.configuration[goal])
 
     def progress(self, carrier: Carrier | None) -> float | None:
-        """The share of its declared duration that the running operation has taken."""
+        """Return the share of its declared duration that the running operation has taken, None if
+        not known.
+        """
         if carrier is None or not carrier.moving:
             return None
         edge: Address = carrier.action.edge.address
@@ -142,7 +150,7 @@ class Outlook:
         )
 
     def _unknown(self, edge: Edge) -> Possible:
-        """An edge whose joint step is not known yet."""
+        """Return an edge whose joint step is not known yet."""
         return Possible(
             address=edge.address,
             target=edge.target,
@@ -154,6 +162,6 @@ class Outlook:
         )
 
     def _refusals(self, step: JointStep) -> tuple[str, ...]:
-        """Why a step may not begin; what people will be asked first is no reason."""
+        """Return why a step may not begin. A fact that people will be asked for is no reason."""
         reasons = refusals(self._run, step)
         return () if reasons and of_step(self._run, step) else reasons

@@ -1,4 +1,4 @@
-"""Cost functions are asked when the run arrives somewhere and when facts change; prices follow."""
+"""Updates of costs: cost functions are asked when the run has moved and when facts have changed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.runlog.events import CostsChanged
 
 
 class PriceUpdates:
-    """What cost functions say of edges, brought into the course where it is news."""
+    """Asks the cost functions and gives changed costs to the course."""
 
     def __init__(self, run: LiveRun, course: Course) -> None:
         self._run, self._course = run, course
@@ -18,7 +18,9 @@ class PriceUpdates:
         self._faults: set[str] = set()
 
     def ask(self) -> None:
-        """Ask, unless nothing has changed since; tell the edges that cost otherwise now."""
+        """Ask the cost functions if something has changed since the last time. Tell the edges with
+        new costs.
+        """
         run = self._run
         if not run.opened.priced:
             return

@@ -1,4 +1,6 @@
-"""Relocalisation: which configurations the scene agrees with (clauses 8 and 9). Pure questions."""
+"""Relocalisation: the configurations that fit the scene (clauses 8 and 9). Nothing is changed
+here.
+"""
 
 from __future__ import annotations
 
@@ -12,36 +14,42 @@ from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.stop import heed
 
 MOST = 8
-"""Candidates that are worth naming; more than one is a hold anyway."""
+"""The largest number of candidates that are named. With more than one the run holds in any case."""
 
 
 def stands(run: LiveRun, configuration: Mapping[str, str], vouched: bool = False) -> bool:
-    """Whether every state check of a configuration is true on the scene; ``vouched``: if a person
-    vouches for the doubtful facts that nobody senses."""
+    """Return whether every state check of a configuration is true on the scene.
+
+    ``vouched`` leaves out the doubtful facts that nobody senses, as if a person vouched for them.
+    """
     scene = run.senses.vouched if vouched else None
     return all(check.truth is True for check in run.checks(configuration, scene))
 
 
 def candidates(run: LiveRun) -> tuple[Mapping[str, str], ...]:
-    """The configurations whose every state check is true and that agree with themselves, if a
-    person vouches for the doubtful facts that nobody senses.
+    """Return the consistent configurations whose state checks are all true, at most ``MOST``.
 
-    Subs first, then bases. An SB whose committed state checks true keeps it.
+    Doubtful facts that nobody senses are left out. An SB keeps its committed state if its check is
+    true.
     """
     return _agreeing(run, _true_states)
 
 
 def located(run: LiveRun) -> tuple[Mapping[str, str], ...]:
-    """The same, going by the scene alone: what is committed counts for nothing where it is
-    sensed."""
+    """Return the same from the scene alone. A committed state counts only for facts that are not
+    sensed.
+    """
     return _agreeing(run, _estimated)
 
 
 def _agreeing(
     run: LiveRun, states_of: Callable[[LiveRun, str, Mapping[str, str]], Sequence[str]]
 ) -> tuple[Mapping[str, str], ...]:
-    """Subs are looked at first, because a base's digits are read from them; then the bases decide
-    which of their states a sub may be in. No combination is tried that the bases rule out."""
+    """Return the consistent configurations from the states of each SB that fit.
+
+    Sub-SBs come first, because the digits of a base depend on them. Then the bases decide which of
+    its states a sub-SB may be in, so only these combinations are tried.
+    """
     known, blueprint = run.hierarchy, run.blueprint
     believed = dict(run.configuration)
     found: dict[str, Sequence[str]] = {}
@@ -53,7 +61,7 @@ def _agreeing(
         believed[name] = found[name][0]
     for name in known.order:
         for base, digit in known.bases[name]:
-            # The states of an SB that fit the scene have the same facts: any of them tells.
+            # All fitting states of an SB have the same facts, so the first one decides.
             on = blueprint[base].is_on(found[base][0], digit)
             found[name] = [s for s in found[name] if (s == blueprint[name].activating) == on]
         if not found[name]:
@@ -66,10 +74,10 @@ def _agreeing(
 
 
 def sub_relocalised(run: LiveRun, branch: str) -> Mapping[str, str] | None:
-    """The configuration where only one sub stands elsewhere, if that explains the whole scene.
+    """Return the configuration in which only this sub-SB has moved, if it explains the whole scene.
 
-    None where it is no sub, where no single state of it does, or where it would enter or leave
-    ACTIVATING (clause 8: then it counts as pending).
+    None if the SB is no sub-SB, if not exactly one of its states fits, or if it would enter or
+    leave ACTIVATING (clause 8: then the failure counts as pending).
     """
     if not run.hierarchy.bases[branch]:
         return None

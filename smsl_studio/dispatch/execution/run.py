@@ -1,4 +1,4 @@
-"""What one run holds: its blueprint, host, senses, configuration, and what happened this tick."""
+"""The data of one run: its blueprint, host, senses, configuration, and the events of this tick."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ NOWHERE: Mapping[str, str] = MappingProxyType({})
 
 
 class LiveRun:
-    """The facts of a run that all its parts share; verbs are elsewhere.
+    """The data that all parts of a run share. Actions are in other modules.
 
-    ``configuration`` is committed. ``pending`` are the SBs that stand elsewhere, not committed;
-    ``transit`` are the base digits in transit. Flags are computed, never stored. ``since`` is when
-    each SB entered its state (simulated s), ``previous`` the edge that led there, where one did.
-    ``levels`` say who acts and who senses; ``bound`` is what carries out each edge under them,
-    ``people_act`` the SBs in which people carry out or confirm anything; ``people_say`` is whether
-    any fact is theirs to say. ``critical`` has, for each SB that has any, the digits that are
-    marked as critical. ``history`` is what became of edges, for cost functions.
+    ``configuration`` is committed. ``pending`` has the SBs that have moved and are not committed.
+    ``transit`` are the base digits in transit. Flags are computed and never stored. ``since`` is
+    the simulated time (s) when each SB entered its state, and ``previous`` the edge that led there,
+    if any. ``levels`` say who acts and who senses. ``bound`` has the function or person for each
+    edge. ``people_act`` are the SBs in which people carry out or confirm operations. ``people_say``
+    says whether people may tell any fact. ``critical`` has the critical digits of each SB that has
+    any. ``history`` has the results of edges, for cost functions.
     """
 
     def __init__(
@@ -72,35 +72,35 @@ class LiveRun:
 
     @property
     def time(self) -> float:
-        """The time of the run in simulated seconds."""
+        """The simulated time (s)."""
         return self.senses.time
 
     @property
     def believed(self) -> dict[str, str]:
-        """Where every SB stands, committed or pending."""
+        """The state of every SB, committed or pending."""
         return {**self.configuration, **self.pending}
 
     def by_person(self, edge: Edge) -> bool:
-        """Whether a person carries out what an edge's own function would do."""
+        """Return whether a person carries out the edge instead of its function."""
         if edge.branch not in self.people_act or not edge.function:
             return False
         return self.levels.operation(edge.address) == HUMAN
 
     def emit(self, *events: Event) -> None:
-        """Something happened."""
+        """Add events to those of this tick."""
         self.events += events
 
     @property
     def mark(self) -> int:
-        """How many events wait to be told."""
+        """The number of waiting events."""
         return len(self.events)
 
     def tell_before(self, mark: int, event: Event) -> None:
-        """Tell an event before all that came since a mark."""
+        """Insert an event before all events that came after a mark."""
         self.events.insert(mark, event)
 
     def drain(self) -> tuple[Event, ...]:
-        """The events that wait to be told; they do so no longer."""
+        """Return the waiting events and forget them."""
         events, self.events = tuple(self.events), []
         return events
 
@@ -111,7 +111,9 @@ class LiveRun:
     def check(
         self, branch: str, state: str, transit: Collection[FactKey] = frozenset()
     ) -> CheckResult:
-        """The state check of a state on the scene, without what hangs on digits in transit."""
+        """Return the state check of a state on the scene. Terms that depend on digits in transit
+        are left out.
+        """
         scene = self.senses.scene
         expected = as_expected(self.blueprint.branches[branch], state, scene, state)
         if expected is not None:
@@ -126,7 +128,9 @@ class LiveRun:
     def checks(
         self, configuration: Mapping[str, str], scene: Scene | None = None
     ) -> tuple[CheckResult, ...]:
-        """The state check of every SB as it stands in a configuration, on the scene of now."""
+        """Return the state checks of all SBs in a configuration, on ``scene`` or the current
+        scene.
+        """
         scene = scene or self.senses.scene
         return tuple(
             state_check(self.blueprint, name, state, scene, configuration)
@@ -134,7 +138,9 @@ class LiveRun:
         )
 
     def broken(self) -> tuple[Term, ...]:
-        """Integrity (clause 9): the sensed facts that differ from the flags, transit left out."""
+        """Return the sensed facts that differ from the flags (integrity, clause 9). Digits in
+        transit are left out.
+        """
         believed = self.believed if self.pending else self.configuration
         branches, scene = self.blueprint.branches, self.senses.scene
         found: list[Term] = []
@@ -146,7 +152,7 @@ class LiveRun:
         return tuple(found)
 
     def relocate(self, configuration: Mapping[str, str]) -> None:
-        """SBs stand where the scene has them; no edge of this run led there."""
+        """Set the states that the scene shows. No edge of this run led there."""
         for name, state in configuration.items():
             if self.configuration[name] != state:
                 self.configuration[name] = state
@@ -154,20 +160,20 @@ class LiveRun:
                 self.previous.pop(name, None)
 
     def cross(self, transit: frozenset[FactKey], moved: Mapping[str, str] = NOWHERE) -> None:
-        """Base digits are in transit from now on, and SBs stand elsewhere, not committed."""
+        """Set the base digits in transit, and the SBs that have moved and are not committed."""
         self.pending.update(moved)
         self.transit = transit
 
     def blame(self, edge: Edge) -> None:
-        """An edge failed; cost functions hear of it."""
+        """Note that an edge has failed, for cost functions."""
         self.history.append((str(edge), "failed"))
 
     def drop_pending(self) -> None:
-        """Forget what was in transit; the committed configuration stands."""
+        """Forget pending states and digits in transit. The committed configuration remains."""
         self.pending, self.transit = {}, frozenset()
 
     def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
-        """SBs take the states that became true together with these edges."""
+        """Set the states that were committed together with these edges."""
         self.configuration.update(committed)
         now = self.time
         for name in committed:
@@ -183,7 +189,7 @@ class LiveRun:
 
 
 def critical_facts(blueprint: Blueprint) -> dict[str, tuple[int, ...]]:
-    """For each SB that has any, the digits that ``_facts`` marks as critical."""
+    """Return the digits that ``_facts`` marks as critical, for each SB that has any."""
     found = {
         branch.name: tuple(d for d in range(branch.num_facts) if _is_critical(branch, d))
         for branch in blueprint

@@ -1,7 +1,7 @@
-"""Safeguards: the facts on which a run rests at every tick, also in the middle of an operation.
+"""Safeguards: the facts that a run needs at every tick, also in the middle of an operation.
 
-These are every fact that the blueprint marks as critical, and what the running edges require. Each
-must be known and have the value that is believed, as far as the step itself does not change it.
+These are all critical facts of the blueprint, and the facts that the running edges require. Each
+must be known and have the believed value, unless the step itself changes it.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ NOTHING: frozenset[FactKey] = frozenset()
 
 
 def lost_critical(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
-    """The critical facts that are false or unknown now, as sentences; empty where all is well.
+    """Return the critical facts that are false or unknown now, as sentences.
 
-    ``changing`` are facts that a step changes at this moment.
+    ``changing`` are the facts that a step changes at this moment.
     """
     if not run.critical:
         return ()
@@ -29,7 +29,7 @@ def lost_critical(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> tupl
 
 
 def lost_terms(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> Iterator[Term]:
-    """The same facts, as terms of the state checks in which they are."""
+    """Yield the same facts as terms of their state checks."""
     believed, scene = run.believed, run.senses.scene
     left_out = run.transit.union(changing)
     for name, digits in run.critical.items():
@@ -44,9 +44,9 @@ def lost_terms(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> Iterato
 
 
 class Safeguards:
-    """What one step rests on while it is carried out.
+    """The facts that one step needs while it is carried out.
 
-    ``begin`` is called before the function of an action starts, ``end`` when its check was true.
+    Call ``begin`` before the function of an action starts, and ``end`` after its check was true.
     """
 
     def __init__(self, run: LiveRun, step: JointStep) -> None:
@@ -57,9 +57,11 @@ class Safeguards:
         self._changed: set[FactKey] = set()
 
     def begin(self, action: JointAction) -> tuple[str, ...]:
-        """What the edges that begin now require, and every critical fact: why they may not begin.
+        """Return why the edges of an action may not begin: required or critical facts that do not
+        hold.
 
-        From now on what the action changes is left out, and what its edges require must stay.
+        From now on the facts that the action changes are left out, and those that its edges require
+        must stay.
         """
         if self._idle:
             return ()
@@ -70,13 +72,16 @@ class Safeguards:
         return lost
 
     def end(self, action: JointAction) -> None:
-        """What the action changed must from now on be as it is believed."""
+        """Note that an action has ended. The facts that it changed must have the believed values
+        from now on.
+        """
         self._changing = NOTHING
         self._required = [edge for edge in self._required if edge not in action.commits]
 
     def lost(self, asked: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
-        """What is false or unknown now though the step rests on it, as sentences; ``asked`` are
-        facts that people are being asked for."""
+        """Return the needed facts that are false or unknown now, as sentences. ``asked`` are the
+        facts that people are asked for; they are left out.
+        """
         if self._idle:
             return ()
         changing = self._changing.union(asked)
@@ -84,7 +89,9 @@ class Safeguards:
         return tuple(dict.fromkeys((*required, *lost_critical(self._run, changing))))
 
     def _unmet(self, edge: Edge, changing: Collection[FactKey]) -> Iterator[str]:
-        """What an edge requires of facts that the step has not changed, and is not sensed so."""
+        """Yield the facts that an edge requires, that the step has not changed, and that do not
+        hold.
+        """
         run = self._run
         believed, left_out = run.believed, run.transit.union(changing)
         for name, digit, value in edge.requires:

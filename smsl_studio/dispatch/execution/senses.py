@@ -1,4 +1,4 @@
-"""The run's senses: what the host's sensors say, as the scene and as events."""
+"""The senses of a run: the samples of sensors, as the scene and as events."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from smsl_studio.runlog.events import FactChanged
 
 @dataclass(slots=True)
 class _Doubt:
-    """Why a fact is unknown, and how many samples each of its sources had counted by then."""
+    """Why a fact is unknown, and how many samples each of its sources had sent by then."""
 
     reason: str
     counted: dict[str, int]
 
 
 class Moment(NamedTuple):
-    """An instant on the run's clock (simulated s), and on the one of sensors elsewhere."""
+    """A time on the run's clock (simulated s), and on the clock of remote sensors (s)."""
 
     time: float
     live: float
 
 
 class Senses:
-    """Time, scene and the last sensed value of every fact of one run.
+    """The time, the scene, and the last sensed value of every fact of one run.
 
-    Whatever is sensed comes over ``bus``: what the host's sensors say, what sensors elsewhere say
-    (``OpenedWorld.remote``), and what anybody else publishes there. Those elsewhere age on the
-    monotonic clock, all others on that of the run. ``rules`` say how facts are made of it.
+    All samples come over ``bus``: those of the host's sensors, of remote sensors
+    (``OpenedWorld.remote``), and of anybody else who publishes there. Remote samples age on the
+    monotonic clock, all others in simulated time. ``rules`` say how facts follow from samples.
     """
 
     def __init__(self, host: Host, opened: OpenedWorld, rules: Mapping[FactKey, FactRule]) -> None:
@@ -51,36 +51,36 @@ class Senses:
         self.scene = Scene()
 
     def look(self) -> tuple[FactChanged, ...]:
-        """Read every sensor once, now; what changed."""
+        """Read every sensor once, and return the changed facts."""
         samples = self._host.sense()
         for sample in samples:
             self.time = max(self.time, sample.time)
         return self._take(samples)
 
     def listen(self) -> tuple[FactChanged, ...]:
-        """While simulated time stands still: what sensors elsewhere say meanwhile."""
+        """Return the facts that remote sensors have changed while simulated time stands still."""
         return self._take(()) if self._remote is not None else ()
 
     def tick(self) -> tuple[Tick, tuple[FactChanged, ...]]:
-        """Let the host go on for one tick; what it brought and what changed."""
+        """Make one tick of the host. Return its result and the changed facts."""
         tick = self._host.tick()
         self.time = tick.time
         return tick, self._take(tick.samples)
 
     @property
     def sources(self) -> tuple[SourceState, ...]:
-        """Every source of every fact as it stands now."""
+        """The current state of every source of every fact."""
         return self._monitor.sources(self.time, self._live)
 
     @property
     def moment(self) -> Moment:
-        """This instant."""
+        """The current time on both clocks."""
         return Moment(self.time, self._live)
 
     def late(self, since: Moment, facts: Collection[FactKey]) -> tuple[FactKey, ...]:
-        """Those of some facts that rest on a reading which is not newer than an instant.
+        """Return those of some facts that rest on a reading which is not newer than a time.
 
-        A person's answer counts until it is given anew; a source that says nothing is not waited
+        An answer of a person counts until it is given again. A source without a value is not waited
         for.
         """
         found = dict.fromkeys(
@@ -93,23 +93,23 @@ class Senses:
     def answer(
         self, branch: str, digit: int, value: str | None, who: str
     ) -> tuple[FactChanged, ...]:
-        """A person says what a fact is that no sensor may answer; what changed."""
+        """Take the value that a person tells for a fact. Return the changed facts."""
         self._monitor.answer(branch, digit, value, who, self.time)
         self._doubts.pop((branch, digit), None)
         return self._take(())
 
     def forget(self, facts: Iterable[FactKey]) -> tuple[FactChanged, ...]:
-        """What people said of these facts counts no longer: they must be asked anew."""
+        """Forget what people have told about these facts. They must be asked again."""
         said = set(self._monitor.answered()) & set(facts)
         for branch, digit in said:
             self._monitor.answer(branch, digit, None, "", self.time)
         return self._take(()) if said else ()
 
     def doubt(self, facts: Iterable[FactKey], reason: str) -> tuple[FactChanged, ...]:
-        """What was known of these facts counts no longer, until it is sensed anew; what changed.
+        """Make facts unknown until they are sensed again. Return the changed facts.
 
-        Every source of a fact that says something must say it anew. What nobody senses stays
-        unknown until a person answers or vouches for it.
+        Every source that has sent samples of a fact must send a new one. A fact that nobody senses
+        stays unknown until a person answers or vouches for it.
         """
         fresh = {key: _Doubt(reason, {}) for key in sorted(set(facts))}
         for source in self.sources if fresh else ():
@@ -120,7 +120,9 @@ class Senses:
 
     @property
     def vouched(self) -> Scene:
-        """The scene if a person vouched for the doubtful facts that nobody senses."""
+        """The scene without the doubtful facts that nobody senses, as if a person vouched for
+        them.
+        """
         unsensed = {key for key, doubt in self._doubts.items() if not doubt.counted}
         if not unsensed:
             return self.scene
@@ -128,7 +130,9 @@ class Senses:
         return Scene(MappingProxyType(kept), self.scene.time)
 
     def vouch(self) -> None:
-        """A person takes facts that nobody senses for what is believed of them."""
+        """Remove the doubt from facts that nobody senses, because a person vouches for their
+        believed values.
+        """
         self._doubts = {key: doubt for key, doubt in self._doubts.items() if doubt.counted}
         self._take(())
 
@@ -147,13 +151,16 @@ class Senses:
         return self._changes() if self.scene.readings else ()
 
     def _dispel(self) -> None:
-        """Let go of the doubts whose sources have all spoken anew; the others make unknown."""
+        """Remove the doubts whose sources have all sent new samples. Facts with other doubts are
+        unknown.
+        """
         for source in self.sources:
             doubt, name = self._doubts.get(source.fact), source.said.source
             if doubt is None or name not in doubt.counted:
                 continue
             if source.said.contested:
-                # When one of its speakers falls silent, the other must speak anew as well.
+                # If two programs send as this source and one stops, the other must send a new
+                # sample too.
                 doubt.counted[name] = source.counted
             elif source.counted > doubt.counted[name] or source.said.value is None:
                 del doubt.counted[name]

@@ -1,4 +1,4 @@
-"""Where a joint step stands, and how it ends where it does not succeed."""
+"""The stage of a joint step, and the reason of its failure."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ ENDED = {
     Outcome.RAISED: "raised",
     Outcome.IDLE: "lost",
 }
-"""What is told of the end of a function."""
+"""The words for the end of a function."""
 
 
 class ActionStage(Enum):
-    """Where the current action stands."""
+    """The stage of the current action."""
 
     NEXT = "next"
     RUNNING = "running"
@@ -30,9 +30,12 @@ class ActionStage(Enum):
 
 @dataclass(frozen=True)
 class StepFailure:
-    """Why a joint step ended early. ``risky`` says that the operation itself is to blame,
-    ``unanswered`` that people were asked and did not say what it needed. ``lost`` are the
-    sentences about facts that it rested on and that were false or unknown meanwhile."""
+    """Why a joint step has failed.
+
+    ``risky`` says that the operation itself is to blame. ``pending`` says that it failed during a
+    crossing. ``unanswered`` says that people did not answer a question. ``lost`` has sentences
+    about the needed facts that were false or unknown meanwhile.
+    """
 
     edge: Edge
     reason: str
@@ -43,7 +46,7 @@ class StepFailure:
 
 
 def fault_words(edge: Edge, tick: Tick) -> str:
-    """Why a function failed; empty where it returned."""
+    """Return why a function failed, or the empty text if it returned."""
     words = f": {tick.message}" if tick.message else ""
     if tick.outcome is Outcome.FAILED:
         return f"{edge} failed{words}" if words else f"{edge} says that it failed"

@@ -1,4 +1,4 @@
-"""How a run stands at one instant: a frozen value that windows draw and tests read."""
+"""The status of a run at one time, as a frozen value. The window draws it and tests read it."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from smsl_studio.monitor.facts import SourceState
 class Possible:
     """One edge out of an active state: whether it may be asked for now, and if not, why.
 
-    ``cost`` is that of its joint step, or its declared cost where it has none. ``pruned`` says
-    that it is shut out (pruned or avoided), ``risky`` that it failed and was not restored,
-    ``vetoed`` that the next time it is skipped. ``needs`` are the facts of other SBs that it
-    requires, as they stand; ``risk`` is declared (low, medium, high or empty), ``level`` says who
-    acts (human, shared, automatic).
+    ``cost`` is the cost of its joint step, or its own cost if it has none. ``pruned`` says that it
+    is excluded (pruned or avoided), ``risky`` that it has failed and was not restored, and
+    ``vetoed`` that it is skipped the next time. ``needs`` are the facts of other SBs that it
+    requires, with their readings. ``risk`` is the declared risk (low, medium, high or empty).
+    ``level`` says who acts (human, shared or automatic).
     """
 
     address: Address
@@ -38,11 +38,12 @@ class Possible:
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """Something a person may do now: the command, on what, and a sentence for a button.
+    """A command that is offered to a person now: its word, its operation, and a sentence for a
+    button.
 
-    ``command`` is restore, adopt, ask, resume, take_over or end where the run holds, reset or end
-    where it is stopped, accept, give_back or stop where somebody has taken over, and stop where a
-    veto came too late.
+    If the run holds, ``command`` is restore, adopt, ask, resume, take_over or end. If it is
+    stopped, it is reset or end. After a take-over it is accept, give_back or stop. If a veto came
+    too late, it is stop.
     """
 
     command: str
@@ -52,26 +53,26 @@ class Offer:
 
 @dataclass(frozen=True, slots=True)
 class DispatchStatus:
-    """How a run stands.
+    """The status of a run. Times are simulated seconds.
 
-    ``phase``: ``idle`` (no world stands yet), ``ready`` (by hand, nothing runs, the world lives),
-    ``running``, ``paused`` (nothing moves, simulated time stands still), ``waiting`` (a task is
-    open), ``no_route``, ``taken_over``, ``fault_hold`` (a person must decide), ``stopped``
-    (latched), ``done``. ``docs/supervision.md`` draws them.
-    ``pending`` are the states of SBs in transit, not committed. ``running`` is the edge whose
-    library function runs, ``carrying`` the edge that was asked for. ``route`` are the edges still
-    to be carried out, in order; ``detour`` those if the next one were vetoed (None: no way, or
-    nobody attends the run).
-    ``check`` is the state check that is awaited, or that of the active state of the SB in
-    question. ``since`` has the time at which each SB entered its state, ``previous`` the edge that
-    led there. ``sources`` are all sources of all facts. ``by`` is who has taken over or stopped.
-    ``notes`` say which edges of the route set the facts of their subs by themselves (see
-    ``bypass``).
-    ``pausing`` says that it will pause when what is carried out has ended: after a step, or where
-    the operation does not let itself be held.
-    ``planning`` says that routes are still being looked for: ``route``, ``detour`` and
-    ``possible`` are not all that there is.
-    Times are simulated seconds.
+    ``phase`` is one of these run states (see ``docs/supervision.md``): ``idle`` (there is no world
+    yet), ``ready`` (by hand, no step is carried out, time passes), ``running``, ``paused`` (nothing
+    moves, time stands still), ``waiting`` (a task is open), ``no_route``, ``taken_over``,
+    ``fault_hold`` (a person must decide), ``stopped`` (latched), ``done``.
+
+    ``pending`` has the states of SBs that have moved and are not committed. ``running`` is the edge
+    whose function runs, and ``carrying`` the edge that was asked for. ``route`` are the edges still
+    to be carried out, in order. ``detour`` are those if the next edge was vetoed; None if there is
+    no such route or nobody attends the run.
+
+    ``check`` is the state check that is awaited, or that of an active state. ``since`` is the time
+    when each SB entered its state, and ``previous`` the edge that led there. ``sources`` are all
+    sources of all facts. ``by`` is the person who has taken over or stopped the run. ``notes`` has
+    sentences about edges that set the facts of their sub-SBs themselves (see ``bypass``).
+
+    ``pausing`` says that the run will pause when its step or operation has ended. ``planning`` says
+    that routes are still being searched, so ``route``, ``detour`` and ``possible`` are not
+    complete.
     """
 
     phase: str

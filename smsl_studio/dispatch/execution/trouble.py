@@ -1,4 +1,6 @@
-"""When things go wrong: relocalise, go on, adopt or hold (clauses 8 and 9). Nothing is undone."""
+"""Failures: the run relocalises, and then goes on, adopts a configuration or holds (clauses 8 and
+9). Nothing is undone.
+"""
 
 from __future__ import annotations
 
@@ -21,15 +23,15 @@ HELD = "held"
 GUARD_LOST = "guard_lost"
 """A critical fact, or one that a running operation requires, is false or unknown."""
 GOAL_UNCONFIRMED = "goal_unconfirmed"
-"""The run believes to stand at a goal, and its state check is not true."""
+"""The run believes that it is at a goal, but the goal's state check is not true."""
 
 
 @dataclass(frozen=True)
 class Hold:
-    """Why a run cannot go on by itself; ``kind`` is one of the words above, or ``no_route``.
+    """Why a run cannot go on by itself. ``kind`` is one of the words above, or ``no_route``.
 
-    ``blocking`` are the edges that stand in the way, ``skipped`` the vetoed ones that a run
-    without a route has skipped.
+    ``blocking`` are the edges that close the way to the goal. ``skipped`` are the vetoed edges of a
+    run without a route.
     """
 
     reason: str
@@ -40,14 +42,14 @@ class Hold:
 
     @property
     def ends(self) -> str:
-        """The reason with which the run ends where nobody is there to decide."""
+        """The reason for the end of the run if nobody is there to decide."""
         return NO_ROUTE if self.kind == NO_ROUTE else HELD
 
 
 class Trouble:
     """Brings a run back to a configuration that the scene confirms, or says why it must hold.
 
-    ``candidates`` are the configurations the scene agreed with when it was last asked.
+    ``candidates`` are the configurations that fitted the scene at the last look.
     """
 
     def __init__(self, run: LiveRun, course: Course, adopts: bool) -> None:
@@ -57,11 +59,13 @@ class Trouble:
         self._adopts = adopts
 
     def forget(self) -> None:
-        """The run holds no longer: what the scene agreed with then is no offer."""
+        """Forget the candidates, because the run does not hold any more."""
         self.candidates = ()
 
     def blame(self, step: JointStep, failure: StepFailure) -> None:
-        """An operation failed: tag it and the root's edge risky."""
+        """Tag the failed operation and the edge of the root as risky, if the operation is to
+        blame.
+        """
         run = self._run
         if failure.risky:
             roots = [edge for edge in step.edges if edge.branch in run.hierarchy.roots]
@@ -73,8 +77,9 @@ class Trouble:
         run.drop_pending()
 
     def after(self, failure: StepFailure) -> Hold | None:
-        """Relocalise after a failure: by the sub alone where that explains the scene. Where the
-        step lost what it rests on, the run holds, whatever the scene says."""
+        """Relocalise after a failure. If a move of the sub-SB alone explains the scene, it is
+        adopted. If the step has lost needed facts, the run holds whatever the scene shows.
+        """
         run = self._run
         if failure.lost:
             return self.lost(failure.lost, failure.reason)
@@ -86,13 +91,13 @@ class Trouble:
         return self.relocalise(failure.reason)
 
     def lost(self, facts: Sequence[str], cause: str = "") -> Hold:
-        """Facts on which the run rests are false or unknown: it holds, and nothing is adopted."""
+        """Return a hold for needed facts that are false or unknown. Nothing is adopted."""
         found = self.relocalise(adopts=False)
         details = dict.fromkeys((*facts, *(found.details if found else ())))
         return Hold(cause or "; ".join(facts), tuple(details), GUARD_LOST)
 
     def unconfirmed(self, goals: Sequence[Address]) -> Hold | None:
-        """The run stands at goals, as it believes, and the scene does not show it."""
+        """Return a hold if the scene does not confirm the goals at which the run believes to be."""
         found = self.relocalise()
         checks = [self._run.check(goal.branch, goal.state) for goal in goals]
         failed = [check for check in checks if check.truth is not True]
@@ -102,8 +107,10 @@ class Trouble:
         return replace(found, reason=f"The goal is not confirmed: {words}", kind=GOAL_UNCONFIRMED)
 
     def relocalise(self, cause: str = "", adopts: bool = True) -> Hold | None:
-        """Read the scene: go on where it equals what is committed, else adopt or hold. ``adopts``
-        False: nothing is adopted, whatever the run was told to do."""
+        """Read the scene. Go on if it confirms the committed configuration; otherwise adopt another
+        one or return a hold. Without ``adopts`` nothing is adopted, whatever the terms of the run
+        say.
+        """
         run, self.candidates = self._run, ()
         run.drop_pending()
         run.look()
@@ -128,14 +135,16 @@ class Trouble:
         return Hold(cause or check_words(run.blueprint, first), facts)
 
     def adopt(self, configuration: Mapping[str, str]) -> None:
-        """Go on from a configuration that the scene agrees with."""
+        """Go on from a configuration that fits the scene."""
         run, self.candidates = self._run, ()
         run.relocate(configuration)
         self._course.drop_plan()
         run.emit(Relocalised(t=run.time, configuration=dict(run.configuration)))
 
     def no_way(self, details: Sequence[str]) -> Hold:
-        """Nothing leads on: name the risky edges that would, else all that stands in the way."""
+        """Return a hold for a run without a route. It names the risky edges that would make one, or
+        else all edges that close the way.
+        """
         run, course = self._run, self._course
         goal = next(one for one in course.goals if not holds(run.configuration, [one]))
         risky = course.risky_way(run.configuration)

@@ -1,4 +1,4 @@
-"""What the dispatcher says about facts and checks: sentences that name the fact."""
+"""The dispatcher's sentences about facts and state checks."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from smsl_studio.blueprint.model import Blueprint
 
 
 def fact_words(blueprint: Blueprint, term: Term) -> str:
-    """One term: ``Fact 2 of SB1 reads b, not a``, ``Clamp fixed of SB1 is unknown, no reading``."""
+    """Return a term in words, such as ``Fact 2 of SB1 reads b, not a``."""
     return f"{_name(blueprint, term)} {_verdict(term)}"
 
 
 def critical_words(blueprint: Blueprint, term: Term) -> str:
-    """A critical fact that is not as it must be."""
+    """Return the words for a critical fact that does not hold."""
     return f"{_name(blueprint, term)}, a critical fact, {_verdict(term)}"
 
 
 def required_words(blueprint: Blueprint, edge: Edge, term: Term) -> str:
-    """A fact that an edge requires and that is not so."""
+    """Return the words for a fact that an edge requires and that does not hold."""
     branch, digit = term.fact
     what = fact_words(blueprint, term)
     return f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"
@@ -38,16 +38,16 @@ def _verdict(term: Term) -> str:
 
 
 def all_words(blueprint: Blueprint, terms: Iterable[Term]) -> tuple[str, ...]:
-    """Every term as a sentence."""
+    """Return the words of every term."""
     return tuple(fact_words(blueprint, term) for term in terms)
 
 
 def check_words(blueprint: Blueprint, check: CheckResult) -> str:
-    """Why a state check is not true."""
+    """Return why a state check is not true."""
     facts = "; ".join(all_words(blueprint, (*check.misses, *check.unknown)))
     return f"{check.branch}/{check.state} does not check true: {facts}"
 
 
 def truth_word(truth: bool | None) -> str:
-    """``true``, ``false`` or ``unknown``."""
+    """Return ``true``, ``false`` or ``unknown``."""
     return "true" if truth else "unknown" if truth is None else "false"

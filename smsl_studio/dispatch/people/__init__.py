@@ -1,1 +1,1 @@
-"""People in the loop: the tasks they are given, who may answer, and what became of them."""
+"""The part of people in a run: their tasks, who may answer, and the results."""

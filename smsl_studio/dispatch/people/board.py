@@ -1,4 +1,4 @@
-"""The board of open tasks: who has answered what, hidden until all are in, on simulated time.
+"""The board of open tasks. It keeps who has answered what, in simulated time.
 
 ::
 
@@ -7,8 +7,9 @@
       ├────the deadline passed──▶ timed_out      (another role may answer from half time on)
       └────the run moved on──▶ withdrawn
 
-An outcome never changes again. Only ``answered`` has an answer, and nobody chose it beforehand.
-The board has no clock: it is told the time (simulated seconds), and says what happened as events.
+Answers are hidden until all are given. An outcome never changes. Only ``answered`` has an answer,
+and no option is chosen in advance. The board has no clock: callers give the time (simulated
+seconds), and get events.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from smsl_studio.runlog.events import (
 )
 
 WITHIN = 120.0
-"""Simulated seconds in which a task must be answered, where nothing else is declared."""
+"""The simulated seconds to answer a task if none are declared."""
 
 HAIR = 1e-9
 ANSWERED, DISAGREED, TIMED_OUT, WITHDRAWN = "answered", "disagreed", "timed_out", "withdrawn"
@@ -43,7 +44,9 @@ OVER = {
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What a task asks; ``within`` (s) None stands for ``WITHIN``. See ``Task`` for the others."""
+    """The content of a task. ``within`` (simulated s) None means ``WITHIN``. ``Task`` explains the
+    others.
+    """
 
     kind: str
     address: str
@@ -57,7 +60,9 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """How a task ended. ``answer`` is the option that all chose, None in every other outcome."""
+    """The end of a task. ``answer`` is the option that all chose, and None for every other
+    outcome.
+    """
 
     task: Task
     outcome: str
@@ -65,12 +70,12 @@ class Closed:
 
     @property
     def yes(self) -> bool:
-        """Whether people let the run go on: all answered, all the same, and that is a yes."""
+        """Whether the run may go on: all have given the same answer, and it is a yes."""
         return self.outcome == ANSWERED and self.answer is not None and self.answer.yes
 
 
 class TaskBoard:
-    """Every task of one run. Times must not go back; every method tells what happened."""
+    """All tasks of one run. Times must not go back. Every method returns its events."""
 
     def __init__(self) -> None:
         self._open: dict[str, Task] = {}
@@ -80,15 +85,15 @@ class TaskBoard:
 
     @property
     def tasks(self) -> tuple[Task, ...]:
-        """The open tasks, oldest first; what anybody answered is not in them."""
+        """The open tasks, oldest first. They do not contain answers."""
         return tuple(self._open.values())
 
     def closed(self, name: str) -> Closed | None:
-        """How a task ended; None while it is open, and for one that never was."""
+        """Return the end of a task. None if it is open, or if there is no such task."""
         return self._closed.get(name)
 
     def open(self, question: Question, now: float) -> tuple[Task, tuple[Event, ...]]:
-        """Put a question to people. Its name is one that was never used in this run."""
+        """Open a task with a name that is new in this run."""
         self._count += 1
         within = WITHIN if question.within is None else question.within
         task = Task(
@@ -119,8 +124,9 @@ class TaskBoard:
         return task, (opened,)
 
     def find(self, text: str) -> str:
-        """The name of the task that ``text`` means: its name, or the address of the only open task
-        about it; an empty text means the only open task. Else the text itself."""
+        """Return the name of a task. ``text`` is its name, or the address of the only open task
+        about it; an empty text means the only open task. Otherwise the result is the text itself.
+        """
         if text in self._open or text in self._closed:
             return text
         found = [one.name for one in self._open.values() if text in ("", one.address)]
@@ -129,7 +135,9 @@ class TaskBoard:
     def answer(
         self, name: str, option: str, *, by: str, role: str = "", now: float
     ) -> tuple[Event, ...]:
-        """Somebody answers. What does not count is told with its reason and changes nothing."""
+        """Take an answer. An answer that does not count is told with the reason, and changes
+        nothing.
+        """
         events = self.tick(now)
         name = self.find(name)
         refused = self._refusal(name, option, by, role)
@@ -148,7 +156,9 @@ class TaskBoard:
         return (*events, told, closed)
 
     def tick(self, now: float) -> tuple[Event, ...]:
-        """Time goes on: half time asks another role as well, the deadline ends a task."""
+        """Let time pass. At half time another role may answer too, and at the deadline the task
+        ends.
+        """
         events: list[Event] = []
         for name, task in list(self._open.items()):
             if now >= task.escalates - HAIR and not task.escalated:
@@ -159,12 +169,12 @@ class TaskBoard:
         return tuple(events)
 
     def withdraw(self, now: float, names: Sequence[str] | None = None) -> tuple[Event, ...]:
-        """The run needs no answer any more: of all open tasks, or of some."""
+        """Withdraw some open tasks, or all of them, because the run needs no answer any more."""
         chosen = [name for name in self._open if names is None or name in names]
         return tuple(self._close(name, WITHDRAWN, now) for name in chosen)
 
     def _refusal(self, name: str, option: str, by: str, role: str) -> str:
-        """Why an answer does not count; empty where it does."""
+        """Return why an answer does not count, or the empty text."""
         over = self._closed.get(name)
         if over is not None:
             return OVER[over.outcome]
@@ -191,7 +201,8 @@ class TaskBoard:
     def _close(self, name: str, outcome: str, now: float) -> TaskClosed:
         task, said = self._open.pop(name), self._said.pop(name)
         agreed = next(iter(said.values())) if outcome == ANSWERED else None
-        told = said if len(said) == task.persons else {}  # else the next who are asked could see
+        # otherwise those who are asked next could see the answers
+        told = said if len(said) == task.persons else {}
         self._closed[name] = Closed(task, outcome, agreed)
         return TaskClosed(
             t=now,
@@ -207,7 +218,7 @@ def _role_words(role: str) -> str:
 
 
 def _asked(task: Task) -> str:
-    """Whose answers are still sought, as far as that can be said."""
+    """Return whose answers are still needed, in words."""
     names = [role or "anybody" for role in task.roles]
     if task.escalation:
         when = "" if task.escalated else f" (from {task.escalates:g} s on)"

@@ -1,4 +1,6 @@
-"""What carries out each edge: the library functions of a world, and people in place of them."""
+"""The function or person that carries out each edge: the functions of a world, and people
+instead.
+"""
 
 from __future__ import annotations
 
@@ -13,20 +15,25 @@ from smsl_studio.host.protocol import Bound
 from smsl_studio.library.table import TIMEOUT
 
 BY_HAND = Bound("", exact=False, stop="hold", timeout=TIMEOUT)
-"""A person carries it out: no function runs, and its task has its own time. What is limited is
-the writing down of what was done, where nobody can touch the world (see ``Carrier``)."""
+"""A person carries out the edge, so no function runs, and the task has its own time. The time limit
+is for writing down the result in a table world (see ``Carrier``).
+"""
 
 
 def with_people(
     bound: Mapping[Address, Bound], blueprint: Blueprint, levels: Levels
 ) -> Mapping[Address, Bound]:
-    """What carries out each edge, as the levels have it; the same where people do nothing."""
+    """Return what carries out each edge according to the levels. If people do nothing, it is
+    ``bound``.
+    """
     branches = [branch.name for branch in blueprint if levels.people_do(branch.name)]
     return _WithPeople(bound, blueprint, levels, branches) if branches else bound
 
 
 class _WithPeople(Mapping[Address, Bound]):
-    """Asked edge by edge: files have up to 177,144 of them."""
+    """The functions, with people instead of some. It is computed for each edge when it is asked
+    for, because files have up to 177,144 edges.
+    """
 
     def __init__(
         self,

@@ -1,21 +1,23 @@
-"""Who is who: one person stays one person, however the name is typed."""
+"""Names of persons: different spellings of a name mean the same person."""
 
 from __future__ import annotations
 
 import unicodedata
 
 UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u180b\u180c\u180d\u180f\u2800")
-"""What nobody sees though it counts as a letter, a mark or a symbol."""
+"""Characters that are invisible although they count as letters, marks or symbols."""
 
 NAMELESS = frozenset(("a person", "script"))
-"""Who speaks where nobody said a name: enough to answer alone, not to be told from another."""
+"""The names of people who gave no name. They may answer alone, but cannot be told from each
+other.
+"""
 
 
 def same_name(text: str) -> str:
-    """What two spellings of one name or role have in common.
+    """Return the form that all spellings of one name or role share.
 
-    Case, the white space around and between the words, characters nobody sees and the form in
-    which accents are stored make no other person.
+    Case, white space around and between words, invisible characters and the encoding of accents do
+    not matter.
     """
     plain = unicodedata.normalize("NFKC", text)
     seen = "".join(char for char in plain if not _unseen(char))
@@ -23,7 +25,9 @@ def same_name(text: str) -> str:
 
 
 def _unseen(char: str) -> bool:
-    """Format and control characters, fillers, and what only chooses how another one is drawn."""
+    """Return whether a character is invisible: format and control characters, fillers, and
+    variation selectors.
+    """
     if char in UNSEEN or unicodedata.name(char, "").startswith("VARIATION SELECTOR"):
         return True
     return unicodedata.category(char) in ("Cf", "Cc") and not char.isspace()

@@ -1,6 +1,6 @@
-"""What people are asked, worked out from the blueprint: the words, the options, whose task it is.
+"""The questions to people, from the blueprint: their words, options and roles.
 
-No option is chosen beforehand, and every question can be answered with a no, or with not knowing.
+No option is chosen in advance. Every question can be answered with a no, or with not knowing.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ CANNOT_SAY = Option("cannot say", "I cannot say", yes=False)
 
 
 def operation_task(blueprint: Blueprint, edge: Address) -> Question:
-    """A person carries an operation out, and says so; the state check decides all the same."""
+    """Return the question for a person who carries out an operation. The state check still
+    decides.
+    """
     note = blueprint[edge.branch].operation_note(edge.state, edge.operation)
     return Question(
         "operation",
@@ -40,7 +42,9 @@ def operation_task(blueprint: Blueprint, edge: Address) -> Question:
 
 
 def confirm_task(blueprint: Blueprint, edge: Address) -> Question:
-    """People agree before an operation begins, one for each role that must confirm."""
+    """Return the question for people who must agree before an operation begins, one for each
+    role.
+    """
     note = blueprint[edge.branch].operation_note(edge.state, edge.operation)
     return Question(
         "confirm",
@@ -55,7 +59,7 @@ def confirm_task(blueprint: Blueprint, edge: Address) -> Question:
 
 
 def fact_task(blueprint: Blueprint, fact: FactKey, why: str = "") -> Question:
-    """A person says what a fact is; ``why`` is the reason for which it is unknown."""
+    """Return the question for the value of a fact. ``why`` says why it is unknown."""
     branch, digit = blueprint[fact[0]], fact[1]
     note = branch.fact_note(digit)
     name = branch.fact_name(digit)
@@ -80,7 +84,9 @@ def fact_task(blueprint: Blueprint, fact: FactKey, why: str = "") -> Question:
 
 
 def supervise_task(blueprint: Blueprint, edge: Address, why: str = "") -> Question:
-    """A person decides on the next operation; ``why`` is the reason of an agent that asks."""
+    """Return the question whether the next operation may begin. ``why`` is the reason of an agent
+    that asks.
+    """
     detail = _leads(blueprint, edge)
     return Question(
         "supervise",
@@ -92,17 +98,19 @@ def supervise_task(blueprint: Blueprint, edge: Address, why: str = "") -> Questi
 
 
 def start_task(findings: str) -> Question:
-    """A person accepts what inspection found before the run moves; ``findings`` in words."""
+    """Return the question whether the run may start despite ``findings`` of inspection, in
+    words.
+    """
     return Question("start", "", "Shall the run start?", (START, DO_NOT_START), detail=findings)
 
 
 def title_of(blueprint: Blueprint, edge: Address) -> str:
-    """The plain title of an operation, or its name."""
+    """Return the title of an operation, or its name."""
     return blueprint[edge.branch].operation_note(edge.state, edge.operation).title or edge.operation
 
 
 def _leads(blueprint: Blueprint, edge: Address) -> str:
-    """From where an operation leads to where, and how risky it is, for the card."""
+    """Return the source, the target and the risk of an operation in words, for the card."""
     branch = blueprint[edge.branch]
     target = branch.table[edge.state][edge.operation]
     states = []

@@ -1,4 +1,4 @@
-"""How facts are made of their sensors where people have a say in them: levels over ``_facts``."""
+"""The rules that make facts from sensors and answers: the levels override ``_facts``."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ ALONE = "single"
 def leveled_rules(
     blueprint: Blueprint, opened: OpenedWorld, levels: Levels
 ) -> Mapping[FactKey, FactRule]:
-    """The rules of a world's facts, as their levels have them.
+    """Return the rules of a world's facts according to their levels.
 
-    ``human``: no sensor counts, also none of the table world. ``shared``: sensors count, and
-    where they leave it unknown a person's answer. ``automatic``: sensors alone.
+    ``human``: no sensor counts, not even those of the table world. ``shared``: sensors count, and
+    an answer of a person counts for a fact that they leave unknown. ``automatic``: only sensors
+    count.
     """
     found = dict(opened.rules)
     modes: dict[FactKey, str] = {}
@@ -32,7 +33,7 @@ def leveled_rules(
         rule = found.get(key) or FactRule(modes.get(key, ALONE))
         level, asks = levels.fact(*key), rule.aggregation == PEOPLE
         note = blueprint[key[0]].fact_note(key[1])
-        # An age that was declared for sensors says nothing about how long an answer holds.
+        # The largest age of a sensor's reading does not apply to an answer.
         declared = note is not None and note.aggregation == PEOPLE
         age = note.max_age if note is not None and declared else None
         if level == HUMAN:

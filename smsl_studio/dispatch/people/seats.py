@@ -1,4 +1,4 @@
-"""Seats: whether the roles of those who answered can be the roles a task asks for."""
+"""Seats: whether the roles of those who answered can fill the roles that a task needs."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from smsl_studio.dispatch.people.names import same_name
 
 
 def seated(wanted: Sequence[str], given: Sequence[str], escalation: str = "") -> bool:
-    """Whether everyone in ``given`` finds a seat of their own among the roles ``wanted``.
+    """Return whether everyone in ``given`` gets a seat of their own among the roles ``wanted``.
 
-    A seat without a role is anybody's; the ``escalation`` role (empty: there is none) may take
-    any. Nobody is turned away as long as some order of seating leaves room for all.
+    An empty role in ``wanted`` is a seat for anybody. A person with the role ``escalation`` may
+    take any seat; an empty text means that there is no such role. All orders of seating are tried.
     """
     seats = [same_name(role) for role in wanted]
     persons = [same_name(role) for role in given]
     also = same_name(escalation)
 
     def seat(index: int, free: frozenset[int]) -> bool:
-        """Whether the persons from ``index`` on can be seated in the seats that are free."""
+        """Return whether the persons from ``index`` on can take the free seats."""
         if index == len(persons):
             return True
         role = persons[index]

@@ -1,7 +1,7 @@
-"""A task: what people are asked while a run waits. Times are simulated seconds.
+"""A task: a question to people while a run waits. Times are simulated seconds.
 
-A task has no default answer. Time that runs out is never a yes; an answer that comes late is
-refused. Where several persons must answer, nobody sees an answer before all are in.
+A task has no default answer. The end of its time is never a yes, and a late answer is refused. If
+several persons must answer, nobody sees an answer before all are given.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ from dataclasses import dataclass
 
 KINDS = ("operation", "confirm", "fact", "supervise", "start")
 """``operation``: a person carries it out. ``confirm``: people agree before an operation begins.
-``fact``: a person says what a fact is. ``supervise``: a person decides on the next operation.
-``start``: a person accepts what inspection found."""
+``fact``: a person tells a fact. ``supervise``: a person decides on the next operation. ``start``: a
+person accepts the findings of inspection.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One answer that may be given: its value in the record, and what the button says.
+    """One possible answer: its value in the record, and the words on its button.
 
-    ``yes`` says that the run may go on with it; no option is chosen beforehand.
+    ``yes`` says that the run may go on with this answer. No option is chosen in advance.
     """
 
     value: str
@@ -28,7 +29,7 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """That somebody has answered, not what."""
+    """The fact that a person has answered, with role and time, but without the answer."""
 
     by: str
     role: str
@@ -39,9 +40,9 @@ class Answered:
 class Task:
     """One open question.
 
-    ``address`` is the operation (``SB/State/Operation``), the fact (``SB/digit``) or empty.
-    ``roles`` says whose task it is, one role for each of the ``persons`` that must agree (an empty
-    role is anybody's). From ``escalates`` on ``escalation`` may answer as well.
+    ``address`` is the operation (``SB/State/Operation``), the fact (``SB/digit``), or empty.
+    ``roles`` has one role for each of the ``persons`` that must agree; an empty role means anybody.
+    From the time ``escalates`` on, the role ``escalation`` may answer too.
     """
 
     name: str
@@ -60,5 +61,5 @@ class Task:
 
     @property
     def persons(self) -> int:
-        """How many different persons must answer the same."""
+        """The number of different persons who must give the same answer."""
         return len(self.roles)

@@ -1,1 +1,1 @@
-"""The way of a run: what operations cost, what is shut out, and the plan to the goals."""
+"""The route of a run: the costs of operations, the excluded edges, and the plan to the goals."""

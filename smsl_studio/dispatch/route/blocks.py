@@ -1,5 +1,4 @@
-"""What stands in the way: a price on every edge that no route may use, so that a way of the fewest
-of them can be asked for."""
+"""Blocked edges: they get a penalty, so that a search finds a route with the fewest of them."""
 
 from __future__ import annotations
 
@@ -9,21 +8,21 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edges import Edge
 
 PENALTY = 1e12
-"""More than any edge may cost, so that one blocked edge less is always better."""
+"""The penalty is more than any edge may cost, so one blocked edge fewer is always better."""
 
 
 class Blocks:
-    """Why edges may not be used: closed with a reason, without a function, into a failure."""
+    """The reasons why edges are blocked: closed, without a function, or into a failure state."""
 
     def __init__(self, closed: Mapping[Address, str], bound: Collection[Address]) -> None:
         self.closed, self._bound = closed, bound
 
     def __call__(self, edge: Edge) -> float:
-        """What an edge costs on top: the penalty where it is blocked."""
+        """Return the extra cost of an edge: the penalty if it is blocked."""
         return PENALTY if self.reason(edge) else 0.0
 
     def reason(self, edge: Edge) -> str:
-        """Why no route uses an edge; empty where routes may."""
+        """Return why no route uses an edge, or the empty text."""
         closed = self.closed.get(edge.address)
         if closed is not None:
             return closed
@@ -32,5 +31,5 @@ class Blocks:
         return f"it leads into a failure: {edge.fails}" if edge.fails else ""
 
     def among(self, edges: Iterable[Edge]) -> Mapping[Address, str]:
-        """The blocked ones among edges, in their order."""
+        """Return the blocked edges among some, in their order, with the reasons."""
         return {edge.address: reason for edge in edges if (reason := self.reason(edge))}

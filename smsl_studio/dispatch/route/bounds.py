@@ -1,10 +1,10 @@
-"""What is still to be paid at least: a bound that never promises too much, for the joint search.
+"""Lower bounds of the remaining cost, for the search over joint configurations (A*).
 
-Each SB that a goal names is looked at alone, in its own graph, with what an edge of it costs at the
-least: its own cost, and for every digit that it turns, the cheapest way in which the sub-SB may
-enter or leave its ACTIVATING state. A quiet sub stands still while its digit is off, so that the
-first rise costs exactly what its route costs from there; later ones cost no less than from one of
-the few states in which it can be left.
+Each SB with a goal is looked at alone, in its own graph, with a lower bound for each edge. This is
+the edge's own cost, plus the cheapest way for each sub-SB to enter or leave ACTIVATING if the edge
+turns its digit. A quiet sub-SB does not move while its digit is off. So its first rise costs
+exactly what its route costs from its present state. Later rises cost at least as much as from one
+of the few states in which it can be left.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from smsl_studio.stop import heed
 
 Key = tuple[str, ...]
 Extra = Mapping[str, float]
-"""For each state of a quiet sub, what its first rise costs more than the cheapest one."""
+"""For each state of a quiet sub-SB, how much more its first rise costs than the cheapest one."""
 
 
 class CostBounds:
-    """Bounds on the cost from any joint configuration to where all ``wanted`` hold.
+    """Lower bounds of the cost from any joint configuration to one where all ``wanted`` hold.
 
-    ``start`` is where the search begins; ``quiet`` are the subs of which only operations that leave
-    ACTIVATING are asked; ``movers`` are all SBs that move.
+    ``start`` is the start of the search. ``quiet`` are the sub-SBs of which only operations that
+    leave ACTIVATING are asked for. ``movers`` are all SBs that move.
     """
 
     def __init__(
@@ -52,7 +52,7 @@ class CostBounds:
                 self._parts.append((at[goal.branch], self._far(goal), extras))
 
     def __call__(self, node: Key) -> float:
-        """At least so much is still to be paid; ``inf`` where no way leads on."""
+        """Return a lower bound of the remaining cost, ``inf`` if there is no way."""
         most = 0.0
         for at, far, extras in self._parts:
             found = far.get(node[at], inf)
@@ -62,7 +62,7 @@ class CostBounds:
         return round(most, 9) if most < inf else inf
 
     def _below_loads(self, movers: Collection[str]) -> frozenset[str]:
-        """The SBs that a ``load`` edge above them can put anywhere, for nothing of their own."""
+        """Return the SBs that a ``load`` edge above them can set to any state without own cost."""
         hierarchy = self._stepper.hierarchy
         loaders = [
             name
@@ -72,7 +72,7 @@ class CostBounds:
         return frozenset(sub for name in loaders for sub in hierarchy.tree(name) if sub != name)
 
     def _far(self, goal: Address) -> Mapping[str, float]:
-        """The least that the SB's own way to the goal costs, for every state that has one."""
+        """Return the lower bound of the SB's own way to its goal, for every state that has one."""
         graph = graph_of(self._blueprint[goal.branch])
         least: list[float] = []
         for state in graph.names:
@@ -85,7 +85,7 @@ class CostBounds:
         return {name: cost for name, cost in found.items() if cost is not None}
 
     def _least(self, edge: Edge) -> float:
-        """What a joint step with this edge costs at least; ``inf`` where there is none."""
+        """Return the lower bound of a joint step with this edge, ``inf`` if there is none."""
         if self._stepper.closed(edge):
             return inf
         subs = dict(self._stepper.hierarchy.subs[edge.branch])
@@ -94,7 +94,7 @@ class CostBounds:
         return edge.cost + sum(self._turn(sub, up) for sub, up in turns)
 
     def _turn(self, sub: str, up: bool) -> float:
-        """The least that it costs a sub to enter (``up``) or to leave its ACTIVATING state."""
+        """Return the least cost for a sub-SB to enter (``up``) or leave its ACTIVATING state."""
         if sub in self._loaded:
             return 0.0
         found = self._turns.get((sub, up))
@@ -115,7 +115,9 @@ class CostBounds:
         return found
 
     def _rise(self, sub: str) -> float:
-        """The least of a quiet sub's rises, out of all states in which it may be left."""
+        """Return the least cost of a quiet sub-SB's rise, from all states in which it may be
+        left.
+        """
         branch = self._blueprint[sub]
         left = {edge.target for edge in self._leaving(sub)} | {branch.initial, self._start[sub]}
         far = self._stepper.downhill(sub, branch.activating).far
@@ -123,7 +125,9 @@ class CostBounds:
                    default=inf)  # fmt: skip
 
     def _fall(self, sub: str) -> float:
-        """The least of a quiet sub's falls: driven to INITIAL, or asked by itself."""
+        """Return the least cost of a quiet sub-SB's fall: to INITIAL by a base, or by its own
+        operation.
+        """
         branch = self._blueprint[sub]
         driven = self._stepper.downhill(sub, branch.initial).far.get(branch.activating)
         asked = [edge.cost for edge in self._leaving(sub)]
@@ -133,7 +137,7 @@ class CostBounds:
         return [edge for edge in self._crossings(sub, False) if not self._stepper.closed(edge)]
 
     def _extras(self, goal: Address) -> list[tuple[str, Extra]]:
-        """For the quiet subs that the goal has on, what their first rise costs more."""
+        """Return the extra costs of the first rise, for the quiet sub-SBs that the goal has on."""
         branch = self._blueprint[goal.branch]
         found: list[tuple[str, Extra]] = []
         for digit, sub in self._stepper.hierarchy.subs[goal.branch]:

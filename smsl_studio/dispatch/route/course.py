@@ -1,4 +1,4 @@
-"""The course of a run: its goals, what is shut out, and the plan as long as it still holds."""
+"""The course of a run: its goals, its excluded edges, and its plan as long as it is valid."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ VETOED = "vetoed"
 
 
 class _Exact(Collection[Address]):
-    """The edges to which a function is bound by their address, looked up when one is asked of."""
+    """The edges with a function that is bound by their full address, looked up when they are asked
+    for.
+    """
 
     def __init__(self, bound: Mapping[Address, Bound]) -> None:
         self._bound = bound
@@ -38,11 +40,11 @@ class _Exact(Collection[Address]):
 
 
 class Course:
-    """Where a run wants to go and what it may use.
+    """The goals of a run and the edges that it may use.
 
-    ``shut`` are edges avoided or pruned, with the reason; ``risky`` those that failed; ``vetoed``
-    those that are skipped as long as the run stands where they were vetoed. Routing uses none of
-    them; a person may still ask for a risky or a vetoed edge.
+    ``shut`` are edges that were avoided or pruned, with reasons. ``risky`` are edges that have
+    failed. ``vetoed`` are edges that are skipped while the run stays where they were vetoed. A
+    route uses none of them. A person may still ask for a risky or a vetoed edge.
     """
 
     def __init__(
@@ -73,26 +75,26 @@ class Course:
         self._at = (0, 0)
         self._ahead: tuple[Address, ...] | None = None
 
-    # what may be used ---------------------------------------------------------------------------
+    # permissions --------------------------------------------------------------------------------
 
     def prune(self, address: Address, reason: str) -> None:
-        """Shut an edge out until it is restored."""
+        """Exclude an edge until it is restored."""
         self.shut[address] = f"pruned: {reason}" if reason else "pruned"
         self._changed()
 
     def restore(self, address: Address) -> bool:
-        """Let an edge be used again; whether it was shut out, risky or vetoed."""
+        """Let an edge be used again. Return whether it was excluded, risky or vetoed."""
         known = [kept.pop(address, None) for kept in (self.shut, self.risky, self.vetoed)]
         self._changed()
         return any(reason is not None for reason in known)
 
     def tag_risky(self, address: Address, reason: str) -> None:
-        """Route around an edge that failed until it is restored."""
+        """Let routes avoid an edge that has failed, until it is restored."""
         self.risky[address] = reason
         self._changed()
 
     def veto(self, address: Address, configuration: Mapping[str, str]) -> None:
-        """Skip an edge once: routes go round it until the run stands elsewhere than here."""
+        """Let routes avoid an edge until the run leaves this configuration."""
         if self._vetoed_at != dict(configuration):
             self.vetoed.clear()
         self._vetoed_at = dict(configuration)
@@ -100,36 +102,41 @@ class Course:
         self._changed()
 
     def set_cost(self, address: Address, cost: float) -> Mapping[Address, float]:
-        """A person says what an edge costs from now on; what changed. UsageError for no cost."""
+        """Set the cost of an edge for a person. Return the changed costs. UsageError if it is no
+        valid cost.
+        """
         return self._repriced(self.prices.say(address, cost))
 
     def adapt(self, costs: Mapping[Address, float | None]) -> Mapping[Address, float]:
-        """What cost functions say of edges (None: what is declared stands); what changed."""
+        """Set the costs from cost functions; None means the declared cost. Return the changed
+        costs.
+        """
         return self._repriced(self.prices.adapt(costs))
 
-    # the way ------------------------------------------------------------------------------------
+    # the plan ---------------------------------------------------------------------------------
 
     @property
     def planner(self) -> Planner:
-        """The planner under the terms of now."""
+        """The planner with the present exclusions and costs."""
         if self._planner is None:
             self._planner = self._planner_of(self.closed)
         return self._planner
 
     @property
     def closed(self) -> Mapping[Address, str]:
-        """Every edge that routes go round, with the reason."""
+        """All edges that routes avoid, with reasons."""
         return {**self._lasting, **self.vetoed, **self.shut}
 
     @property
     def _lasting(self) -> Mapping[Address, str]:
-        """The same without vetoes, which hold only where they were said."""
+        """The same without vetoes, which are valid only in one configuration."""
         risky = {address: f"risky: {reason}" for address, reason in self.risky.items()}
         return {**risky, **self.shut}
 
     def asked(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | Unavailable:
-        """The joint step of an edge that a person asks for, though it be risky or vetoed itself,
-        or lead into a failure state."""
+        """Return the joint step of an edge that a person asks for, or why there is none. The edge
+        itself may be risky or vetoed, or lead into a failure state.
+        """
         address = edge.address
         passed = edge.fails or address in self.risky or address in self.vetoed
         if address in self.shut or not passed:
@@ -142,14 +149,14 @@ class Course:
         return planner.stepper.step(configuration, edge)
 
     def edge(self, address: Address) -> Edge | None:
-        """The edge of an operation; None where there is none."""
+        """Return the edge of an operation, None if there is none."""
         return self.planner.stepper.edges.get(address)
 
     def next_step(self, configuration: Mapping[str, str]) -> tuple[JointStep | None, Leg | None]:
-        """The next joint step, and the leg where it is newly planned or begun.
+        """Return the next joint step, and its leg if the leg is new.
 
-        The plan is kept while the run stands where the plan has it; (None, None) where nothing
-        permitted leads on.
+        The plan is kept while the run is where the plan expects it. (None, None) means that no
+        permitted route leads to the goals.
         """
         if self.vetoed:
             self._lift_vetoes(configuration)
@@ -174,7 +181,7 @@ class Course:
 
     @property
     def ahead(self) -> tuple[Address, ...]:
-        """The edges that the plan has still to begin, after the step that was given last."""
+        """The edges of the plan after the step that was returned last."""
         if self._ahead is not None:
             return self._ahead
         leg, step = self._at
@@ -187,19 +194,23 @@ class Course:
         return self._ahead
 
     def next_operation(self, configuration: Mapping[str, str]) -> Address | None:
-        """The operation that the route would begin from here; the plan stays as it is."""
+        """Return the operation that the route would begin from here. The plan does not change."""
         step, _ = self._prospect(configuration)
         return None if step is None else step.asked.address
 
     def prospect(self, configuration: Mapping[str, str]) -> tuple[Address, ...]:
-        """The edges of the route that would be planned from here; the plan stays as it is."""
+        """Return the edges of the route that would be planned from here. The plan does not
+        change.
+        """
         step, following = self._prospect(configuration)
         return () if step is None else (*(edge.address for edge in step.edges), *following)
 
     def _prospect(
         self, configuration: Mapping[str, str]
     ) -> tuple[JointStep | None, tuple[Address, ...]]:
-        """The same as ``next_step``, for who only looks: nothing is kept, no veto is lifted."""
+        """Return the first step and the other edges of the route from here. No plan or veto is
+        changed.
+        """
         asked = (tuple(configuration.values()), self._legs, self._at, self.version)
         if self._prospect_of[0] != asked:
             self._prospect_of = asked, self._looked_ahead(configuration)
@@ -220,17 +231,17 @@ class Course:
             self._legs, self._at, self._ahead = kept
 
     def drop_plan(self) -> None:
-        """Forget the plan; the next question for a step makes a new one."""
+        """Forget the plan. The next question for a step makes a new one."""
         self._legs, self._at, self._ahead = (), (0, 0), None
 
-    # what if ------------------------------------------------------------------------------------
+    # hypothetical questions ---------------------------------------------------------------------
 
     def detour(
         self, configuration: Mapping[str, str], address: Address
     ) -> tuple[Address, ...] | None:
-        """The way to the goals if an edge were vetoed here; None where there would be none.
+        """Return the route to the goals if an edge was vetoed here, None if there is none.
 
-        PlanningError where it is not found in sensible time.
+        PlanningError if the search takes too long.
         """
         key = (tuple(configuration.values()), address)
         if key not in self._detours:
@@ -241,10 +252,10 @@ class Course:
         return self._detours[key]
 
     def blocking(self, configuration: Mapping[str, str]) -> Mapping[Address, str]:
-        """Where there is no way: the fewest edges whose opening would make one, with the reason.
+        """Return the fewest blocked edges whose opening would make a route, with the reasons.
 
-        They are avoided, pruned, risky, vetoed, without a function, or lead into a failure. Empty
-        where no way is drawn at all, or where there is one.
+        They are avoided, pruned, risky, vetoed, without a function, or lead into a failure state.
+        Empty if there is a route, or if the blueprint has none at all.
         """
         blocks = Blocks(self.closed, self._bound)
         planner = self._what_if.get(Blocks)
@@ -256,7 +267,9 @@ class Course:
         return blocks.among(edges)
 
     def risky_way(self, configuration: Mapping[str, str]) -> tuple[Address, ...]:
-        """The risky edges on the way that would exist if none were risky; empty: no way at all."""
+        """Return the risky edges on the route that would exist if no edge was risky. Empty if there
+        is none.
+        """
         if not self.risky:
             return ()
         planner = self._under("risky", {**self.vetoed, **self.shut})
@@ -265,7 +278,7 @@ class Course:
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
 
     def lift_vetoes(self, addresses: Collection[Address]) -> None:
-        """What was vetoed has been skipped and may be used again."""
+        """Lift the vetoes of these edges, because they were skipped."""
         lifted = [self.vetoed.pop(address, None) for address in addresses]
         if any(lifted):
             self.version += 1
@@ -289,8 +302,9 @@ class Course:
         self._planner, self._asked, self._detours, self._what_if = None, {}, {}, {}
 
     def _under(self, what: object, shut: Mapping[Address, str]) -> Planner:
-        """The planner for what is only asked, kept as long as the terms stand: where it is called
-        off it goes on when it is asked again."""
+        """Return the planner for a hypothetical question. It is kept while the terms stay, so a
+        search that was called off goes on when it is asked for again.
+        """
         planner = self._what_if.get(what)
         if planner is None:
             planner = self._what_if[what] = self._planner_of(shut)

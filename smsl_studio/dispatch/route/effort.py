@@ -1,4 +1,4 @@
-"""How much a run may ask for: facts are sensed in every tick, and every step takes a few ticks."""
+"""The limits of a run. Facts are sensed in every tick, and every step takes a few ticks."""
 
 from __future__ import annotations
 
@@ -10,44 +10,46 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import PlanningError, RunRefused
 
 MOST_FACTS = 1_000
-"""So many facts a run senses at most."""
+"""The largest number of facts that a run senses."""
 
 MOST_CHECKED = 4_000
-"""So many facts the state checks of all SBs look at together at most (see ``checked_facts``).
+"""The largest number of facts that the state checks of all SBs compare (see ``checked_facts``).
 
-A chain of 88 SBs, each below the one before, reaches it. No walk down the SBs needs more of
-Python's stack than that.
+A chain of 88 SBs, each below the one before, reaches it. So no recursion over SBs exceeds Python's
+stack.
 """
 
 MOST_STEPS = 5_000
-"""So many steps a route of a run has at most; Hanoi with twelve disks has 4,095."""
+"""The largest number of steps of a route. Hanoi with twelve disks has 4,095."""
 
 MOST_READINGS = 300_000
-"""So many facts are sensed at most in all steps of a route together."""
+"""The largest number of facts that are sensed in all steps of a route."""
 
 MOST_SWEPT = 2_500
-"""So many operations are swept where nobody says how many one waits for."""
+"""The largest number of operations in a sweep without a number of its own."""
 
 MOST_SWEPT_READINGS = 40_000
-"""So many facts are checked at most in all operations of such a sweep together."""
+"""The largest number of facts that are checked in all operations of such a sweep."""
 
 
 def fact_count(blueprint: Blueprint) -> int:
-    """How many facts there are: each is sensed, or believed, in every tick."""
+    """Return the number of facts. Each is sensed or believed in every tick."""
     return sum(branch.num_facts for branch in blueprint if branch.table)
 
 
 def checked_facts(hierarchy: Hierarchy) -> int:
-    """How many facts the state checks of all SBs look at together.
+    """Return the number of facts that the state checks of all SBs compare.
 
-    A fact of a sub-SB counts once for every way that leads down to it: the check of an SB asks
-    those of its sub-SBs. What a run plans and a sweep carries out grows with this number.
+    A fact of a sub-SB counts once for every path down to it, because the check of an SB uses those
+    of its sub-SBs. The work of planning and of a sweep grows with this number.
     """
     return sum(_by_sb(hierarchy).values())
 
 
 def _by_sb(hierarchy: Hierarchy) -> dict[str, int]:
-    """How many facts the check of each SB looks at, itself counted as one at least."""
+    """Return the number of facts that the check of each SB compares. An SB without facts counts as
+    one.
+    """
     found: dict[str, int] = {}
     for name in reversed(hierarchy.order):
         own = hierarchy.blueprint[name]
@@ -57,9 +59,9 @@ def _by_sb(hierarchy: Hierarchy) -> dict[str, int]:
 
 
 def refuse_too_large(hierarchy: Hierarchy) -> None:
-    """RunRefused where a run would sense or check more facts than it may, at the SB with the most.
+    """Raise RunRefused if a run would sense or check too many facts, at the SB with the most.
 
-    Nor is a way planned over so many joint configurations.
+    The limits also bound the planning over joint configurations.
     """
     blueprint = hierarchy.blueprint
     count = fact_count(blueprint)
@@ -83,7 +85,9 @@ def refuse_too_large(hierarchy: Hierarchy) -> None:
 
 
 def refuse_too_long(steps: int, facts: int) -> None:
-    """PlanningError for a route of more steps than anybody would wait for."""
+    """Raise PlanningError if a route has too many steps. ``facts`` is the number of sensed
+    facts.
+    """
     most = min(MOST_STEPS, MOST_READINGS // max(facts, 1))
     if steps > most:
         raise PlanningError(
@@ -95,9 +99,9 @@ def refuse_too_long(steps: int, facts: int) -> None:
 def refuse_too_many_edges(
     hierarchy: Hierarchy, branches: Iterable[StateBranch], most: int | None
 ) -> None:
-    """RunRefused for a sweep of more edges than anybody would wait for, at the SB where it is.
+    """Raise RunRefused if a sweep has too many edges, at the SB where the limit is passed.
 
-    ``most`` says how many are waited for, None: ``MOST_SWEPT``.
+    ``most`` is the limit of the caller. None means ``MOST_SWEPT``.
     """
     checked = checked_facts(hierarchy)
     allowed = min(MOST_SWEPT, MOST_SWEPT_READINGS // max(checked, 1)) if most is None else most

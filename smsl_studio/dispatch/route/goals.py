@@ -1,4 +1,4 @@
-"""Goals: which, in what order, and whether they can hold together (clause 11)."""
+"""Goals: their order, and whether they can hold together (clause 11)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from smsl_studio.errors import RunRefused
 
 
 def goals_of(hierarchy: Hierarchy, asked: Sequence[Address]) -> tuple[Address, ...]:
-    """The goals in the order in which they are pursued; RunRefused where they contradict.
+    """Return the goals in the order in which they are pursued. RunRefused if they contradict each
+    other.
 
-    Bases first, else in file order. Without a goal every root goes to its ACTIVATING.
+    Goals of bases come first, then file order decides. Without a goal every root goes to its
+    ACTIVATING.
     """
     blueprint = hierarchy.blueprint
     found: dict[str, str] = {}
@@ -29,7 +31,9 @@ def goals_of(hierarchy: Hierarchy, asked: Sequence[Address]) -> tuple[Address, .
 
 
 def _bases_first(hierarchy: Hierarchy) -> tuple[str, ...]:
-    """Every SB by its level (roots 0, a sub one below its lowest base), then in file order."""
+    """Return every SB by its level (0 for a root, else one more than its deepest base), then in
+    file order.
+    """
     level: dict[str, int] = {}
     for name in hierarchy.order:
         level[name] = 1 + max((level[base] for base, _ in hierarchy.bases[name]), default=-1)
@@ -37,8 +41,10 @@ def _bases_first(hierarchy: Hierarchy) -> tuple[str, ...]:
 
 
 def _contradictions(hierarchy: Hierarchy, goals: Mapping[str, str]) -> None:
-    """Follow every goal down: on puts a sub in ACTIVATING, off keeps it out. Then see whether any
-    states are left in which bases and subs agree with all goals."""
+    """Raise RunRefused if goals contradict each other. A digit that is on forces its sub-SB into
+    ACTIVATING, and one that is off forbids it. Then some states must be left in which bases and
+    sub-SBs agree with all goals.
+    """
     blueprint = hierarchy.blueprint
     forced: dict[str, tuple[bool, str]] = {}
     for name in hierarchy.order:
@@ -58,17 +64,19 @@ def _contradictions(hierarchy: Hierarchy, goals: Mapping[str, str]) -> None:
                     f"{sub} cannot be both on and off"
                 )
     if len(goals) < 2 or any(not _places(hierarchy, {n: s}) for n, s in goals.items()):
-        return  # a goal that can never hold is no contradiction: nothing permitted leads there
+        # a single goal that can never hold is no contradiction; the search will find no route
+        return
     if not _places(hierarchy, goals):
         named = " and ".join(f"{name}/{state}" for name, state in goals.items())
         raise RunRefused(f"the goals {named} cannot hold together: bases and subs cannot agree")
 
 
 def _places(hierarchy: Hierarchy, goals: Mapping[str, str]) -> bool:
-    """Whether every SB is left a state, where each digit and its sub-SB must be able to agree.
+    """Return whether every SB has a state left, if each digit must be able to agree with its
+    sub-SB.
 
-    States are taken away as long as one of them agrees with nothing that is left of a neighbour.
-    Every contradiction found is one; with shared subs there are some that this does not find.
+    A state is removed if no remaining state of a neighbour agrees with it, until nothing changes.
+    False is always right. With shared sub-SBs, True may overlook a contradiction.
     """
     blueprint = hierarchy.blueprint
     left = {

@@ -1,4 +1,6 @@
-"""Routes over joint configurations, unfolded only as far as they are walked (clauses 11, 12)."""
+"""Plans routes over joint configurations, which are computed only where the search goes (clauses 11
+and 12).
+"""
 
 from __future__ import annotations
 
@@ -28,9 +30,9 @@ WITHOUT_FAILURE = "a state without failure"
 
 @dataclass(frozen=True)
 class Leg:
-    """The way to one goal: joint steps, the configuration before each, and the whole cost.
+    """The route to one goal: joint steps, the configuration before each, and the whole cost.
 
-    ``goal`` None is the nearest configuration in which no SB stands in a failure state.
+    ``goal`` None means the nearest configuration in which no SB is in a failure state.
     """
 
     goal: Address | None
@@ -40,20 +42,20 @@ class Leg:
 
     @property
     def aim(self) -> str:
-        """Where it leads, in words."""
+        """The goal in words."""
         return WITHOUT_FAILURE if self.goal is None else str(self.goal)
 
     @property
     def operations(self) -> tuple[Address, ...]:
-        """Every edge of it, in the order in which they start."""
+        """All edges, in the order in which they start."""
         return tuple(edge.address for step in self.steps for edge in step.edges)
 
 
 class Planner:
-    """Plans for one blueprint under one set of terms; kept as long as the terms stand.
+    """Plans for one blueprint under one set of terms. It is kept while the terms stay.
 
-    ``ways`` may be shared by planners whose terms differ in what is shut out and in costs. Where
-    one SB moves alone, its goal tree has the way; else joint configurations are searched.
+    ``ways`` may be shared by planners with other exclusions and costs. If only one SB moves, its
+    goal tree has the route. Otherwise joint configurations are searched.
     """
 
     def __init__(
@@ -80,16 +82,17 @@ class Planner:
         self._gave_up: PlanningError | None = None
 
     def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
-        """The way to all goals, one leg for each that does not hold yet; None where there is none.
+        """Return the route to all goals, one leg for each that does not hold yet. None if there is
+        none.
 
-        The goals are pursued in their order, each leg keeping what the former reached; where that
-        leads nowhere, all of them are sought at once. Out of a failure state the first leg leads to
-        the nearest configuration without failure, where a way leads on from it; no route leads
-        into a failure state.
+        The goals are pursued in order, and each leg keeps the goals before it. If this is not
+        possible, one search looks for all goals together. If an SB is in a failure state, the first
+        leg leads to the nearest configuration without failure, if a route leads on from there. No
+        route leads into a failure state.
 
-        It heeds (see ``stop``). Called off, the next time the same is asked it goes on from there.
-        PlanningError where too many configurations were looked at, or the way takes more steps than
-        a run may have; asked again, that is said again.
+        It heeds the listener (see ``stop``). If it is called off and asked again, it goes on.
+        PlanningError if too many configurations were searched, or if the route has too many steps.
+        The same question raises it again.
         """
         question = (self.stepper.key(start), tuple(goals))
         if question != self._question:
@@ -122,7 +125,7 @@ class Planner:
         return None if last is None else (last,)
 
     def failing(self, configuration: Configuration, goals: Sequence[Address]) -> tuple[str, ...]:
-        """The SBs that stand in a failure state, among those which move for the goals."""
+        """Return the SBs in a failure state, among those that move for the goals."""
         movers = self._movers([goal.branch for goal in goals])
         return tuple(name for name in movers if configuration[name] in self._failing(name))
 
@@ -148,7 +151,7 @@ class Planner:
         return tuple(legs)
 
     def _movers(self, branches: Collection[str]) -> list[str]:
-        """Every SB of the trees that these SBs belong to, bases first."""
+        """Return every SB of the trees that these SBs belong to, bases first."""
         roots = {root for branch in branches for root in self.hierarchy.roots_of(branch)}
         moving = {name for root in roots for name in self.hierarchy.tree(root)}
         return [name for name in self.hierarchy.order if name in moving]
@@ -164,8 +167,9 @@ class Planner:
         branches: Collection[str],
         clean: bool = False,
     ) -> Leg | None:
-        """The cheapest way to where all that is wanted holds; ``clean`` (and any way to no goal)
-        ends without failure."""
+        """Return the cheapest leg to a configuration in which all ``wanted`` hold. With ``clean``,
+        or without a goal, it ends without a failure state.
+        """
         movers = self._movers(branches)
         if len(movers) == 1 and self._ways.alone(self.stepper, movers[0]):
             return self._lone_leg(start, goal, wanted, movers[0], clean)
@@ -194,14 +198,14 @@ class Planner:
         movers: Sequence[str],
         clean: bool,
     ) -> PlanSearch[Key]:
-        """The search for such a way over joint configurations."""
+        """Return the search for such a leg over joint configurations."""
         ill = [name for name in movers if clean or goal is None if self._failing(name)]
         quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
         places = [(self._at[one.branch], one.state) for one in wanted]
         shunned = [(self._at[name], self._failing(name)) for name in ill]
 
         def is_goal(node: Key) -> bool:
-            """Whether a configuration has every state of the goal and none that is shunned."""
+            """Return whether a configuration has all states of the goal and no failure state."""
             return all(node[at] == state for at, state in places) and not any(
                 node[at] in states for at, states in shunned
             )
@@ -223,7 +227,7 @@ class Planner:
         branch: str,
         clean: bool,
     ) -> Leg | None:
-        """The same where one SB moves alone: by its goal tree."""
+        """Return the same for one SB that moves alone, from its goal tree."""
         if any(start[one.branch] != one.state for one in wanted if one.branch != branch):
             return None
         states = {one.state for one in wanted if one.branch == branch}
@@ -240,12 +244,12 @@ class Planner:
         return Leg(goal, steps, before, round(sum(step.cost for step in steps), 9))
 
     def _quiet(self, movers: Sequence[str], seen: Collection[str]) -> frozenset[str]:
-        """The flat subs that no goal (``seen``) and no ``requires`` looks into, and whose own
-        operations require nothing.
+        """Return the quiet sub-SBs: they have no sub-SBs, no goal (``seen``) and no ``requires``
+        depends on them, and their own operations require nothing.
 
-        Only operations that leave ACTIVATING need to be asked of them: whatever else could be
-        asked, a base's rise does on its own sub-route, and never at a higher cost. An operation
-        that requires something may be open only before that rise, so its SB is not among them.
+        Only their operations that leave ACTIVATING need to be asked for. A base's rise does
+        everything else on the sub-SB's own route, and never at a higher cost. An operation that
+        requires a fact may be open only before that rise, so its SB is not quiet.
         """
         asked = self._required.union(seen, self._guarded)
         return frozenset(
@@ -281,7 +285,8 @@ class Planner:
                     names = partial(self._names, here, edge, routed)
                     count = script.counts.get(routed, 0)
                     yield Move(to, round(script.cost, 9), count, names, key, edge)
-        # Last, so that a node that is called off and looked at again is counted once.
+        # This comes last, so that a node is counted once even if the search was called off and goes
+        # on.
         self.stepper.allowance.spend(seen)
 
     def _names(self, here: Mapping[str, str], edge: Edge, routed: str) -> tuple[str, ...]:
@@ -301,7 +306,7 @@ def _after(configuration: Configuration, leg: Leg) -> dict[str, str]:
 
 
 def holds(configuration: Configuration, goals: Sequence[Address]) -> bool:
-    """Whether every goal holds."""
+    """Return whether every goal holds."""
     for goal in goals:  # noqa: SIM110 -- asked at every tick, where a generator is dear
         if configuration[goal.branch] != goal.state:
             return False

@@ -1,4 +1,4 @@
-"""What edges cost in a run: as declared, as cost functions say, as a person says."""
+"""The costs of edges in a run: declared, from cost functions, or set by a person."""
 
 from __future__ import annotations
 
@@ -10,26 +10,30 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
 
 MOST = 1e12
-"""No edge may cost more, so that the cost of any route is a number too."""
+"""The highest cost of an edge, so that the cost of any route is a finite number."""
 
 
 class Prices:
-    """The costs that are not the declared ones; what a person says wins over cost functions."""
+    """The costs that are not the declared ones. A person's cost counts before that of a cost
+    function.
+    """
 
     def __init__(self, blueprint: Blueprint) -> None:
         self._blueprint = blueprint
         self._said: dict[Address, float] = {}
         self._adaptive: dict[Address, float] = {}
         self.now: Mapping[Address, float] = MappingProxyType({})
-        """Every edge that costs something else than declared, for ``Terms.costs``."""
+        """Every edge with another cost than the declared one, for ``Terms.costs``."""
 
     def of(self, address: Address) -> float:
-        """What an edge costs now."""
+        """Return the present cost of an edge."""
         found = self.now.get(address)
         return self._declared(address) if found is None else found
 
     def say(self, address: Address, cost: float) -> Mapping[Address, float]:
-        """A person says what an edge costs; what changed. UsageError where that is no cost."""
+        """Set the cost of an edge for a person. Return the changed costs. UsageError if it is no
+        valid cost.
+        """
         if not is_cost(cost):
             raise UsageError(
                 f"{cost!r} is no cost of {address}", advice="Give a number from 0 to 1e12."
@@ -38,7 +42,9 @@ class Prices:
         return self._merge()
 
     def adapt(self, costs: Mapping[Address, float | None]) -> Mapping[Address, float]:
-        """What cost functions say, valid costs all; None leaves the declared one; what changed."""
+        """Set valid costs from cost functions; None means the declared cost. Return the changed
+        costs.
+        """
         for address, cost in costs.items():
             if cost is None:
                 self._adaptive.pop(address, None)
@@ -62,5 +68,5 @@ class Prices:
 
 
 def is_cost(value: object) -> bool:
-    """Whether a value is a cost: a number from 0 to 1e12, and no truth value."""
+    """Return whether a value is a cost: a number from 0 to 1e12, and not a truth value."""
     return type(value) in (int, float) and 0 <= value <= MOST  # type: ignore[operator]

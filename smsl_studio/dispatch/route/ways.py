@@ -1,7 +1,7 @@
-"""Goal trees of SBs that move alone, kept while a run goes on: what changed is worked out anew.
+"""The goal trees of SBs that move alone. They are kept during a run, and changes update them.
 
-An SB moves alone where it is a root without subs. All that its edges depend on is then its own
-state, and the facts of SBs that stand still.
+An SB moves alone if it is a root without sub-SBs. Its edges then depend only on its own state, and
+on facts of SBs that do not move.
 """
 
 from __future__ import annotations
@@ -21,15 +21,19 @@ from smsl_studio.graph.goal_tree import GoalTree
 from smsl_studio.stop import heed
 
 MOST = 8
-"""Trees that are kept of one SB: its goal, ways out of failure, and what is asked in between."""
+"""The largest number of trees of one SB: for its goal, for ways out of failure, and for questions
+between.
+"""
 Asked = tuple[frozenset[str], bool]
-"""Goals, and whether everything is open, closed edges only dearer."""
+"""The goals, and whether blocked edges are open at a higher cost."""
 NOTHING: frozenset[tuple[str, int]] = frozenset()
 
 
 class Ways:
-    """The ways of the flat roots of one hierarchy, for terms that differ in what is shut out and in
-    costs; which edges have a function must be the same for all."""
+    """The routes of the roots without sub-SBs in one hierarchy.
+
+    The terms may differ in exclusions and costs. The edges with a function must always be the same.
+    """
 
     def __init__(self, hierarchy: Hierarchy) -> None:
         self.hierarchy = hierarchy
@@ -38,7 +42,7 @@ class Ways:
         self._facts = fact_count(hierarchy.blueprint)
 
     def alone(self, stepper: Stepper, branch: str) -> bool:
-        """Whether an SB's ways depend on nothing but its own state, under these terms."""
+        """Return whether an SB's routes depend on nothing but its own state, under these terms."""
         terms = stepper.terms
         opened = terms.extra is not None and branch in self._lone
         plain = terms.extra is None and terms.failing is not None and not terms.failing
@@ -51,7 +55,9 @@ class Ways:
     def way(
         self, stepper: Stepper, start: Configuration, branch: str, goals: Collection[str]
     ) -> tuple[JointStep, ...] | None:
-        """The joint steps of the cheapest way to one of some states; None where there is none."""
+        """Return the joint steps of the cheapest route to one of some states, None if there is
+        none.
+        """
         lone = self._lone.get(branch)
         if lone is None:
             lone = self._lone[branch] = _Lone(
@@ -61,9 +67,10 @@ class Ways:
 
 
 class _Lone:
-    """One SB that moves alone: its graph, what is closed for good, its trees and its steps.
+    """One SB that moves alone: its graph, the edges that are always closed, its trees and its
+    steps.
 
-    ``written`` is how many edges the whole blueprint has.
+    ``written`` is the number of edges in the whole blueprint.
     """
 
     def __init__(self, branch: StateBranch, stepper: Stepper, written: int) -> None:
@@ -78,8 +85,9 @@ class _Lone:
     def way(
         self, stepper: Stepper, start: Configuration, goals: Collection[str], facts: int
     ) -> tuple[JointStep, ...] | None:
-        """The joint steps to one of the goals; PlanningError where they are too many for so many
-        ``facts``."""
+        """Return the joint steps to one of the goals, None if there is no route. PlanningError if
+        there are too many for this number of ``facts``.
+        """
         name, graph = self._branch.name, self._graph
         numbered = ((self._number(a), cost) for a, cost in stepper.terms.costs.items())
         costs = {number: cost for number, cost in numbered if number is not None}
@@ -98,7 +106,9 @@ class _Lone:
         goals: frozenset[str],
         costs: Mapping[int, float],
     ) -> GoalTree:
-        """The tree for some goals under the terms of now; ``costs`` are those not as declared."""
+        """Return the tree for some goals under the present terms. ``costs`` has the costs that
+        differ from the declared ones.
+        """
         graph, terms = self._graph, stepper.terms
         closed = set(self._never) if terms.extra is None else set()
         closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
@@ -127,7 +137,7 @@ class _Lone:
         return tree
 
     def _dearer(self, stepper: Stepper) -> Iterator[tuple[int, float]]:
-        """The edges that cost more than they are said to."""
+        """Yield the blocked edges with their costs, in which the penalty is included."""
         extra = stepper.terms.extra
         if extra is None:
             return
@@ -141,8 +151,9 @@ class _Lone:
         return 1.0 if self._declared is None else self._declared[edge]
 
     def _step(self, stepper: Stepper, number: int, cost: float | None) -> JointStep:
-        """The joint step of an edge that moves nothing but its own SB; ``cost`` where it is not
-        the declared one."""
+        """Return the joint step of an edge that moves only its own SB. ``cost`` is its cost if that
+        differs from the declared one, and None otherwise.
+        """
         kept = self._steps.get((number, cost))
         if kept is None:
             edge = stepper.edges.get(self._address(number))
@@ -163,10 +174,10 @@ class _Lone:
         found = (e for e in graph.edges_out(state) if graph.operations[e] == address.operation)
         return next(found, None)
 
-    # what is never used, and what only now and then ----------------------------------------------
+    # closed edges --------------------------------------------------------------------------------
 
     def _unbound(self, stepper: Stepper, written: int) -> Iterator[int]:
-        """The edges without a function, where a world says which have one."""
+        """Yield the edges without a function, if the world says which edges have one."""
         bound = stepper.terms.bound
         if bound is None or len(bound) == written:
             return
@@ -185,7 +196,7 @@ class _Lone:
                     yield number
 
     def _with_requires(self) -> Iterator[int]:
-        """The edges that require facts."""
+        """Yield the edges that require facts."""
         branch, graph = self._branch, self._graph
         if not any(note.requires for note in branch.notes.operations.values()):
             return
@@ -202,7 +213,7 @@ class _Lone:
 
 
 def _declared(branch: StateBranch, graph: BranchGraph) -> list[float] | None:
-    """What each edge costs; None where all cost 1, which most often is so."""
+    """Return the declared cost of each edge. None if all cost 1, which is usual."""
     notes = branch.notes.operations
     if all(note.cost is None for note in notes.values()):
         return None
@@ -215,7 +226,7 @@ def _declared(branch: StateBranch, graph: BranchGraph) -> list[float] | None:
 
 
 def _alone(edge: Edge) -> JointStep:
-    """The joint step of an edge that runs its own function and moves nothing else."""
+    """Return the joint step of an edge that runs its own function and moves nothing else."""
     place = {edge.branch: edge.target}
     action = JointAction(edge, (edge,), place, (edge,), (edge,), place, NOTHING, NOTHING)
     return JointStep(edge, (edge,), (action,), round(edge.cost, 9), place)

@@ -1,1 +1,1 @@
-"""Supervision: what people and agents may say to a run, in which run state, and what it does."""
+"""Supervision: the commands of people and agents, their run states, and their effects."""

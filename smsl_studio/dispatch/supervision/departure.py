@@ -1,4 +1,4 @@
-"""Whoever attended a run is gone: where it waits for somebody, it is over."""
+"""The departure of the person who attended a run: if the run waits for somebody, it ends."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 def leave(driver: Driver) -> None:
-    """Nobody attends the run any more: where it waits for somebody, it is over.
+    """Note that nobody attends the run any more. If it waits for somebody, it ends.
 
-    Where it waits at its goals, these are checked once more; that decides how it ends.
+    If it waits at its goals, they are checked once more, and the result decides how it ends.
     """
     if driver.phase == "waiting":
         driver.desk.settled()
@@ -37,7 +37,7 @@ def leave(driver: Driver) -> None:
 
 
 def _finish(driver: Driver, sentence: str) -> None:
-    """The end of a run that waits; what is held in the middle is cancelled and braked first."""
+    """End a run that waits. A frozen operation is cancelled and braked first."""
     if driver.carrier is not None:
         driver.carrier.cut("nobody is there to go on with it")
         driver.run.drop_pending()
@@ -45,7 +45,7 @@ def _finish(driver: Driver, sentence: str) -> None:
 
 
 def _at_goals(driver: Driver) -> bool:
-    """Whether it stands where it should, and nothing is open that could change that."""
+    """Return whether the run is at all its goals, and nothing is open that could change this."""
     if driver.carrier is not None or driver.desk.busy:
         return False
     return holds(driver.run.configuration, driver.course.goals)

@@ -1,6 +1,7 @@
-"""Stop, take over, and the ways back: nothing that was going on resumes by itself.
+"""The effects of stop, take over and the ways back. Nothing that was going on resumes by itself.
 
-What an effect needs of a run is imported in it, so that the table of commands can be read alone.
+The effects import what they need of a run inside the functions, so that the table of commands loads
+without it.
 """
 
 from __future__ import annotations
@@ -17,12 +18,12 @@ if TYPE_CHECKING:
     from smsl_studio.dispatch.drive.driver import Driver
 
 PATIENCE = 2
-"""How often a stop looks whether the world has braked, before it is ended instead."""
+"""How often a stop checks whether the world has braked, before it ends the process instead."""
 MUTE = "the simulation process did not brake and was ended"
 
 
 def stop(driver: Driver, *, by: str = PERSON) -> str:
-    """Brake and latch; where nobody attends the run, or its world is gone, that is its end."""
+    """Brake and latch. If nobody attends the run, or its world is gone, the run ends."""
     from smsl_studio.runlog.events import RunStopped
 
     run, state = driver.run, driver.state
@@ -32,7 +33,7 @@ def stop(driver: Driver, *, by: str = PERSON) -> str:
             touched = _cut(driver, f"stopped by {by}")
     except BrokenOff:
         raise
-    except (HostError, Stopped) as error:  # what is gone does not move
+    except (HostError, Stopped) as error:  # a world that is gone does not move
         words = error.sentence if isinstance(error, HostError) else MUTE
         touched, gone = _end_all(driver), f" {words[:1].upper()}{words[1:]}."
     state.stop(by, touched)
@@ -44,7 +45,9 @@ def stop(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def reset(driver: Driver, *, by: str = PERSON) -> str:
-    """Unlatch to paused; what the stopped operation may have touched is unknown."""
+    """Release the stop to paused. The facts that the stopped operation may have changed are
+    unknown.
+    """
     from smsl_studio.runlog.events import RunReset
 
     run, touched = driver.run, driver.state.reset()
@@ -56,7 +59,7 @@ def reset(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def end(driver: Driver, *, by: str = PERSON) -> str:
-    """Finish a run that is stopped or holds."""
+    """End a run that is stopped or holds."""
     held = driver.state.held
     if held is None:
         driver.finish("stopped", driver.sentence)
@@ -66,7 +69,7 @@ def end(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def take_over(driver: Driver, *, by: str = PERSON) -> str:
-    """Automation is locked out; the dispatcher only observes."""
+    """Lock automation out. The dispatcher only observes."""
     from smsl_studio.blueprint.levels import sensed_facts
     from smsl_studio.runlog.events import TakenOver
 
@@ -75,14 +78,15 @@ def take_over(driver: Driver, *, by: str = PERSON) -> str:
     driver.state.take_over(by)
     driver.say(f"{by[:1].upper()}{by[1:]} has taken over.")
     run.emit(TakenOver(t=run.time, by=by))
-    # Whatever the person does now, what was said of the scene before is no evidence afterwards.
+    # The person may change anything, so earlier answers about the scene do not count any more.
     run.emit(*run.senses.forget(sensed_facts(run.blueprint)))
     return ""
 
 
 def give_back(driver: Driver, *, by: str = PERSON) -> str:
-    """Ask the scene, and people first what only they can say of it; the one configuration it
-    agrees with is offered to be accepted."""
+    """Find the configuration from the scene, after people were asked for the facts that only they
+    know. If exactly one fits, it is offered to be accepted.
+    """
     from smsl_studio.dispatch.execution.needed import everywhere
 
     driver.run.look()
@@ -92,14 +96,14 @@ def give_back(driver: Driver, *, by: str = PERSON) -> str:
         return _offer(driver)
 
     def said(_: object) -> None:
-        """Offer the person what can be done from here; what the task answers is not read."""
+        """Offer what is possible with the new facts. The answers themselves are not read here."""
         driver.say(_offer(driver) or driver.sentence)
 
     return driver.desk.ask(facts, said, keep=True)
 
 
 def _offer(driver: Driver) -> str:
-    """What giving back finds; why there is nothing to accept, empty where there is."""
+    """Offer the configuration that fits the scene. Return why there is none, or the empty text."""
     from smsl_studio.dispatch.execution.recovery import located
     from smsl_studio.dispatch.execution.words import all_words
 
@@ -122,7 +126,9 @@ def _offer(driver: Driver) -> str:
 
 
 def accept(driver: Driver, *, by: str = PERSON) -> str:
-    """Take what giving back found, if the scene still says so; the run is paused then."""
+    """Accept the offered configuration, if the scene still fits it. The run is then paused, or
+    ready by hand.
+    """
     from smsl_studio.dispatch.execution.recovery import located
     from smsl_studio.runlog.events import GivenBack
 
@@ -143,7 +149,7 @@ def accept(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def adopt(driver: Driver, *, by: str = PERSON) -> str:
-    """While it holds: take the one configuration the scene agrees with."""
+    """Adopt the only configuration that fits the scene, for a run that holds."""
     from smsl_studio.dispatch.execution.recovery import stands
 
     found = driver.trouble.candidates
@@ -166,7 +172,7 @@ def _states(configuration: object) -> str:
 
 
 def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
-    """Brake, and end what is carried out; the facts it may have touched."""
+    """Brake the world and end what is carried out. Return the facts that it may have changed."""
     from smsl_studio.dispatch.execution.stage import ActionStage
 
     run, carrier = driver.run, driver.carrier
@@ -180,7 +186,7 @@ def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
 
 
 def _end_all(driver: Driver) -> tuple[FactKey, ...]:
-    """Nothing that was going on or planned goes on; the facts it may have touched."""
+    """End everything that was going on or planned. Return the facts that it may have changed."""
     carrier = driver.let_go()
     driver.desk.withdraw()
     driver.reviewer.forget()

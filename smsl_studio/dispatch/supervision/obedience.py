@@ -1,7 +1,7 @@
-"""Obeying: the commands of one tick are carried out in their order, and each is answered.
+"""Carries out the commands of one tick in their order, and answers each.
 
-What a run state refuses stands in the row of a command. Whatever is not refused there is answered
-by its effect: the empty text where it was done, else why not.
+The row of a command has the run states that refuse it. In all other states its effect answers: with
+the empty text if it was carried out, or with the reason if not.
 """
 
 from __future__ import annotations
@@ -19,10 +19,11 @@ if TYPE_CHECKING:
 
 
 def obey(driver: Driver, commands: list[Command]) -> None:
-    """Carry out the commands of one tick, which are in order of rank, and take them off the list.
+    """Carry out the commands of one tick, which are in order of rank, and remove them from the
+    list.
 
-    Each is answered by one event, which stands before its effects. Where the host dies meanwhile,
-    all are answered first. Where one is called off (see ``stop``), it is still on the list.
+    Each is answered by one event, which comes before its effects. If the host dies, the other
+    commands are answered first. A command that is called off (see ``stop``) stays in the list.
     """
     done: list[Command] = []
     gone: HostError | None = None
@@ -47,7 +48,7 @@ def obey(driver: Driver, commands: list[Command]) -> None:
 
 
 def refuse(driver: Driver, commands: Sequence[Command], reason: str) -> None:
-    """Answer commands that nothing can be done about any more."""
+    """Refuse commands that cannot be carried out any more, with this reason."""
     for command in in_order(commands):
         driver.run.emit(_told(driver, command, reason))
 
@@ -67,7 +68,9 @@ def _why_not(driver: Driver, command: Command, done: Sequence[Command]) -> str:
 
 
 def meant(driver: Driver, command: Command) -> Command:
-    """The command with what it is about, where that was left open: the record must name it."""
+    """Return the command with its operation. If it names none, the row finds it, because the record
+    must name it.
+    """
     if command.row.about is None or command.address is not None:
         return command
     return replace(command, said={**command.said, "address": command.row.about(driver)})

@@ -1,4 +1,4 @@
-"""What a person may do about a run that does not go on by itself, each with a sentence."""
+"""The offers to a person for a run that does not go on by itself, each with a sentence."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def offers(driver: Driver) -> tuple[Offer, ...]:
-    """The offers of the run state, the most promising first; none where the run goes on."""
+    """Return the offers in this run state, the most useful first. Empty if the run goes on."""
     if driver.ended is not None:
         return ()
     state, phase = driver.state, driver.phase
@@ -55,7 +55,7 @@ def _held(driver: Driver) -> Iterator[Offer]:
 
 
 def _offer(word: str, address: str = "", **words: str) -> Offer:
-    """A command in the words of its row."""
+    """Return an offer with the sentence of the command's row."""
     return Offer(word, address, COMMANDS[word].offer.format(address=address, **words))
 
 

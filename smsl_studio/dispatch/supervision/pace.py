@@ -1,4 +1,6 @@
-"""What lets a run go on or holds it: ask, pause, resume, step. Each answers why it was refused."""
+"""The effects of ask, pause, resume and step. Each returns why it was refused, or the empty
+text.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +15,11 @@ if TYPE_CHECKING:
 
 
 def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool = False) -> str:
-    """Carry out one operation, once people have agreed where they must; refused with every
-    reason, before anything moves.
+    """Carry out one operation after all people have agreed. A refusal has all reasons, and nothing
+    has moved.
 
-    ``every_time``: it is asked for by itself whenever the run comes by, so it must end.
+    ``every_time`` says that a script asks for it every time the run comes here, so the number is
+    limited.
     """
     from smsl_studio.blueprint.joint import JointStep
     from smsl_studio.dispatch.execution.guards import asked
@@ -42,7 +45,7 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
             answer = (circling,) if circling else answer
         if isinstance(answer, JointStep):
             refused = driver.admission.admit(answer, chosen=True)
-            # What was held by a pause until now, a question, is no longer what the run waits for.
+            # A question that a pause has frozen is no longer what the run waits for.
             if not refused:
                 driver.state.thaw()
             return refused
@@ -52,7 +55,9 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
 
 
 def pause(driver: Driver, *, by: str = PERSON) -> str:
-    """Hold now, or as the running operation declares: finish it, abort it."""
+    """Pause now, or in the way that the running operation declares: after its end, or by aborting
+    it.
+    """
     state, carrier = driver.state, driver.carrier
     if state.pausing:
         return "it pauses already, as soon as the operation allows"
@@ -66,8 +71,9 @@ def pause(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def resume(driver: Driver, *, by: str = PERSON) -> str:
-    """Go on after a pause or a hold: state and route are checked again. By hand: run by itself
-    from now on."""
+    """Go on after a pause or a hold, after a check of state and route. A run by hand is automatic
+    from now on.
+    """
     from smsl_studio.dispatch.supervision.recheck import recheck
     from smsl_studio.runlog.events import Resumed
 
@@ -84,7 +90,9 @@ def resume(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def step(driver: Driver, *, by: str = PERSON) -> str:
-    """One operation of the route, then wait again; ignored while one is carried out."""
+    """Carry out one operation of the route, then wait again. It is refused while one is carried
+    out.
+    """
     from smsl_studio.dispatch.supervision.recheck import recheck
 
     if driver.phase == "running" and driver.carrier is not None:
@@ -98,7 +106,7 @@ def step(driver: Driver, *, by: str = PERSON) -> str:
 
 
 def set_automatic(driver: Driver, automatic: bool, *, by: str = PERSON) -> str:
-    """Follow the route by itself, or wait to be asked."""
+    """Let the run follow the route by itself, or let it wait for requests."""
     driver.state.follow(route=bool(automatic))
     route_asks = driver.starting.over and not driver.admission.chosen and not driver.desk.keeps
     if driver.state.by_hand and route_asks:

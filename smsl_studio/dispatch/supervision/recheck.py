@@ -1,4 +1,6 @@
-"""Checking again before a run goes on: the scene decides, and people for what only they know."""
+"""The check before a run goes on: the scene decides, and people tell the facts that only they
+know.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def recheck(driver: Driver) -> None:
-    """Whoever lets the run go on has state and route checked again; the scene decides."""
+    """Check state and route before the run goes on. The scene decides."""
     run, held, carrier = driver.run, driver.state.held, driver.carrier
     if carrier is not None:
         _recheck_others(driver, carrier)
@@ -34,8 +36,9 @@ def recheck(driver: Driver) -> None:
 
 
 def _recheck_others(driver: Driver, carrier: Carrier) -> None:
-    """An operation that was held goes on only where all that it does not move is as it was, and
-    what it rests on is known."""
+    """Abort a frozen operation if a fact that it does not move has changed, or if a fact that it
+    needs is lost.
+    """
     run = driver.run
     run.look()
     carrier.watch()

@@ -1,4 +1,4 @@
-"""One command as one row: what is said with it, when it is refused, how it reads, what it does."""
+"""A command as one row: its arguments, its refusals, its words and its effect."""
 
 from __future__ import annotations
 
@@ -17,19 +17,21 @@ P = ParamSpec("P")
 PERSON = "a person"
 
 STOP, TAKE_OVER, FAULT, TERMS, PAUSE, STEP, RUN = range(7)
-"""Ranks: stop > take over > fault > veto > pause > step > run. ``TERMS`` is veto and all else that
-is said about edges."""
+"""The ranks: stop, take over, fault, veto, pause, step, run. ``TERMS`` is the rank of veto and of
+all other commands about edges.
+"""
 
 EDGE, TEXT, AMOUNT, SWITCH, SENSED, DISTURBANCE, TASK = (
     "operation", "text", "amount", "switch", "sensed", "disturbance", "task",
 )  # fmt: skip
-"""What an argument is: the address of an operation, a text, a number from 0 on, yes or no, a sensor
-or a fact, a kind of disturbance, a kind of task."""
+"""The kinds of arguments: the address of an operation, a text, a number from 0 on, yes or no, a
+sensor or a fact, a kind of disturbance, a kind of task.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """What is said with a command. ``scripted``: a script may say it."""
+    """One argument of a command. ``scripted`` says that a script may give it."""
 
     kind: str
     needed: bool = True
@@ -38,7 +40,7 @@ class Argument:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """What somebody (``by``) said to a run: a row of the table, with its arguments by name."""
+    """A command that somebody (``by``) gave: its row in the table, and its arguments by name."""
 
     row: CommandRow
     by: str = PERSON
@@ -46,57 +48,57 @@ class Command:
 
     @property
     def word(self) -> str:
-        """What it is called."""
+        """The word of the command."""
         return self.row.word
 
     @property
     def address(self) -> Address | None:
-        """The operation that it is about, where it is about one."""
+        """The operation of the command, or None if it is about none."""
         found: Address | None = self.said.get("address") if self.row.names_edge else None
         return found
 
     @property
     def value(self) -> str:
-        """What the record has as its value."""
+        """The value of the command in the record."""
         return self.row.value.format_map({key: _text(one) for key, one in self.said.items()})
 
     @property
     def reason(self) -> str:
-        """Why it was said."""
+        """The reason that was given."""
         return str(self.said["reason"]) if "reason" in self.row.arguments else ""
 
 
 class Listener(Protocol):
-    """Whoever takes commands."""
+    """An object that takes commands."""
 
     def take(self, command: Command) -> None:
-        """Have a command wait for the next tick."""
+        """Keep a command for the next tick."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CommandRow:
-    """A command.
+    """A command of the table.
 
-    ``refused`` has the run states that refuse it whatever is said with it, each with the reason
-    (``{by}`` is who has taken over). ``sentence`` is what an account says of it; ``sentences`` are
-    those that hang on its value. ``{address}`` and ``{value}`` are what was said with it. ``owes``
-    is the event that must follow where it was carried out, ``explains`` are the events that are
-    told in the name of whoever commanded it.
+    ``refused`` has the run states that always refuse it, each with the reason; ``{by}`` is the
+    person who has taken over. ``sentence`` is the sentence of an account, and ``sentences`` has
+    those for special values; ``{address}`` and ``{value}`` are from the command. ``owes`` is the
+    event that must follow if it was carried out. ``explains`` are the events that are attributed to
+    the person who gave it.
 
-    ``effect`` carries it out, and answers why it was not done, empty where it was. ``arguments``
-    are what people say with it, ``free`` says that any other may stand with them; a script knows
-    it by ``script_words``, each with what that word says by itself. ``value`` is how the record
-    words the arguments. ``about`` finds the operation where none was named.
+    ``effect`` carries it out, and returns why it was not done, or the empty text. ``arguments`` are
+    its arguments, and ``free`` allows any others. ``script_words`` are its words in a script, each
+    with the arguments that the word contains. ``value`` is the format of its arguments in the
+    record. ``about`` finds the operation if none was named.
 
-    Of the commands of one tick, those of a smaller ``rank`` count first. ``sets_going``: it is
-    refused where one that ``holds_back`` came before it at the same tick; ``stands``: such a one
-    holds back even where it changes nothing. ``useless`` are the run states, and ``middle``
-    for the middle of an operation, in which the effect itself refuses it.
+    Of the commands of one tick, those with a smaller ``rank`` come first. A command that
+    ``sets_going`` is refused if one that ``holds_back`` came before it in the same tick. ``stands``
+    says that such a command holds back even if it changes nothing. ``useless`` has the run states
+    in which the effect itself refuses it; ``middle`` means the middle of an operation.
 
-    ``supervisors``: a supervisor may decide it of an operation. ``label``, ``key`` and ``icon``
-    are those of its button; one with a ``tip`` stands in the Run menu. It is asked once more by
-    ``question`` and ``consequence``, and ``verb`` does it (by default the label): ``{name}`` is the
-    operation. ``offer`` is the sentence where the run offers it.
+    ``supervisors`` says that a supervisor may decide it for an operation. ``label``, ``key`` and
+    ``icon`` belong to its button. A command with a ``tip`` is in the Run menu. ``question`` and
+    ``consequence`` are the words of a second question, and ``verb`` those of its button (by default
+    the label); ``{name}`` is the operation. ``offer`` is the sentence with which a run offers it.
     """
 
     word: str = field(kw_only=False)
@@ -127,7 +129,7 @@ class CommandRow:
     offer: str = ""
 
     def command(self, *args: Any, **kwargs: Any) -> Command:
-        """The command with its arguments; TypeError where they are not those of its effect."""
+        """Return the command with its arguments. TypeError if they do not fit the effect."""
         parameters = _signature(self.effect)
         bound = parameters.bind(*args, **kwargs)
         bound.apply_defaults()
@@ -139,59 +141,61 @@ class CommandRow:
 
     @property
     def names_edge(self) -> bool:
-        """Whether it is about an operation."""
+        """Whether the command is about an operation."""
         address = self.arguments.get("address")
         return address is not None and address.kind == EDGE
 
     @property
     def must_name(self) -> bool:
-        """Whether it names an operation wherever it is carried out."""
+        """Whether the command always names an operation if it is carried out."""
         return self.names_edge and self.arguments["address"].needed
 
     @property
     def may_name(self) -> bool:
-        """Whether it may name one."""
+        """Whether the command may name an operation."""
         return self.names_edge or self.supervisors
 
     @property
     def has_value(self) -> bool:
-        """Whether the record has a value of it."""
+        """Whether the command has a value in the record."""
         return bool(self.value)
 
     def why_refused(self, phase: str, by: str) -> str:
-        """Why a run state refuses it; ``by`` has taken over. Empty where the state does not."""
+        """Return why a run state refuses it, or the empty text. ``by`` has taken over."""
         return self.refused.get(phase, "").format(by=by[:1].upper() + by[1:])
 
     def told(self, address: str, value: str) -> str:
-        """What an account says of it; empty where it has no words for such a value."""
+        """Return the sentence of an account."""
         return self.sentences.get(value, self.sentence).format(address=address, value=value)
 
     @property
     def reasoned(self) -> bool:
-        """Whether it is said with a reason."""
+        """Whether the command needs a reason."""
         return "reason" in self.arguments and self.arguments["reason"].needed
 
     def doing(self, name: str) -> str:
-        """What the button says that does it to an operation."""
+        """Return the words of the button that does it to an operation."""
         return (self.verb if name else "").format(name=name) or self.label
 
     def asking(self, name: str) -> str:
-        """How it is asked once more."""
+        """Return the second question before it is done."""
         return self.question.format(name=name) or f"{self.doing(name)}?"
 
     @property
     def words(self) -> Mapping[str, Mapping[str, Any]]:
-        """The words by which a script knows it, each with what it says by itself."""
+        """The words of the command in a script, each with the arguments that the word contains."""
         return {self.word: {}} if self.script_words is None else self.script_words
 
     def takes(self, phase: str, carrying: bool = False) -> bool:
-        """Whether a run state takes it; ``carrying``: in the middle of an operation."""
+        """Return whether a run state takes it. ``carrying`` means the middle of an operation."""
         return phase not in self.refused and ("middle" if carrying else phase) not in self.useless
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CommandMethod(CommandRow, Generic[P]):
-    """A row that is a method of whoever takes commands, with the parameters of its effect."""
+    """A row that is also a method of everything that takes commands, with the parameters of its
+    effect.
+    """
 
     effect: Callable[Concatenate[Driver, P], str] = field(kw_only=False)
 
@@ -211,13 +215,13 @@ class CommandMethod(CommandRow, Generic[P]):
 
 
 def in_order(commands: Iterable[Command]) -> list[Command]:
-    """The commands of one tick as they count: by rank, and as they came."""
+    """Return the commands of one tick in order of rank. Those of equal rank keep their order."""
     return sorted(commands, key=lambda command: command.row.rank)
 
 
 @cache
 def _signature(effect: Callable[..., str]) -> Signature:
-    """The parameters of an effect without its driver."""
+    """Return the parameters of an effect without its driver."""
     found = signature(effect)
     return found.replace(parameters=[*found.parameters.values()][1:])
 

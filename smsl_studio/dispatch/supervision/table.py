@@ -1,8 +1,8 @@
-"""The table of commands: everything that may be said to a run, one row each.
+"""The table of commands: all commands to a run, one row each.
 
 Scripts, the window, accounts, the page ``docs/supervision.md`` and the tests read these rows. A new
-command is a row here and its effect. A command waits for the next tick and is answered there by one
-event; ``by`` names who says it and stands in the record.
+command needs a row here and its effect. A command waits for the next tick, where one event answers
+it. ``by`` is the name of the person who gives it, for the record.
 """
 
 from __future__ import annotations
@@ -49,14 +49,16 @@ def _all_but(words: str, *phases: str) -> Mapping[str, str]:
 
 
 class Commands:
-    """What may be said to a run. Whoever takes commands has each row as a method, with the
-    parameters of its effect; ``docs/supervision.md`` has what each does in each run state."""
+    """All commands to a run. Every row is a method, with the parameters of its effect.
+
+    ``docs/supervision.md`` says what each command does in each run state.
+    """
 
     @abstractmethod
     def take(self, command: Command) -> None:
-        """Have a command wait for the next tick."""
+        """Keep a command for the next tick."""
 
-    # going on and holding -----------------------------------------------------------------------
+    # pace ---------------------------------------------------------------------------------------
 
     ask = CommandMethod(
         "ask",
@@ -335,4 +337,4 @@ class Commands:
 COMMANDS: Mapping[str, CommandRow] = MappingProxyType(
     {word: row for word, row in vars(Commands).items() if isinstance(row, CommandRow)}
 )
-"""Every command by its word, in the order of the table."""
+"""All commands by their words, in the order of the table."""

@@ -1,4 +1,4 @@
-"""What is said about edges: veto, prune, restore, cost. Nothing moves by it; routes change."""
+"""The effects of veto, prune, restore and set_cost. They change routes, and nothing moves."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 def veto(
     driver: Driver, address: Address | None = None, *, reason: str = "", by: str = PERSON
 ) -> str:
-    """The next edge, or this one out of an active state, is skipped once; too late once it has
-    begun."""
+    """Skip the next edge once, or this edge out of an active state. It is too late if the edge has
+    begun.
+    """
     carrier = driver.carrier
     here = dict(driver.run.configuration)
     if carrier is not None:
@@ -40,7 +41,7 @@ def veto(
 
 
 def prune(driver: Driver, address: Address, reason: str, *, by: str = PERSON) -> str:
-    """Shut an edge out; if it is being carried out, stop it."""
+    """Exclude an edge. If it is being carried out, it is aborted."""
     from smsl_studio.runlog.events import OperationPruned
 
     run, carrier = driver.run, driver.carrier
@@ -67,7 +68,7 @@ def restore(driver: Driver, address: Address, *, by: str = PERSON) -> str:
 
 
 def set_cost(driver: Driver, address: Address, cost: float, *, by: str = PERSON) -> str:
-    """Price an edge anew; the route is found again at the next operation."""
+    """Give an edge another cost. The route is planned again before the next operation."""
     from smsl_studio.runlog.events import CostsChanged
 
     run = driver.run
@@ -83,7 +84,7 @@ def set_cost(driver: Driver, address: Address, cost: float, *, by: str = PERSON)
 
 
 def next_edge(driver: Driver) -> Address | None:
-    """The edge that a veto is about which names none; None in the middle of an operation."""
+    """Return the edge of a veto that names none. None in the middle of an operation."""
     if driver.carrier is not None:
         return None
     with restartable():

@@ -1,4 +1,4 @@
-"""Trying what happens when things go wrong, and what is shown to whom."""
+"""The effects of trials (disturbances and faults), of the full map, and of answers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def disturb(
     driver: Driver, /, target: str, kind: str, *, by: str = PERSON, **parameters: float | str
 ) -> str:
-    """Disturb a sensor, or all of one fact (``SB/digit``), from now on; ``none`` ends it."""
+    """Disturb a sensor, or all sensors of a fact (``SB/digit``), from now on. ``none`` ends it."""
     from smsl_studio.runlog.events import Disturbed
 
     run = driver.run
@@ -30,7 +30,7 @@ def disturb(
 
 
 def inject(driver: Driver, /, fault: str, *, by: str = PERSON, **parameters: float | str) -> str:
-    """Have something go wrong in the world, by the name that its plugin gave it."""
+    """Cause a fault in the world. ``fault`` is the name that its plugin registered."""
     from smsl_studio.runlog.events import FaultInjected
 
     run = driver.run
@@ -46,13 +46,13 @@ def inject(driver: Driver, /, fault: str, *, by: str = PERSON, **parameters: flo
 
 
 def full_map(driver: Driver, on: bool, *, by: str = PERSON) -> str:
-    """Show a supervisor the whole map instead of the neighbours, or no longer."""
+    """Show the whole map to the supervisor, or only the partial view."""
     driver.state.show_map(bool(on))
     return ""
 
 
 def answer(driver: Driver, task: str, option: str, role: str = "", *, by: str = PERSON) -> str:
-    """Answer a task, in a role; what was answered stays hidden until all have."""
+    """Answer a task in a role. The answer is hidden until all answers are given."""
     return driver.desk.answer(task, option, role, by)
 
 
