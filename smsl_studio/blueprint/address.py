@@ -1,4 +1,6 @@
-"""Addresses: the one way to point at anything (selection, finding, highlight, log, undo)."""
+"""Addresses: they name an SB, a state or an operation in every selection, finding, highlight and
+log.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ from dataclasses import dataclass
 
 
 def escape(name: str) -> str:
-    """A name as one part of an address."""
+    """Return a name as one part of an address."""
     return name.replace("~", "~0").replace("/", "~1")
 
 
@@ -18,9 +20,8 @@ def _unescape(part: str) -> str:
 class Address:
     """``SB``, ``SB/State`` or ``SB/State/Operation``.
 
-    A ``/`` inside a name is written ``~1`` and a ``~`` as ``~0`` (as RFC 6901 does), so that
-    ``str`` and ``split`` are inverse for any names. Whether something stands there is the
-    blueprint's business: see ``Blueprint.resolve``.
+    A ``/`` inside a name is written ``~1`` and a ``~`` as ``~0`` (as in RFC 6901), so that ``str``
+    and ``split`` are inverse for any names. The element need not exist: see ``Blueprint.resolve``.
     """
 
     branch: str
@@ -36,7 +37,7 @@ class Address:
 
     @property
     def path(self) -> tuple[str, ...]:
-        """The names that are given, outermost first."""
+        """The names in this address, outermost first."""
         if self.operation:
             return (self.branch, self.state, self.operation)
         return (self.branch, self.state) if self.state else (self.branch,)
@@ -50,23 +51,23 @@ class Address:
 
     @staticmethod
     def split(text: str) -> tuple[str, ...]:
-        """The names in a written address."""
+        """Return the names in a written address."""
         return tuple(_unescape(part) for part in text.split("/"))
 
     @staticmethod
     def read(text: str) -> Address | None:
-        """The address that a foreign text writes, such as one in a log; None where it is none."""
+        """Return the address in a text from outside, such as a log. None if it is no address."""
         names = Address.split(text)
         return Address(*names) if len(names) <= 3 and all(names) else None
 
 
 def fact_text(branch: str, digit: int) -> str:
-    """A fact as ``requires`` and ``_hazards`` write it: ``SB/digit``, counted from 0."""
+    """Return a fact as ``requires`` and ``_hazards`` write it: ``SB/digit``, counted from 0."""
     return f"{escape(branch)}/{digit}"
 
 
 def split_fact(text: str) -> tuple[str, int] | None:
-    """The SB and the digit of a written fact, or None where the text is none."""
+    """Return the SB and the digit of a written fact, or None if the text is no fact."""
     branch, slash, digit = text.rpartition("/")
     if not (slash and branch and digit.isascii() and digit.isdecimal() and len(digit) < 7):
         return None
@@ -74,5 +75,7 @@ def split_fact(text: str) -> tuple[str, int] | None:
 
 
 def note_key(operation: str, state: str = "") -> str:
-    """A key of ``_operations``: the operation's name, or with a state ``State/Operation``."""
+    """Return a key of ``_operations``: the operation's name, or with a state
+    ``State/Operation``.
+    """
     return f"{escape(state)}/{escape(operation)}" if state else escape(operation)

@@ -1,8 +1,9 @@
-"""How much work a plan may take: counted, never timed, over all levels of sub-SBs together.
+"""The work that a plan may take, over all levels of sub-SBs together. It is counted and never
+timed.
 
-Work is counted in edges that a search looks at, each times the size of a joint configuration. The
-outcome of a part is kept, and others use it later; whoever uses it is charged for its work all the
-same. So what is refused depends on the question alone, and not on what was asked before.
+The unit is an edge that a search looks at, times the size of a joint configuration. The result of a
+part is kept and used again, and each user is charged for its work. So a refusal depends only on the
+question, and not on earlier questions.
 """
 
 from __future__ import annotations
@@ -11,18 +12,18 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.errors import PlanningError
 
 MOST_WORK = 6_000_000
-"""The most work that a plan may take, besides ``PER_EDGE`` times the size for every edge."""
+"""The work that a plan may take, besides ``PER_EDGE`` times the size for every edge."""
 
 PER_EDGE = 8
 
 MOST_CARRIED = 5_000
-"""One joint step has at most so many operations."""
+"""The largest number of operations in one joint step."""
 
 LESS = "Name a nearer goal, or use fewer levels of sub-SBs, or fewer requires."
 
 
 class Part:
-    """Work that is done once: the search for one way of a sub-SB."""
+    """Work that is done once: the search for one route of a sub-SB."""
 
     def __init__(self) -> None:
         self.own = 0
@@ -30,7 +31,7 @@ class Part:
 
 
 class Allowance:
-    """What is left for one question; PlanningError where it does not suffice."""
+    """The work that is left for one question. PlanningError if it is used up."""
 
     def __init__(self, hierarchy: Hierarchy) -> None:
         self.size = 16 + len(hierarchy.order)
@@ -39,14 +40,14 @@ class Allowance:
         self._charged: set[Part] = set()
 
     def spend(self, edges: int, part: Part | None = None) -> None:
-        """Count so many edges as looked at, for a part or for the question itself."""
+        """Count edges that were looked at, for a part or for the question itself."""
         work = (1 + edges) * self.size
         self._take(work)
         if part is not None:
             part.own += work
 
     def use(self, part: Part, by: Part | None) -> None:
-        """Count a part that another part, or the question itself, uses."""
+        """Count the use of a part by another part, or by the question itself."""
         if by is not None:
             by.used.add(part)
         waiting = [part]
@@ -67,7 +68,7 @@ class Allowance:
 
 
 def refuse_too_many_carried(asked: object, count: int) -> None:
-    """PlanningError for a joint step with too many operations."""
+    """Raise PlanningError if a joint step has too many operations."""
     if count > MOST_CARRIED:
         raise PlanningError(
             f"{asked} would take more than {MOST_CARRIED:,} operations with those of the sub-SBs",

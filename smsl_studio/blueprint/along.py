@@ -1,4 +1,6 @@
-"""What a crossing takes along: an edge of every base, and of their bases (clauses 5 and 10)."""
+"""The edges that go along with a crossing: one of every base, and of their bases (clauses 5 and
+10).
+"""
 
 from __future__ import annotations
 
@@ -9,11 +11,11 @@ from smsl_studio.blueprint.edges import Edge, EdgeKind, Edges
 from smsl_studio.blueprint.joint import Carried
 
 Held = Mapping[str, Carried]
-"""The base edges that are being carried out, by SB."""
+"""For each SB the base edge that is being carried out."""
 
 
 class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
-    """An edge cannot be carried out from a configuration; ``reasons`` are sentences."""
+    """An edge cannot be carried out from a configuration. ``reasons`` are sentences."""
 
     def __init__(self, *reasons: str) -> None:
         super().__init__("; ".join(reasons))
@@ -21,7 +23,7 @@ class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
 
 
 class Along:
-    """Finds the bases' edges; ``allow`` raises Unavailable for an edge that may not be used."""
+    """Finds the edges of bases. ``allow`` raises Unavailable for an edge that must not be used."""
 
     def __init__(self, edges: Edges, allow: Callable[[Configuration, Edge], None]) -> None:
         self._edges = edges
@@ -31,7 +33,10 @@ class Along:
     def edges_for(
         self, configuration: Configuration, edge: Edge, places: Mapping[str, str], held: Held
     ) -> tuple[Edge, ...]:
-        """The bases' edges that go along with a crossing, nearest first."""
+        """Return the edges of bases that go along with a crossing, nearest base first.
+
+        Raises Unavailable if a base has no such edge.
+        """
         taken = {name: carried.edge for name, carried in held.items()}
         taken[edge.branch] = edge
         before = len(taken)
@@ -44,7 +49,9 @@ class Along:
         return tuple(taken.values())[before:]
 
     def crossing(self, configuration: Configuration, sub: str, state: str) -> int:
-        """1 where a sub would enter its ACTIVATING state, -1 where it would leave it, else 0."""
+        """Return 1 if a sub-SB would enter its ACTIVATING state, -1 if it would leave it, else
+        0.
+        """
         activating = self._hierarchy.blueprint[sub].activating
         return (state == activating) - (configuration[sub] == activating)
 
@@ -84,7 +91,7 @@ class Along:
                 raise Unavailable(words, *reasons)
 
     def _singles(self, kind: EdgeKind, base: str, state: str, digit: int) -> list[Edge]:
-        """The pure rises or falls of one digit, cheapest first; ``load`` edges do not count."""
+        """Return the pure rises or falls of one digit, cheapest first, without ``load`` edges."""
         found = (
             edge
             for edge in self._edges.out(base, state)

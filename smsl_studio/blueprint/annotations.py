@@ -1,9 +1,9 @@
-"""Annotations: what the ``_`` fields of an SB say about facts, states and operations.
+"""Annotations: the ``_`` fields of an SB about facts, states and operations.
 
-Every SMSL reader skips them, so each is optional; each is typed and checked here. A field that
-does not fit is left out of the meaning and reported (rule R29), never guessed at. Units: seconds.
+Every SMSL reader skips them, so each is optional. Here each has a type and is checked. A field that
+does not fit is left out of the meaning and reported (rule R29). Times are in seconds.
 
-Notes are plain values. pydantic checks them; it is loaded only when there is a note to check.
+Notes are plain values. pydantic checks them. It is loaded only if there is a note to check.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Json = Any
 
 
 class _Note:
-    """The base of all notes. An entry with a key that is no field of its note does not fit."""
+    """The base of all notes. An entry with an unknown key does not fit."""
 
     __pydantic_config__: ClassVar = {"extra": "forbid"}
 
@@ -33,7 +33,7 @@ NoteT = TypeVar("NoteT", bound=_Note)
 
 @dataclass(frozen=True)
 class FactNote(_Note):
-    """``_facts`` of an SB, by digit (``"0"``): what the fact is and where it comes from."""
+    """``_facts`` of an SB, by digit (``"0"``): the meaning of the fact, and its sensors."""
 
     name: str = ""
     values: dict[str, str] = field(default_factory=dict)
@@ -47,10 +47,9 @@ class FactNote(_Note):
     k: Annotated[int, Ge(1)] | None = None
     max_age: Annotated[float, Gt(0)] | None = None
     conflict_after: Annotated[float, Ge(0), Le(60)] = 0.0
-    """How long (s) its sensors may disagree before it is unknown."""
+    """How long (s) its sensors may disagree before the fact is unknown."""
     question: str = ""
-    """The question to a person who says what the fact is; ``roles`` has one role for each
-    person."""
+    """The question to a person who tells the fact. ``roles`` has one role for each person."""
     roles: tuple[str, ...] = ()
     answer_within: Annotated[float, Gt(0)] | None = None
     escalates_to: str = ""
@@ -88,19 +87,21 @@ class OperationNote(_Note):
     timeout: Annotated[float, Gt(0)] | None = None
     stop: Literal["abort", "hold", "finish"] | None = None
     resumes: bool | None = None
-    """Whether it goes on after a pause held it; None: as its library function declares."""
+    """Whether it goes on after a pause. None means as its library function declares."""
     touches: tuple[Annotated[int, Ge(0)], ...] = ()
-    """Digits of its SB that are unknown after it was cancelled, besides those its edge changes."""
+    """Digits of its SB that are unknown after it was cancelled, besides those that its edge
+    changes.
+    """
     repeatable: bool = False
     requires: dict[str, str] = field(default_factory=dict)
-    """Facts of any SB that must hold first: ``{"SB/digit": value}``."""
+    """Facts of any SB that must hold before it begins: ``{"SB/digit": value}``."""
     subs: Literal["drive", "load"] = "drive"
     binding: Binding | None = None
     question: str = ""
-    """What a person who carries it out is told; ``roles`` says whose task that is."""
+    """The request to the person who carries it out. ``roles`` says whose task that is."""
     roles: tuple[str, ...] = ()
     answer_within: Annotated[float, Gt(0)] | None = None
-    """Seconds for every task about it; after half of them ``escalates_to`` is asked as well."""
+    """The time (s) for every task about it. After half of it ``escalates_to`` is asked too."""
     escalates_to: str = ""
 
 
@@ -113,14 +114,14 @@ class Hazard(_Note):
 
 
 PLAIN = OperationNote()
-"""The note of an operation of which nothing is said."""
+"""The note of an operation without annotations."""
 
 FAR = 1e7
-"""Pixels. A position must be nearer than this to the middle in both directions."""
+"""The limit of a position in both directions (pixels)."""
 
 
 def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, ...], str], ...]]:
-    """The hazards of a file, and what in them could not be understood."""
+    """Return the hazards of a file, and the faults in them with their paths."""
     faults: list[tuple[tuple[str, ...], str]] = []
     if not isinstance(raw, list):
         return (), ((("_hazards",), "_hazards must be a list"),) if raw is not None else ()
@@ -129,7 +130,7 @@ def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, 
 
 
 def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...], str], ...]]:
-    """The levels that ``_levels`` of a file declares, and the entries that are no level."""
+    """Return the levels in ``_levels`` of a file, and the faults in it with their paths."""
     if raw is None:
         return {}, ()
     if not isinstance(raw, dict):
@@ -141,8 +142,9 @@ def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...],
 
 
 def point_of(at: Json) -> tuple[float, float] | None:
-    """A position ``[x, y]`` of ``_layout`` (pixels); None where it is none, or too far away to
-    draw."""
+    """Return a position ``[x, y]`` of ``_layout`` (pixels). None if it is not valid or too far
+    away.
+    """
     if not isinstance(at, list) or len(at) != 2:
         return None
     if not all(type(value) in (int, float) and abs(value) < FAR for value in at):
@@ -153,14 +155,18 @@ def point_of(at: Json) -> tuple[float, float] | None:
 def validated(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> NoteT | None:
-    """The note in ``raw``; a word that does not fit is a fault, and the others still count."""
+    """Return the note in ``raw``. A key that does not fit is added to ``faults``, and the others
+    count.
+    """
     return with_words(model, raw, path, faults)[0]
 
 
 def with_words(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> tuple[NoteT | None, frozenset[str]]:
-    """The note in ``raw`` and which of its words fit; no note where a required word is missing."""
+    """Return the note in ``raw``, and the keys that fit. The note is None if a required key is
+    missing.
+    """
     from pydantic import ValidationError
 
     kind: Any = model

@@ -1,4 +1,4 @@
-"""What runs in some State Branches, as one digest."""
+"""The digest of the parts of State Branches that are carried out."""
 
 from __future__ import annotations
 
@@ -11,5 +11,5 @@ _RUNS = ("initial", "activating", "facts", "sub_sbs", "states")
 
 
 def behaviour_of(branches: Iterable[MeantBranch]) -> str:
-    """SHA-256 of what runs in some SBs: states, operations, headers."""
+    """Return the SHA-256 of some SBs: their states, operations and headers, without annotations."""
     return digest_of([[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches])

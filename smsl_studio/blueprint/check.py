@@ -1,6 +1,6 @@
-"""Scene and state checks: the paper's s and C_state(s) (Eq. 4), in three-valued logic.
+"""The scene and state checks: s and C_state(s) of the paper (Eq. 4), in three-valued logic.
 
-A fact is pointed at by ``FactKey``: the SB's name and the digit, counted from 0.
+A ``FactKey`` identifies a fact: the name of the SB, and the digit counted from 0.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ FactKey = tuple[str, int]
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What is known of one fact: its value, or None (unknown) with the reason.
+    """The reading of one fact: its value, or None (unknown) with the reason.
 
-    ``age`` is in seconds of the receiver's clock; ``sensed`` is false where nobody senses the
-    fact, so that it is believed from the configuration.
+    ``age`` is in seconds of the receiver's clock. ``sensed`` is false if nobody senses the fact, so
+    that it is believed from the configuration.
     """
 
     value: str | None
@@ -35,20 +35,21 @@ NOTHING_SENSED: Mapping[FactKey, Reading] = MappingProxyType({})
 
 
 class Scene(NamedTuple):
-    """The facts as sensed at one instant (the paper's *s*); a fact that is not in it has no
-    sensor."""
+    """The sensed facts at one time (the paper's *s*). A fact that is missing has no sensor."""
 
     readings: Mapping[FactKey, Reading] = NOTHING_SENSED
     time: float = 0.0
 
     def get(self, branch: str, digit: int) -> Reading | None:
-        """The reading of one fact, or None where no sensor reads it."""
+        """Return the reading of a fact, or None if no sensor reads it."""
         return self.readings.get((branch, digit))
 
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One f_i of a state check: the fact, the value the state wants, what was read, the truth."""
+    """One f_i of a state check: the fact, the value that the state needs, the reading and the
+    truth.
+    """
 
     fact: FactKey
     wanted: str
@@ -72,7 +73,7 @@ class CheckResult:
 
     @cached_property
     def truth(self) -> bool | None:
-        """False where a term is false, else None where one is unknown, else True."""
+        """False if a term is false, else None if one is unknown, else True."""
         if any(term.truth is False for term in self.terms):
             return False
         return None if any(term.truth is None for term in self.terms) else True
@@ -89,13 +90,16 @@ class CheckResult:
 
     @cached_property
     def unknown(self) -> tuple[Term, ...]:
-        """The terms of which nobody knows whether they are true."""
+        """The terms that are unknown."""
         return tuple(term for term in self.terms if term.truth is None)
 
 
 class _Expected(NamedTuple):
-    """For a state without sub-SBs: what each fact must read, and two results made in advance, one
-    for all facts sensed so and one for no fact sensed."""
+    """The values that each fact of a state must have, for a state without sub-SBs.
+
+    Two results are made in advance: one for all facts sensed with these values, and one for no
+    sensed fact.
+    """
 
     pairs: tuple[tuple[FactKey, str], ...]
     sensed: CheckResult
@@ -106,7 +110,7 @@ _KEY = "_expected"
 BELIEVED = "believed, nobody senses it"
 
 IN_TRANSIT = "in transit"
-"""Why a digit is unknown while a crossing below it is pending (clause 6)."""
+"""The reason why a digit is unknown while a crossing below it is pending (clause 6)."""
 
 
 def state_check(
@@ -118,12 +122,12 @@ def state_check(
     *,
     transit: Collection[FactKey] = (),
 ) -> CheckResult:
-    """C_state(s): whether ``state`` holds in the scene, fact by fact.
+    """Return the state check C_state(s): whether ``state`` holds in the scene, fact by fact.
 
-    A digit expanded by a sub-SB is the sub's state check in ACTIVATING, recursively: itself where
-    the state wants the digit on, its three-valued negation where it wants it off. A fact nobody
-    senses is believed from ``believed`` (SB -> state); a fact that is sensed but not known makes
-    the check unknown, and so does a digit in ``transit``. The SUB_SBS must have no cycle.
+    The value of a digit with a sub-SB is the state check of the sub-SB in ACTIVATING, recursively.
+    If the state needs the digit off, the result is negated. A fact that nobody senses is taken from
+    ``believed`` (SB -> state). A sensed fact without a value makes the check unknown, and so does a
+    digit in ``transit``. The SUB_SBS must have no cycle.
     """
     expected = as_expected(blueprint.branches[branch], state, scene, believed.get(branch))
     if expected is not None:
@@ -132,7 +136,7 @@ def state_check(
 
 
 class _Checking:
-    """One state check over all levels; a sub-SB that several bases share is checked only once."""
+    """One state check over all levels. A sub-SB that several bases share is checked only once."""
 
     def __init__(
         self,
@@ -146,7 +150,7 @@ class _Checking:
         self._activating: dict[str, CheckResult] = {}
 
     def of(self, branch: str, state: str) -> CheckResult:
-        """The result of the check of one state; every term is looked at where that is needed."""
+        """Return the result of the check of one state."""
         own = self._blueprint.branches[branch]
         expected = as_expected(own, state, self._scene, self._believed.get(branch))
         if expected is not None:
@@ -169,11 +173,12 @@ class _Checking:
 def as_expected(
     branch: StateBranch, state: str, scene: Scene, held: str | None
 ) -> CheckResult | None:
-    """The result of a state check in which every fact is as the state wants it.
+    """Return the result of a state check if every fact has the value that the state needs, else
+    None.
 
-    Either all are sensed so, or none is sensed and the SB is believed (``held``) to be there. None
-    in every other case, and where a sub-SB expands a fact: then each term must be checked. Most
-    checks of a run end here, so each state keeps its two results.
+    Either all facts are sensed with these values, or none is sensed and the SB is believed
+    (``held``) to be in the state. The result is also None if a sub-SB expands a fact, because each
+    term must then be checked. Most checks of a run end here, so each state keeps its two results.
     """
     try:
         kept: _Expected = branch.__dict__[_KEY][state]
@@ -209,8 +214,9 @@ def _expected(branch: StateBranch, state: str) -> _Expected:
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:
-    """The sub-SB whose state check gives the value of a digit; None where the digit is read like
-    any other fact."""
+    """Return the sub-SB whose state check gives the value of a digit. None if the digit is read as
+    any other fact.
+    """
     sub = blueprint.branches.get(branch.subs.get(digit, ""))
     return sub if sub is not None and sub.activating in sub.table else None
 
@@ -243,6 +249,6 @@ def _sub_term(base: StateBranch, digit: int, wanted: str, inner: CheckResult) ->
 
 
 def off_value(base: StateBranch, digit: int) -> str:
-    """The value of a sub digit that is not its on value; ``0`` where the states show none."""
+    """Return the value of a digit with a sub-SB that means off, ``0`` if the states show none."""
     on = base.on_value(digit)
     return next((value for value in base.alphabet[digit] if value != on), "0")

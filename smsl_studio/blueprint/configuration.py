@@ -1,7 +1,7 @@
-"""Configuration: the active state of every SB, and what makes one consistent.
+"""Configuration: the active state of every SB, and the conditions for it.
 
 The invariant (paper, Eq. 6): a digit with a sub-SB is on if and only if the sub-SB is in its
-ACTIVATING state. Flags are computed from a configuration, never stored beside it.
+ACTIVATING state. Flags are computed from a configuration and never stored.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ Configuration = Mapping[str, str]
 
 
 class Hierarchy:
-    """Which SB expands which, worked out once for a blueprint. RunRefused for a cycle of SUB_SBS.
+    """The base SBs and sub-SBs of a blueprint, computed once. RunRefused for a cycle of SUB_SBS.
 
-    ``order`` has every SB, bases before their subs, else in file order. A sub-SB that does not
-    exist, or a digit that no state has, is left out: inspection reports it (R07).
+    ``order`` has every SB, bases before their sub-SBs, else in file order. A sub-SB that does not
+    exist, or a digit that no state has, is left out, and inspection reports it (R07).
     """
 
     def __init__(self, blueprint: Blueprint) -> None:
@@ -42,7 +42,7 @@ class Hierarchy:
         self._trees: dict[str, tuple[str, ...]] = {}
 
     def _bases_first(self) -> tuple[str, ...]:
-        """An order of SBs in which every SB follows its bases, otherwise in file order."""
+        """Return the SBs in an order in which each follows its bases, otherwise in file order."""
         names = tuple(self.blueprint.branches)
         number = {name: index for index, name in enumerate(names)}
         waiting = {name: len(bases) for name, bases in self.bases.items()}
@@ -65,14 +65,14 @@ class Hierarchy:
         return tuple(order)
 
     def tree(self, branch: str) -> tuple[str, ...]:
-        """The SB and everything below it, bases before their subs."""
+        """Return the SB and everything below it, bases before their sub-SBs."""
         if branch not in self._trees:
             found = _spread(branch, lambda name: (sub for _, sub in self.subs[name]))
             self._trees[branch] = tuple(sorted(found, key=self._place.__getitem__))
         return self._trees[branch]
 
     def roots_of(self, branch: str) -> tuple[str, ...]:
-        """The roots above an SB (itself, where it is one), in file order."""
+        """Return the roots above an SB in file order. A root is its own root."""
         above = _spread(branch, lambda name: (base for base, _ in self.bases[name]))
         return tuple(sorted(above & self._roots, key=self._place.__getitem__))
 
@@ -86,11 +86,11 @@ class Hierarchy:
 
 
 _SHOWN = 12
-"""At most so many SBs of a cycle are named."""
+"""The largest number of SBs of a cycle that are named."""
 
 
 def _spread(start: str, near: Callable[[str], Iterable[str]]) -> set[str]:
-    """Everything that ``near`` leads to from an SB, itself included."""
+    """Return everything that ``near`` leads to from an SB, with the SB itself."""
     found, waiting = {start}, [start]
     while waiting:
         for name in near(waiting.pop()):
@@ -101,10 +101,11 @@ def _spread(start: str, near: Callable[[str], Iterable[str]]) -> set[str]:
 
 
 def start_configuration(hierarchy: Hierarchy, given: Mapping[str, str]) -> dict[str, str]:
-    """Where every SB stands when a run starts (clause 3). RunRefused says why it cannot.
+    """Return the configuration in which a run starts (clause 3). RunRefused says why it cannot.
 
-    Bases first: a root stands where it was given or in INITIAL; a sub in ACTIVATING where its
-    digit is on, else in INITIAL, or where it was given, if that agrees with its bases.
+    Bases come first. A root starts in the given state or in INITIAL. A sub-SB starts in ACTIVATING
+    if its digit is on, else in INITIAL. A given state of a sub-SB counts if it agrees with the
+    bases.
     """
     found: dict[str, str] = {}
     for name in hierarchy.order:
@@ -149,7 +150,9 @@ def _bases_said(found: Configuration, bases: Iterable[tuple[str, int]]) -> str:
 
 
 def disagreements(hierarchy: Hierarchy, configuration: Configuration) -> tuple[FactKey, ...]:
-    """The digits that break the invariant: on with the sub elsewhere, or off with it there."""
+    """Return the digits that break the invariant: on without the sub-SB in ACTIVATING, or off with
+    it.
+    """
     return tuple(
         (base, digit)
         for base in hierarchy.order
@@ -160,9 +163,9 @@ def disagreements(hierarchy: Hierarchy, configuration: Configuration) -> tuple[F
 
 
 def standing(hierarchy: Hierarchy, branch: str, state: str) -> dict[str, str]:
-    """``branch`` in ``state`` and everything below it as a start would have it.
+    """Return ``branch`` in ``state``, and everything below it as at a start.
 
-    This is where ``subs: load`` leaves a sub and what is below it (clauses 5 and 14).
+    ``subs: load`` leaves a sub-SB and everything below it in these states (clauses 5 and 14).
     """
     found = {branch: state}
     for name in hierarchy.tree(branch):
@@ -174,7 +177,7 @@ def standing(hierarchy: Hierarchy, branch: str, state: str) -> dict[str, str]:
 
 
 def flags(blueprint: Blueprint, configuration: Configuration) -> dict[FactKey, str]:
-    """Every fact as the configuration has it: what the dispatcher believes."""
+    """Return the value of every fact in a configuration, which the dispatcher believes."""
     return {
         (name, digit): value
         for name, state in configuration.items()

@@ -1,6 +1,6 @@
 """The words of the human-automation continuum (paper, section on it): its levels and defaults.
 
-``levels`` says which level everything in one blueprint has.
+``levels`` finds the level of each element of a blueprint.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ HUMAN, SHARED, AUTOMATIC = LEVELS = ("human", "shared", "automatic")
 INSPECTION, SUPERVISION = "inspection", "supervision"
 
 DEFAULTS: Mapping[str, str] = MappingProxyType({INSPECTION: AUTOMATIC, SUPERVISION: SHARED})
-"""Where nothing is said: rules alone inspect, and a person may step in at any tick."""
+"""The levels if none are declared: rules alone inspect, and a person may intervene at any tick."""
 
 OF_ACTOR = {"human": HUMAN, "shared": SHARED}
 NOTHING: Mapping[str, str] = MappingProxyType({})

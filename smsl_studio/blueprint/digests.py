@@ -1,8 +1,8 @@
-"""The digests of a blueprint, by which blueprints are told apart and which an approval signs.
+"""The digests of a blueprint. They identify it, and an approval signs them.
 
-None of the three covers ``_layout``, comments, the name and the form of the file, NUM_STATES,
-unknown header keys or other ``_`` fields. The order of SBs counts; that of states and operations
-only through the defaults.
+No digest covers ``_layout``, comments, the name and the form of the file, NUM_STATES, unknown
+header keys or other ``_`` fields. The order of SBs counts. That of states and operations counts
+only where it decides a default.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ Json = Any
 
 @dataclass(frozen=True, slots=True)
 class Digests:
-    """SHA-256 in hex, over canonical bytes, defaults made explicit.
+    """SHA-256 in hexadecimal, over canonical bytes in which defaults are explicit.
 
-    ``behaviour`` covers the file's own SBs, states, operations and headers, ``meaning`` its
-    annotations. ``closure`` covers both, and the same of everything the file imports.
+    ``behaviour`` covers the file's own SBs, states, operations and headers. ``meaning`` covers its
+    annotations. ``closure`` covers both, also for everything that the file imports.
     """
 
     behaviour: str
@@ -37,12 +37,12 @@ class Digests:
     closure: str
 
     def as_json(self) -> dict[str, str]:
-        """The three digests by their names."""
+        """Return the three digests by their names."""
         return asdict(self)
 
 
 def digests(blueprint: Blueprint) -> Digests:
-    """All three; without a world the closure holds no library code."""
+    """Return all three digests. Without a world the closure has no library code."""
     own = [one for one in blueprint if one.name not in blueprint.imported]
     behaviour = behaviour_of(own) if blueprint.imported else blueprint.behaviour
     said = [_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))]
@@ -65,7 +65,7 @@ def _notes(branches: Iterable[StateBranch]) -> Json:
 
 
 def _as_written(fault: ImportFault) -> str:
-    """The import that failed, as the file names it."""
+    """Return the failed import as the file names it."""
     value: Json = fault.document.values
     for key in fault.path:
         value = value[int(key)] if isinstance(value, list) else value[key]

@@ -1,4 +1,4 @@
-"""The ways to one state of a flat SB from all others: the cost of each, and its next edge."""
+"""The routes to one state of an SB without sub-SBs from all its states: their costs and edges."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from smsl_studio.blueprint.edges import Edge, Edges
 from smsl_studio.stop import heed
 
 Far = tuple[float, int]
-"""Cost and number of edges."""
+"""The cost and the number of edges."""
 
 
 class Downhill:
-    """The cheapest routes from all states of an SB to ``goal``, over the edges ``allowed``.
+    """The cheapest routes from all states of an SB to ``goal``, over the ``allowed`` edges.
 
-    Made once, so that a route planned from hundreds of joint configurations costs one look each.
+    It is made once, and then serves routes from hundreds of joint configurations.
     """
 
     def __init__(
@@ -25,7 +25,9 @@ class Downhill:
         self.far: Mapping[str, Far] = self._spread()
 
     def route(self, state: str) -> tuple[Edge, ...] | None:
-        """The edges from a state to the goal: ties by number, then by names; None: no way."""
+        """Return the edges from a state to the goal, None if there is no route. Of equally cheap
+        routes it is the one with the fewest edges, then the first by names.
+        """
         if state not in self.far:
             return None
         found: list[Edge] = []

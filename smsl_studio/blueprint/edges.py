@@ -1,4 +1,6 @@
-"""Edges by their effect on sub digits (clause 2), and what carrying one out asks for (clause 5)."""
+"""Edges by their effect on sub digits (clause 2), and the data that a joint step needs (clause
+5).
+"""
 
 from __future__ import annotations
 
@@ -20,22 +22,22 @@ class EdgeKind(Enum):
     PURE = "pure"
     """It changes none of them."""
     RISE = "rise"
-    """It turns one on and changes nothing else."""
+    """It turns one on, and changes nothing else."""
     FALL = "fall"
-    """It turns one off and changes nothing else."""
+    """It turns one off, and changes nothing else."""
     MIXED = "mixed"
     """It changes one together with other digits, or several."""
 
 
 @dataclass(frozen=True, slots=True)
 class Edge:
-    """One operation with all that its joint step depends on.
+    """One operation with everything that its joint step depends on.
 
-    ``crossing`` is 1 where it enters its SB's ACTIVATING state, -1 where it leaves it, else 0.
-    ``function`` says that its own library function runs; ``cost`` is what the edge itself adds to
-    a route (clause 12); ``price`` is its declared cost, by which bases' edges are chosen (clause
-    10). ``requires`` are (SB, digit, value); a digit of -1 is a fact that does not exist.
-    ``fails`` says, where it leads from a state without failure into a failure state, into which.
+    ``crossing`` is 1 if it enters its SB's ACTIVATING state, -1 if it leaves it, else 0.
+    ``function`` says that its own library function runs. ``cost`` is its own part of a route's cost
+    (clause 12). ``price`` is its declared cost, by which edges of bases are chosen (clause 10).
+    ``requires`` has (SB, digit, value); a digit of -1 is a fact that does not exist. ``fails``
+    names the failure if it leads from a state without failure into a failure state.
     """
 
     branch: str
@@ -68,8 +70,9 @@ class Edge:
 
 
 class Extra(Protocol):
-    """What an edge costs in addition. An edge without a function, or one into a failure, may cost
-    more; of all other edges only those in ``closed`` do."""
+    """The additional cost of an edge. Only edges without a function, edges into a failure, and
+    those in ``closed`` may have one.
+    """
 
     @property
     def closed(self) -> Mapping[Address, str]:
@@ -82,11 +85,11 @@ NO_COSTS: Mapping[Address, float] = MappingProxyType({})
 
 
 class Edges:
-    """The edges of one blueprint, classed when they are first asked for.
+    """The edges of one blueprint. Each is made when it is first asked for.
 
-    ``exact`` are the addresses whose function was bound to exactly this ``State/Operation``: the
-    only functions that run on an edge which needs none. ``costs`` stand in the place of declared
-    ones; ``extra`` gives what an edge costs in addition.
+    ``exact`` are the addresses with a function that is bound to exactly this ``State/Operation``.
+    Only such functions run on an edge that needs none. ``costs`` replace declared costs, and
+    ``extra`` gives additional costs.
     """
 
     def __init__(
@@ -106,7 +109,9 @@ class Edges:
         self._required_by: dict[str, frozenset[str]] = {}
 
     def out(self, branch: str, state: str) -> tuple[Edge, ...]:
-        """Every edge out of a state, in written order; targets that do not exist are left out."""
+        """Return every edge out of a state, in written order. Edges to unknown targets are left
+        out.
+        """
         found = self._out.get((branch, state))
         if found is None:
             own = self.blueprint[branch]
@@ -121,7 +126,7 @@ class Edges:
         return found
 
     def get(self, address: Address) -> Edge | None:
-        """The edge at an address, or None where its target does not exist."""
+        """Return the edge at an address, or None if its target does not exist."""
         at = address.branch, address.state
         found = self._named.get(at)
         if found is None:
@@ -129,7 +134,7 @@ class Edges:
         return found.get(address.operation)
 
     def required_by(self, branch: str) -> frozenset[str]:
-        """The SBs whose facts are required by operations of this SB."""
+        """Return the SBs whose facts operations of this SB require."""
         found = self._required_by.get(branch)
         if found is None:
             found = self._required_by[branch] = frozenset(
@@ -193,7 +198,9 @@ class Edges:
         return name, digit, value
 
     def missing(self, edge: Edge, configuration: Configuration) -> Iterator[str]:
-        """What of an edge's ``requires`` a configuration does not give, one sentence each."""
+        """Yield a sentence for each fact that an edge requires and that the configuration does not
+        have.
+        """
         for name, digit, value in edge.requires:
             if digit < 0:
                 yield f"{edge} requires {name}, which is no fact"

@@ -1,4 +1,4 @@
-"""What an SB is made of: its header, its states, its operations, as frozen values."""
+"""The elements of an SB as frozen values: header, state and operation."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ EMPTY: Mapping[str, Any] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """The header as written: None where a key is left to its default.
+    """The header as written. None means that a key has its default.
 
-    ``sub_sbs`` are pairs (sub-SB, digit) in written order, so that two subs on one digit and one
-    sub written twice can be seen; ``num_states`` is only checked; ``unknown`` keys are kept.
-    ``odd`` are known keys whose value is of the wrong kind, as written: they count as left out, and
-    inspection reports them, as it does the entries of SUB_SBS whose digit is no whole number.
+    ``sub_sbs`` are pairs (sub-SB, digit) in written order; a digit or a sub-SB may occur twice.
+    ``num_states`` is only checked. ``unknown`` keys are kept. ``odd`` has known keys with a value
+    of the wrong kind, as written. They count as missing, and inspection reports them, as it does
+    entries of SUB_SBS whose digit is no whole number.
     """
 
     initial: str | None = None
@@ -37,7 +37,7 @@ class Header:
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """A permitted edge: from ``source`` by ``name`` to ``target``, all in ``branch``."""
+    """A permitted edge of ``branch``: from ``source`` by ``name`` to ``target``."""
 
     branch: str
     source: str
@@ -52,7 +52,7 @@ class Operation:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A node: its name, its fact values (digit 0 first) and the operations it permits."""
+    """A node: its name, its fact values (digit 0 first) and its operations."""
 
     branch: str
     name: str

@@ -1,8 +1,9 @@
-"""The estimate: in which states an SB can be, going by the scene (the paper's state estimation).
+"""The estimate: the states in which an SB can be according to the scene (the paper's state
+estimation).
 
-One state whose check is true: **located**. Several: **ambiguous**. None, and none that could be:
-**off the map**, what is there was never drawn. None, but some that could be, were it not for facts
-that are unknown: **unknown**; unknown is neither a place nor a proof that there is none.
+**located**: the check of one state is true. **ambiguous**: the checks of several are true.
+**unknown**: some facts are unknown, and some states do not contradict the others. **off the map**:
+every state contradicts the scene, so the SB is in no drawn state.
 """
 
 from __future__ import annotations
@@ -16,16 +17,16 @@ from smsl_studio.blueprint.check import Scene, Term, state_check, sub_below
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 MOST = 8
-"""States that are worth naming."""
+"""The largest number of states that are named."""
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """Where an SB is, going by the scene.
+    """The place of an SB according to the scene.
 
-    ``states`` check true, ``possible`` check unknown, in the order of the file; at most ``MOST``
-    of each are named. ``unknown`` are the terms (of any state: what they want counts for nothing)
-    whose fact is not known.
+    ``states`` have a true check, ``possible`` an unknown check, in file order and at most ``MOST``
+    of each. ``unknown`` are the terms whose facts are unknown. They are from the check of one
+    state, so their ``wanted`` values do not matter.
     """
 
     branch: str
@@ -36,14 +37,14 @@ class Estimate:
 
     @property
     def state(self) -> str | None:
-        """The one state it is in, None where that is not sure."""
+        """The only state with a true check. None if there is not exactly one."""
         return self.states[0] if self.kind == "located" else None
 
 
 def estimate(
     blueprint: Blueprint, branch: str, scene: Scene, believed: Mapping[str, str]
 ) -> Estimate:
-    """In which states of ``branch`` the scene can be; ``believed`` as in ``state_check``."""
+    """Return the states of ``branch`` that fit the scene. ``believed`` is as in ``state_check``."""
     own = blueprint.branches[branch]
     if not own.table:
         return Estimate(branch, "off the map")
@@ -62,8 +63,9 @@ def estimate(
 def fitting(
     blueprint: Blueprint, branch: str, scene: Scene, believed: Mapping[str, str]
 ) -> tuple[str, ...]:
-    """Every state of ``branch`` whose check is true, in the order of the file. They all have the
-    same facts; empty where a fact is unknown."""
+    """Return every state of ``branch`` with a true check, in file order. They all have the same
+    facts. Empty if a fact is unknown.
+    """
     own = blueprint.branches[branch]
     terms = _terms(blueprint, own, scene, believed) if own.table else ()
     if any(term.truth is None for term in terms):
@@ -79,10 +81,10 @@ def _terms(
 
 
 def _fitting(blueprint: Blueprint, branch: StateBranch, terms: tuple[Term, ...]) -> Iterator[str]:
-    """The states that no known fact contradicts.
+    """Yield the states that no known fact contradicts.
 
-    What was read does not depend on the state that is checked, only what is wanted does: so the
-    terms of one state tell those of all, and 59,049 states are gone through in a wink.
+    A reading does not depend on the state that is checked. So the terms of one state serve all
+    states, and even 59,049 states take little time.
     """
     known = [
         (digit, *_read(blueprint, branch, term))
@@ -96,7 +98,7 @@ def _fitting(blueprint: Blueprint, branch: StateBranch, terms: tuple[Term, ...])
 
 
 def _read(blueprint: Blueprint, branch: StateBranch, term: Term) -> tuple[str, bool]:
-    """A value, and whether a state must want it, or must not (for a sub-SB that is off)."""
+    """Return a value, and whether a state must have it (or must not, for a sub-SB that is off)."""
     digit = term.fact[1]
     if sub_below(blueprint, branch, digit) is None:
         return term.reading or "", True

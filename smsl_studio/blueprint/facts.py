@@ -1,4 +1,4 @@
-"""Facts: the digits a state's name carries, of any width and alphabet."""
+"""Facts: the digits in the name of a state, of any width and alphabet."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 
 def fact_string(name: str, num_facts: int | None) -> str:
-    """The part of a state's name that carries the facts.
+    """Return the part of a state's name with the facts.
 
-    What is left after ``State_`` or ``State``; else what follows the last ``_``; else the last
-    NUM_FACTS characters.
+    It is the rest after ``State_`` or ``State``. Otherwise it is the text after the last ``_``, or
+    else the last NUM_FACTS characters.
     """
     for prefix in ("State_", "State"):
         if name.startswith(prefix):
@@ -23,16 +23,16 @@ def fact_string(name: str, num_facts: int | None) -> str:
 
 
 def changed_digits(before: Sequence[str], after: Sequence[str]) -> tuple[int, ...]:
-    """The digits in which the facts of two states of one SB differ."""
+    """Return the digits in which the facts of two states of one SB differ."""
     return () if before == after else tuple(compress(count(), map(ne, before, after)))
 
 
 class FactShape(NamedTuple):
-    """How the states of one SB carry their facts.
+    """How the names of an SB's states show their facts.
 
-    ``width`` is the number of characters of one fact; ``opaque`` says that the names cannot be
-    cut into facts, so that each state has one fact: its own name. ``misfits`` are the states
-    whose fact string does not fit (rule R05).
+    ``width`` is the number of characters of one fact. ``opaque`` says that the names cannot be
+    split into facts, so each state has one fact: its own name. ``misfits`` are the states whose
+    fact string does not fit (rule R05). ``written`` is NUM_FACTS.
     """
 
     num_facts: int
@@ -42,7 +42,7 @@ class FactShape(NamedTuple):
     written: int | None = None
 
     def values(self, state: str) -> tuple[str, ...]:
-        """The fact values in a state's name, digit 0 first."""
+        """Return the fact values in a state's name, digit 0 first."""
         if self.opaque:
             return (state,)
         text = fact_string(state, self.written)
@@ -52,7 +52,7 @@ class FactShape(NamedTuple):
 
 
 def shape_of(states: Iterable[str], num_facts: int | None) -> FactShape:
-    """The shape that fits the names; opaque where none does."""
+    """Return the shape that fits the names. It is opaque if none fits."""
     names = list(states)
     lengths = {name: len(fact_string(name, num_facts)) for name in names}
     counts: dict[int, int] = {}

@@ -1,4 +1,4 @@
-"""Failure states: those that hold a value which ``_facts`` declares a failure."""
+"""Failure states: states with a value that ``_facts`` declares as a failure."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ _NONE: Mapping[str, str] = MappingProxyType({})
 
 
 def failing_states(branch: StateBranch) -> Mapping[str, str]:
-    """Every failure state with the facts that make it one, in words: ``Disk 1 would be x``.
+    """Return every failure state with the facts that make it one, such as ``Disk 1 would be x``.
 
-    Worked out at the first call and kept with the branch, as its numbers are.
+    The result is computed at the first call and kept with the branch.
     """
     kept = branch.__dict__.get(_KEY)
     if isinstance(kept, Mapping):

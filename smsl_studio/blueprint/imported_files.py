@@ -1,4 +1,4 @@
-"""The files that a blueprint imports, as values: which were reached, and which were not.
+"""The files that a blueprint imports, as values: those that were found, and those that were not.
 
 ``imports`` finds them.
 """
@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 from smsl_studio.smsl.document import Document, Path
 
 KEY = "_imports"
-"""The field of a file that names the files it imports."""
+"""The field of a file that names its imports."""
 
 
 @dataclass(frozen=True)
 class Import:
-    """A file that was reached: by which files (real paths, its own last), and where the last but
-    one of them names it.
+    """A file that was found. ``chain`` has the files that led to it (real paths, its own last).
+    ``path`` is the place of its name in the file before it.
     """
 
     document: Document
@@ -27,7 +27,7 @@ class Import:
 
 @dataclass(frozen=True)
 class ImportFailure:
-    """An import that led to no document; the chain ends with what it leads to.
+    """An import that led to no document. The chain ends with the target.
 
     ``wanted`` is the real path of a file that would be imported if it could be read.
     """
@@ -42,9 +42,7 @@ class ImportFailure:
 
 @dataclass(frozen=True)
 class Imports:
-    """What the imports of one file lead to, in the order in which SBs come; ``root`` is its own
-    real path.
-    """
+    """All files that one file imports, in the order of their SBs. ``root`` is its own real path."""
 
     root: str
     files: tuple[Import, ...] = ()
@@ -56,7 +54,7 @@ class Imports:
         return {item.chain[-1]: item.document for item in self.files}
 
     def swapped(self, documents: Mapping[Document, Document]) -> Imports:
-        """The same files with other texts: the former document to the one that it is now."""
+        """Return the same files with other texts. The keys are the former documents."""
         if not any(item.document in documents for item in self.files):
             return self
         files = (

@@ -1,12 +1,12 @@
-"""``_imports``: State Branches that live in other files.
+"""``_imports``: State Branches in other files.
 
-A file that is missing, cannot be read, leads back to itself or brings a name that is taken does
-not keep the importing file from opening: it is a fault, with the chain of files, for inspection
-(R08) to report. A file that is reached on two ways is read once.
+A file may be missing or unreadable, may lead back to itself, or may bring a name that is taken. The
+importing file still opens. The fault is kept with the chain of files, and inspection reports it
+(R08). A file that several files import is read once.
 
-What may be imported is told in ``project``. Two steps: ``follow`` finds the files, and reads those
-that are not in memory yet; ``gather`` makes one blueprint of what stands in them. An edit that
-leaves every ``_imports`` alone needs only the second.
+``project`` says which files may be imported. ``follow`` finds the files and reads those that are
+not in memory. ``gather`` makes one blueprint of their contents. An edit that changes no
+``_imports`` needs only ``gather``.
 """
 
 from __future__ import annotations
@@ -27,13 +27,15 @@ from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_
 from smsl_studio.smsl.files import content_of, document_of
 
 MOST = 500
-"""At most so many files are imported in all; more are a mistake, or an attack."""
+"""The largest number of imported files. More are a mistake or an attack."""
 
 MOST_WRITTEN = 20_000
-"""At most so many entries of all lists are read; a file on several ways counts once for each."""
+"""The largest number of entries of all lists that are read. A file on several paths counts each
+time.
+"""
 
 SHOWN = 200
-"""Characters of a name that are shown where it leads to nothing."""
+"""The largest number of characters that are shown of a name that leads to nothing."""
 
 Branches = dict[str, StateBranch]
 
@@ -41,7 +43,7 @@ Branches = dict[str, StateBranch]
 def follow(document: Document, known: Mapping[str, Document]) -> Imports:
     """Find everything that ``document`` imports, directly or not, within its project.
 
-    A file in ``known`` (by its real path) is taken as it is there; any other is read.
+    A file in ``known`` (by its real path) is used as it is in memory. Any other file is read.
     """
     root, project = real_path(document.file), project_of(document.file)
     files: list[Import] = []
@@ -83,7 +85,7 @@ def follow(document: Document, known: Mapping[str, Document]) -> Imports:
 
 
 def gather(document: Document, imports: Imports, own: Callable[[Document], Branches]) -> Blueprint:
-    """One blueprint of a document and what it imports; ``own`` reads the SBs of one document."""
+    """Return one blueprint of a document and its imports. ``own`` reads the SBs of one document."""
     branches = dict(own(document))
     homes: dict[str, Document] = {}
     known = {imports.root: document, **imports.known}
@@ -112,12 +114,12 @@ def gather(document: Document, imports: Imports, own: Callable[[Document], Branc
 
 
 class _Refused(Exception):  # noqa: N818
-    """An import that is not followed: the sentence and the advice."""
+    """An import that must not be followed, with a sentence and an advice."""
 
 
 @dataclass(frozen=True)
 class _Entry:
-    """One name in a list of imports: where it is written, and by which files one came there."""
+    """One name in a list of imports: where it is written, and the files that led there."""
 
     name: str
     folder: str
@@ -126,12 +128,11 @@ class _Entry:
 
     @property
     def home(self) -> str:
-        """The file that names it, by its real path."""
+        """The file with the name, by its real path."""
         return self.chain[-1]
 
     def failure(self, sentence: str, advice: str, end: str = "") -> ImportFailure:
-        """The fault where an import led to nothing; ``end`` is what it leads to, if that is
-        known."""
+        """Return the failure of this import. ``end`` is the target, if it is known."""
         return ImportFailure(
             sentence, self.home, self.path, (*self.chain, end or self.name), advice
         )
@@ -140,7 +141,7 @@ class _Entry:
 def _listed(
     document: Document, chain: tuple[str, ...], failures: list[ImportFailure]
 ) -> Iterator[_Entry]:
-    """Each import that a document names."""
+    """Yield each import that a document names. Wrong entries are added to ``failures``."""
     listed: Any = document.values.get(KEY)
     if listed is None:
         return
@@ -159,7 +160,7 @@ def _listed(
 
 
 def _too_many(files: list[Import], failures: list[ImportFailure], asked: int, share: int) -> str:
-    """What is said where imports are followed no further; empty where they are."""
+    """Return why no more imports are followed, or the empty text."""
     if share > MAX_VALUES:
         return f"the files hold more than {MAX_VALUES:,} names and values together"
     if len(files) == MOST or asked > MOST_WRITTEN:
@@ -168,7 +169,7 @@ def _too_many(files: list[Import], failures: list[ImportFailure], asked: int, sh
 
 
 def _place_of(entry: _Entry, project: str) -> str:
-    """The real path of what an import names; _Refused where it may not be imported."""
+    """Return the real path of an import. _Refused if it must not be imported."""
     refusal = refusal_of_name(entry.name)
     if refusal is None:
         real = real_path(os.path.join(entry.folder, entry.name))  # noqa: PTH118
@@ -179,9 +180,9 @@ def _place_of(entry: _Entry, project: str) -> str:
 
 
 def _read(entry: _Entry, real: str, project: str) -> Document:
-    """The document in a file, under the plainest name that leads to it.
+    """Return the document in a file, under the simplest name that leads to it.
 
-    What is told of a fault names its place and never what stands there: the file may be any.
+    A message names the place of a fault and never the content there, because the file may be any.
     """
     written = os.path.join(entry.folder, entry.name)  # noqa: PTH118
     plain = os.path.normpath(written)

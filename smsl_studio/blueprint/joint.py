@@ -1,7 +1,8 @@
-"""The joint step: everything that carrying out one edge does, and what becomes true together.
+"""The joint step: everything that carrying out one edge does, and the edges that commit together.
 
-A joint step is a sequence of actions; each runs one library function. An edge is *done* when its
-last part is done, and *commits* with the edges that must become true together with it (clause 6).
+A joint step is a sequence of actions. Each action runs one library function. An edge is *done* when
+its last part is done. It *commits* together with the edges that must become true with it (clause
+6).
 """
 
 from __future__ import annotations
@@ -16,13 +17,13 @@ from smsl_studio.blueprint.edges import Edge
 
 @dataclass(frozen=True)
 class JointAction:
-    """One library function and its consequences.
+    """One library function and its effects.
 
-    ``begins`` are the edges that start with it, bases first. ``moved`` has every SB that stands
-    elsewhere once it is done, committed or not, ``done`` the edges that are true then, subs first.
-    ``commits`` are those that commit, and ``committed`` is where that leaves their SBs.
-    ``transit`` are the base digits in transit while it runs, ``after`` those still in transit
-    afterwards.
+    ``begins`` are the edges that start with it, bases first. ``moved`` has the new state of every
+    SB that has moved when it is done, committed or not. ``done`` are the edges that are true then,
+    sub-SBs first. ``commits`` are those that commit, and ``committed`` has the new states of their
+    SBs. ``transit`` are the base digits in transit while it runs, and ``after`` those that are
+    still in transit afterwards.
     """
 
     edge: Edge
@@ -37,26 +38,27 @@ class JointAction:
 
 @dataclass(frozen=True)
 class JointStep:
-    """What carrying out ``asked`` does. ``edges`` are in the order in which they start."""
+    """The effects of carrying out ``asked``. ``edges`` are in the order in which they start."""
 
     asked: Edge
     edges: tuple[Edge, ...]
     actions: tuple[JointAction, ...]
     cost: float
     after: Mapping[str, str]
-    """Every SB that stands elsewhere at the end."""
+    """The new state of every SB that has moved at the end."""
 
     def names(self, branch: str) -> tuple[str, ...]:
-        """The names of the edges of one SB in it."""
+        """Return the names of the edges of one SB in this step."""
         return tuple(edge.name for edge in self.edges if edge.branch == branch)
 
 
 @dataclass(eq=False)
 class Carried:
-    """One edge of a joint step being written, with its first action and the one that ends it.
+    """One edge of a joint step that is being written, with its first action and the one that ends
+    it.
 
-    ``places`` are the SBs that it moves, each with its new state; ``order`` grows as edges are
-    done; ``transit`` are the base digits in transit from its start to its commit.
+    ``places`` has the new states of the SBs that it moves. ``order`` counts the edges that are
+    done. ``transit`` are the base digits in transit from its start to its commit.
     """
 
     edge: Edge
@@ -68,11 +70,11 @@ class Carried:
 
 
 class StepDraft:
-    """A joint step while it is written; ``configuration`` is where its SBs stand so far.
+    """A joint step while it is written. ``configuration`` has the states so far.
 
-    ``links`` are pairs (crossing, base edge) that commit together. A ``light`` draft only finds out
-    the cost and the end: the route of a flat sub is one entry (``stride``), and no joint step can
-    be made from it.
+    ``links`` are pairs (crossing, base edge) that commit together. A ``light`` draft finds only the
+    cost and the end. In it the route of a sub-SB without sub-SBs is one entry (``stride``), and it
+    gives no joint step.
     """
 
     def __init__(self, configuration: Mapping[str, str], light: bool = False) -> None:
@@ -87,7 +89,7 @@ class StepDraft:
 
     @property
     def asked(self) -> Edge | None:
-        """The edge that it began with."""
+        """The edge that the draft began with."""
         return self.carried[0].edge if self.carried else None
 
     def begin(self, edge: Edge, transit: tuple[FactKey, ...] = ()) -> Carried:
@@ -99,20 +101,20 @@ class StepDraft:
         return carried
 
     def stride(self, branch: str, goal: str, cost: float, count: int) -> None:
-        """Move a flat sub to ``goal`` by a route of ``count`` edges."""
+        """Move a sub-SB without sub-SBs to ``goal`` by a route of ``count`` edges."""
         self.configuration[branch] = goal
         self.cost += cost
         self.counts[branch] = self.counts.get(branch, 0) + count
 
     def add(self, other: StepDraft, names: Iterable[str]) -> None:
-        """Take over everything that another light draft did to the SBs ``names``."""
+        """Add everything that another light draft did to the SBs ``names``."""
         self.configuration.update((name, other.configuration[name]) for name in names)
         self.cost += other.cost
         for branch, count in other.counts.items():
             self.counts[branch] = self.counts.get(branch, 0) + count
 
     def run(self, edge: Edge) -> int:
-        """Let the edge's own function run; the index of that action."""
+        """Let the edge's own function run, and return the index of this action."""
         self.functions.append(edge)
         return len(self.functions) - 1
 
@@ -124,7 +126,7 @@ class StepDraft:
         self.configuration.update(places)
 
     def joint_step(self) -> JointStep:
-        """The finished joint step as a frozen value."""
+        """Return the finished joint step as a frozen value."""
         done = sorted(self.carried, key=lambda c: (c.done, c.order))
         commits = _commits(self.carried, done, self.links)
         actions = tuple(_actions(self.functions, self.carried, done, commits))
@@ -134,20 +136,22 @@ class StepDraft:
 
 
 Commits = Mapping[int, int]
-"""The action after which each edge commits, by the identity of its ``Carried``."""
+"""For each ``Carried``, by its identity, the action after which its edge commits."""
 
 
 def _commits(
     carried: list[Carried], done: list[Carried], links: list[tuple[Carried, Carried]]
 ) -> Commits:
-    """After which action each edge commits (clause 6). A crossing commits with the edges of its
-    bases, and with them every edge that follows in one of their SBs while they are pending."""
+    """Return after which action each edge commits (clause 6). A crossing commits with the edges of
+    its bases. Every edge that follows in one of their SBs while they are pending commits with them
+    too.
+    """
     number = {id(c): index for index, c in enumerate(carried)}
     into = list(range(len(carried)))
     ends = [c.done for c in carried]
 
     def group(one: Carried) -> int:
-        """The number of the first edge among those that commit together with this one."""
+        """Return the number of the first edge of the group that commits together with this one."""
         at = number[id(one)]
         while into[at] != at:
             into[at] = into[into[at]]
@@ -203,7 +207,7 @@ def _actions(
 
 
 def _by(all_of: list[Carried], index: Callable[[Carried], int]) -> dict[int, list[Carried]]:
-    """Edges by the number of an action, in the order in which they are given."""
+    """Return the edges by the number of an action, in the given order."""
     found: dict[int, list[Carried]] = {}
     for one in all_of:
         found.setdefault(index(one), []).append(one)

@@ -1,8 +1,8 @@
-"""The human-automation continuum: who does, senses, inspects and supervises (paper, section on it).
+"""The human-automation continuum: who acts, senses, inspects and supervises (paper, section on it).
 
-Levels are ``human``, ``shared`` and ``automatic``. An operation has the level of its actor, a fact
-that of its aggregation. Each level may be declared in ``_levels`` of the file instead, or set
-before a run.
+Levels are ``human``, ``shared`` and ``automatic``. By default an operation has the level of its
+actor, and a fact that of its aggregation. ``_levels`` of the file, or a setting before a run, may
+replace each level.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 
 class Levels:
-    """The level of everything in one blueprint, worked out when it is asked for.
+    """The level of each element of a blueprint, computed when it is asked for.
 
-    Keys are ``inspection``, ``supervision``, ``SB/digit`` (a fact), ``SB/State/Operation`` or
-    ``SB/Operation`` (every edge of that name; the single edge wins). ``before`` is what is set
-    before a run; it wins over ``_levels`` of the files, and these over the annotations. UsageError
-    where ``before`` names something that does not exist, or gives no level.
+    Keys are ``inspection``, ``supervision``, ``SB/digit`` (a fact), ``SB/State/Operation``, or
+    ``SB/Operation`` for every edge of that name; the level of a single edge counts first.
+    ``before`` has the levels that are set before a run. They count before ``_levels`` of the files,
+    and these before the annotations. UsageError if ``before`` has an unknown key or level.
     """
 
     def __init__(self, blueprint: Blueprint, before: Mapping[str, str] = NOTHING) -> None:
@@ -57,8 +57,9 @@ class Levels:
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
 
     def operation(self, edge: Address) -> str:
-        """The level of an edge: a person carries it out (human), a person confirms it and the
-        library carries it out (shared), or the library does so alone (automatic)."""
+        """Return the level of an edge. ``human``: a person carries it out. ``shared``: a person
+        confirms it and its function carries it out. ``automatic``: its function carries it out.
+        """
         branch = self._blueprint[edge.branch]
         if self._said:
             named = f"{Address(edge.branch)}/{note_key(edge.operation)}"
@@ -72,8 +73,9 @@ class Levels:
         return OF_ACTOR.get(actor or "", AUTOMATIC)
 
     def fact(self, branch: str, digit: int) -> str:
-        """The level of a fact: a person says what it is (human), sensors and then a person do
-        (shared), or sensors alone (automatic)."""
+        """Return the level of a fact. ``human``: a person tells it. ``shared``: sensors tell it, or
+        else a person. ``automatic``: only sensors tell it.
+        """
         said = self._of(fact_text(branch, digit)) if self._said else ""
         if said:
             return said
@@ -81,7 +83,7 @@ class Levels:
         return HUMAN if note is not None and note.aggregation == "human" else AUTOMATIC
 
     def people_do(self, branch: str) -> bool:
-        """Whether any operation of an SB may be carried out or confirmed by people."""
+        """Return whether people may carry out or confirm any operation of an SB."""
         if branch in self._spoken_of:
             return True
         notes = self._blueprint[branch].notes.operations.values()
@@ -94,13 +96,15 @@ class Levels:
         return frozenset(Address.split(key)[0] for key in keys)
 
     def _of(self, *keys: str) -> str:
-        """What was set before the run for the first of these keys, else what the files declare."""
+        """Return the level that was set before the run for the first of these keys, else the
+        declared one.
+        """
         return next((said[key] for said in self._said for key in keys if key in said), "")
 
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """How many things of one kind have each level."""
+    """The number of elements of one kind at each level."""
 
     kind: str
     human: int = 0
@@ -109,18 +113,18 @@ class Share:
 
     @property
     def count(self) -> int:
-        """How many things there are of this kind."""
+        """The number of elements of this kind."""
         return self.human + self.shared + self.automatic
 
     @property
     def position(self) -> float:
-        """From 0, all human, to 1, all automatic; 0.5 where there is nothing of its kind."""
+        """The position from 0 (all human) to 1 (all automatic), 0.5 if there are no elements."""
         return (self.automatic + self.shared / 2) / self.count if self.count else 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class Spectrum:
-    """Where a whole procedure stands between human and automatic (0 to 1)."""
+    """The position of a whole procedure between human (0) and automatic (1)."""
 
     operations: Share
     facts: Share
@@ -140,7 +144,7 @@ class Spectrum:
 
 
 def spectrum(blueprint: Blueprint, levels: Levels | None = None) -> Spectrum:
-    """The levels of all operations and sensed facts, counted, and those of the two layers."""
+    """Return the numbers of operations and sensed facts at each level, and the two other levels."""
     chosen = levels or Levels(blueprint)
     operations = dict.fromkeys(LEVELS, 0)
     for branch in blueprint:
@@ -161,7 +165,7 @@ def spectrum(blueprint: Blueprint, levels: Levels | None = None) -> Spectrum:
 
 
 def sensed_facts(blueprint: Blueprint) -> Iterator[tuple[str, int]]:
-    """Every fact that has a level: all but those which a sub-SB expands."""
+    """Yield every fact with a level. A fact that a sub-SB expands has none."""
     for branch in blueprint:
         yield from ((branch.name, digit) for digit in _sensed(branch))
 
@@ -172,14 +176,14 @@ def _sensed(branch: StateBranch) -> Iterator[int]:
 
 
 class LevelFault(NamedTuple):
-    """Why something cannot have a level; the advice is worked out when somebody asks for it."""
+    """Why something cannot have a level. The advice is computed when it is asked for."""
 
     sentence: str
     advice: Callable[[], str]
 
 
 def fault_of(blueprint: Blueprint, key: str, level: object) -> LevelFault | None:
-    """Why a key cannot have this level; None where it can."""
+    """Return why a key cannot have this level, or None if it can."""
     if level not in LEVELS:
         choice = f"Choose one of {', '.join(LEVELS)}."
         said = str(level) if isinstance(level, str) else ""
@@ -215,9 +219,9 @@ def fault_of(blueprint: Blueprint, key: str, level: object) -> LevelFault | None
 
 
 def digit_of(branch: StateBranch, name: str) -> int | None:
-    """The digit that ``SB/name`` names in an SB, None where it names none.
+    """Return the digit that ``SB/name`` names in an SB, or None.
 
-    Where an operation is called like a digit, such a key names the fact.
+    If an operation has the name of a digit, such a key names the fact.
     """
     fact = split_fact(f"{Address(branch.name)}/{name}")
     if fact is None or fact[1] >= branch.num_facts or str(fact[1]) != name:

@@ -1,7 +1,8 @@
-"""What a blueprint and its annotations mean, as plain values: equal where they say the same.
+"""The meaning of a blueprint and its annotations as plain values, which are equal for equal
+meanings.
 
-Defaults are left out: a cost of 1 and no cost are one meaning. An entry that does not fit its table
-is kept as it is written, word for word; so are the arguments of a binding.
+Defaults are left out: a cost of 1 and no cost are the same. An entry that does not fit its table is
+kept literally, and so are the arguments of a binding.
 """
 
 from __future__ import annotations
@@ -26,13 +27,13 @@ AS_WRITTEN = "as written"
 """The key of the entries that do not fit their table, by their path."""
 
 _COST = 1.0
-"""The cost of an operation that declares none."""
+"""The cost of an operation without a declared cost."""
 
 _EXACT = 2**53
 
 
 class MeantBranch(Protocol):
-    """What a State Branch (``model.StateBranch``) says of its meaning."""
+    """The parts of a State Branch (``model.StateBranch``) that have a meaning."""
 
     @property
     def name(self) -> str:
@@ -52,15 +53,15 @@ class MeantBranch(Protocol):
 
     @property
     def initial(self) -> str:
-        """The state in which the SB starts; the empty text where it has no states."""
+        """The state in which the SB starts, empty if there are no states."""
 
     @property
     def activating(self) -> str:
-        """The state that turns the digit of a base on; the empty text where there are no states."""
+        """The state that turns the digit of a base on, empty if there are no states."""
 
     @property
     def shape(self) -> FactShape:
-        """How the names of the states carry their facts."""
+        """How the names of the states show their facts."""
 
     @property
     def notes(self) -> Notes:
@@ -68,14 +69,14 @@ class MeantBranch(Protocol):
 
     @property
     def meaning(self) -> Json:
-        """The SB as plain values; see ``branch_meaning``."""
+        """The SB as plain values (see ``branch_meaning``)."""
 
     def default_on_value(self, digit: int) -> str:
-        """The value of a digit that counts as on where ``_facts`` says nothing of it."""
+        """Return the value of a digit that counts as on if ``_facts`` does not say it."""
 
 
 class MeantBlueprint(Protocol):
-    """What a blueprint (``model.Blueprint``) says of its meaning."""
+    """The parts of a blueprint (``model.Blueprint``) that have a meaning."""
 
     @property
     def fields(self) -> Mapping[str, Json]:
@@ -89,7 +90,7 @@ class MeantBlueprint(Protocol):
 
 
 def blueprint_meaning(blueprint: MeantBlueprint) -> dict[str, Json]:
-    """See ``Blueprint.meaning``."""
+    """Return the meaning of a blueprint (see ``Blueprint.meaning``)."""
     return {
         "branches": [[branch.name, branch.meaning] for branch in blueprint],
         "hazards": hazards_meaning(_hazards_written(blueprint)),
@@ -99,10 +100,10 @@ def blueprint_meaning(blueprint: MeantBlueprint) -> dict[str, Json]:
 
 
 def branch_meaning(branch: MeantBranch) -> dict[str, Json]:
-    """See ``StateBranch.meaning``.
+    """Return the meaning of an SB (see ``StateBranch.meaning``).
 
-    NUM_STATES only checks the number of states, so it means nothing. How the names are cut into
-    facts is part of the meaning, whether NUM_FACTS says so or it was inferred.
+    NUM_STATES is left out, because it only checks the number of states. The way in which names are
+    split into facts is part of the meaning, whether NUM_FACTS declares it or it was inferred.
     """
     shape = branch.shape
     return {
@@ -116,7 +117,7 @@ def branch_meaning(branch: MeantBranch) -> dict[str, Json]:
 
 
 def _hazards_written(blueprint: MeantBlueprint) -> Json:
-    """The hazards of the file, or those of all its files one after the other."""
+    """Return the hazards of all files, one file after the other."""
     written = [one.values.get("_hazards") for one in blueprint.documents]
     if not any(written[1:]):
         return written[0]
@@ -125,8 +126,9 @@ def _hazards_written(blueprint: MeantBlueprint) -> Json:
 
 
 def notes_meaning(branch: MeantBranch) -> dict[str, Json]:
-    """The annotations of an SB's facts, states and operations; empty where they only say
-    defaults."""
+    """Return the annotations of an SB's facts, states and operations. Empty if they only have
+    defaults.
+    """
     if not any(branch.fields.get(key) for key in MEANING_FIELDS):
         return {}
     notes = branch.notes
@@ -144,7 +146,7 @@ def notes_meaning(branch: MeantBranch) -> dict[str, Json]:
 
 
 def hazards_meaning(raw: Json) -> list[Json]:
-    """The hazards in ``_hazards``, sorted, because their written order has no meaning."""
+    """Return the hazards in ``_hazards``, sorted, because their written order has no meaning."""
     if not isinstance(raw, list):
         return [word_for_word(raw)] if raw else []
     from smsl_studio.blueprint.annotations import read_hazards
@@ -157,8 +159,9 @@ def hazards_meaning(raw: Json) -> list[Json]:
 
 
 def levels_written(*documents: Document) -> dict[str, Json]:
-    """The entries of ``_levels`` in some files; of equal keys the first one counts. A ``_levels``
-    that is no map stands under that key itself."""
+    """Return the entries of ``_levels`` in some files. Of equal keys the first one counts. A
+    ``_levels`` that is no map is returned under this key.
+    """
     found: dict[str, Json] = {}
     for document in documents:
         raw = document.values.get("_levels")
@@ -169,18 +172,20 @@ def levels_written(*documents: Document) -> dict[str, Json]:
 
 
 def levels_meaning(written: Mapping[str, Json]) -> Json:
-    """The levels that are not defaults; None where there are none."""
+    """Return the levels that are not defaults, None if there are none."""
     said = {key: level for key, level in written.items() if DEFAULTS.get(key) != level}
     return {k: v if isinstance(v, str) else word_for_word(v) for k, v in said.items()} or None
 
 
 def subs_meaning(pairs: Sequence[tuple[str, int]]) -> list[Json]:
-    """The sub-SBs with their digits; a digit that a double cannot hold exactly becomes a text."""
+    """Return the sub-SBs with their digits. A digit that a double cannot hold exactly becomes a
+    text.
+    """
     return [[sub, d if abs(d) < _EXACT else str(d)] for sub, d in sorted(pairs)]
 
 
 def word_for_word(value: Json) -> str:
-    """A value as one text: equal for what is written alike, whatever the order of its keys."""
+    """Return a value as one text. The order of keys does not matter."""
     return json.dumps(value, ensure_ascii=False, sort_keys=True, default=dict)
 
 
@@ -192,7 +197,9 @@ def _fact(branch: MeantBranch, digit: int, note: FactNote) -> dict[str, Json]:
 
 
 def _operation(notes: Notes, key: str) -> dict[str, Json]:
-    """The note of an operation name; for one edge, what its note changes in that of the name."""
+    """Return the note of an operation name. For a single edge, return what its note changes in that
+    of the name.
+    """
     own = _with_cost(notes.operations[key])
     state, _, name = key.rpartition("/")
     common = notes.operations.get(name) if state else None
@@ -215,7 +222,7 @@ def _with_cost(note: OperationNote) -> OperationNote:
 
 
 def _said(note: Any) -> dict[str, Json]:
-    """The fields of a note that differ from their default."""
+    """Return the fields of a note that differ from their defaults."""
     said = {}
     for one in fields(note):
         value = getattr(note, one.name)

@@ -1,8 +1,8 @@
-"""What is meant: a Blueprint of State Branches, frozen, equal when they mean the same.
+"""The Blueprint with its State Branches: frozen values that are equal if they mean the same.
 
-The tables (state -> operation -> target) stay the plain dictionaries the reader made, so that a
-file of 177,144 operations loads without an object per edge; ``State`` and ``Operation`` are made
-when they are asked for. Nobody may change a table: edits build new ones (see ``editing``).
+The tables (state -> operation -> target) are the plain dictionaries from the reader, so that a file
+with 177,144 operations loads without an object for each edge. ``State`` and ``Operation`` are made
+when they are asked for. Nobody may change a table: edits make new ones (see ``editing``).
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ Table = dict[str, Mapping[str, str]]
 
 @dataclass(frozen=True, eq=False)
 class StateBranch:
-    """One FSM: header, ordered states, and the ``_`` fields as they were read.
+    """One FSM: its header, its states in order, and its ``_`` fields as they were read.
 
-    ``state_fields`` holds the ``_`` fields that stand inside states.
+    ``state_fields`` has the ``_`` fields inside states.
     """
 
     name: str
@@ -55,17 +55,19 @@ class StateBranch:
 
     @property
     def initial(self) -> str:
-        """INITIAL, or the first state listed; the empty text where there are no states."""
+        """INITIAL, or the first state. Empty if there are no states."""
         return self.header.initial or next(iter(self.table), "")
 
     @property
     def activating(self) -> str:
-        """ACTIVATING, or the last state listed; the empty text where there are no states."""
+        """ACTIVATING, or the last state. Empty if there are no states."""
         return self.header.activating or next(reversed(self.table), "")
 
     @cached_property
     def shape(self) -> FactShape:
-        """How this SB's states carry their facts (``_states`` may give them for opaque names)."""
+        """How the names of the states show their facts. ``_states`` may give facts for opaque
+        names.
+        """
         given = {n: note.facts for n, note in self.notes.states.items() if note.facts}
         counts = {len(facts) for facts in given.values()}
         if given and len(counts) == 1 and all(name in given for name in self.table):
@@ -74,11 +76,11 @@ class StateBranch:
 
     @property
     def num_facts(self) -> int:
-        """How many facts each state carries."""
+        """The number of facts of each state."""
         return self.shape.num_facts
 
     def facts(self, state: str) -> tuple[str, ...]:
-        """The fact values of a state, digit 0 first."""
+        """Return the fact values of a state, digit 0 first."""
         found = self._facts.get(state)
         if found is None:
             found = self._facts[state] = self._read_facts(state)
@@ -97,7 +99,9 @@ class StateBranch:
 
     @cached_property
     def subs(self) -> Mapping[int, str]:
-        """The sub-SB under each digit that has one (the first written wins; R07 reports more)."""
+        """The sub-SB of each digit that has one. Of several the first one counts, and R07 reports
+        the others.
+        """
         found: dict[int, str] = {}
         for sub, digit in self.header.sub_sbs:
             found.setdefault(digit, sub)
@@ -110,21 +114,21 @@ class StateBranch:
 
     @cached_property
     def alphabet(self) -> tuple[tuple[str, ...], ...]:
-        """The values each digit takes in the states, sorted; empty where there are no states."""
+        """The values of each digit in the states, sorted. Empty if there are no states."""
         columns = zip(*(self.facts(name) for name in self.table), strict=True)
         return tuple(tuple(sorted(set(column))) for column in columns)
 
     def on_value(self, digit: int) -> str:
-        """The value of ``digit`` that counts as on.
+        """Return the value of ``digit`` that counts as on.
 
-        What ``_facts`` says; else ``1`` where the values lie in {0, 1}; else the digit's value in
-        the ACTIVATING state (clause 1).
+        It is the value in ``_facts``. Otherwise it is ``1`` if the values are in {0, 1}, or else
+        the digit's value in the ACTIVATING state (clause 1).
         """
         note = self.notes.facts.get(digit)
         return self.default_on_value(digit) if note is None or note.on is None else note.on
 
     def default_on_value(self, digit: int) -> str:
-        """The value of ``digit`` that counts as on where ``_facts`` says nothing of it."""
+        """Return the value of ``digit`` that counts as on if ``_facts`` does not say it."""
         found = self._on_values.get(digit)
         if found is None:
             found = self._on_values[digit] = self._work_out_on_value(digit)
@@ -142,54 +146,58 @@ class StateBranch:
         return facts[digit] if 0 <= digit < len(facts) else "1"
 
     def is_on(self, state: str, digit: int) -> bool:
-        """Whether ``digit`` is on in ``state``; a digit the SB does not have is never on."""
+        """Return whether ``digit`` is on in ``state``. A digit that the SB does not have is never
+        on.
+        """
         facts = self.facts(state)
         return 0 <= digit < len(facts) and facts[digit] == self.on_value(digit)
 
     @cached_property
     def notes(self) -> Notes:
-        """The typed annotations of this SB."""
+        """The annotations of this SB with their types."""
         if not any(k in self.fields for k in ("_facts", "_states", "_operations", "_layout")):
             return NO_NOTES
         return read_notes(self.fields)
 
     def fact_name(self, digit: int) -> str:
-        """The plain name of a fact, or ``Fact 1`` (counted from 1) where none is given."""
+        """Return the name of a fact, or ``Fact 1`` (counted from 1) if it has none."""
         note = self.fact_note(digit)
         return note.name if note and note.name else f"Fact {digit + 1}"
 
     def fact_note(self, digit: int) -> FactNote | None:
-        """What ``_facts`` says of a digit (counted from 0), None where it says nothing."""
+        """Return the note of a digit (counted from 0), None if there is none."""
         return self.notes.facts.get(digit)
 
     def state_note(self, state: str) -> StateNote | None:
-        """What ``_states`` says of a state, None where it says nothing."""
+        """Return the note of a state, None if there is none."""
         return self.notes.states.get(state)
 
     def operation_note(self, state: str, operation: str) -> OperationNote:
-        """The annotations of one edge; those of ``State/Operation`` override those of the name."""
+        """Return the annotations of one edge. Those of ``State/Operation`` override those of the
+        name.
+        """
         return self.notes.operation(state, operation)
 
     def cost(self, state: str, operation: str) -> float:
-        """The declared cost of an edge, 1 where none is declared."""
+        """Return the declared cost of an edge, or 1."""
         if "_operations" not in self.fields:
             return 1.0
         cost = self.operation_note(state, operation).cost
         return 1.0 if cost is None else cost
 
     def edges(self) -> Iterator[Operation]:
-        """Every operation, in written order."""
+        """Yield every operation, in written order."""
         for source, operations in self.table.items():
             for name, target in operations.items():
                 yield Operation(self.name, source, name, target)
 
     def operation(self, state: str, operation: str) -> Operation:
-        """One operation as a value; KeyError where the SB has no such state or operation."""
+        """Return one operation as a value. KeyError if the SB has no such state or operation."""
         return Operation(self.name, state, operation, self.table[state][operation])
 
     @property
     def edge_count(self) -> int:
-        """How many operations all states have together."""
+        """The number of operations of all states."""
         return sum(map(len, self.table.values()))
 
     def _state(self, name: str) -> State:
@@ -200,7 +208,7 @@ class StateBranch:
 
     @cached_property
     def meaning(self) -> Json:
-        """This SB as plain values, defaults made explicit, layout and comments left out."""
+        """This SB as plain values, with explicit defaults, without layout and comments."""
         from smsl_studio.blueprint.meaning import branch_meaning
 
         return branch_meaning(self)
@@ -215,7 +223,7 @@ class StateBranch:
 
 @dataclass(frozen=True, slots=True)
 class ImportFault:
-    """An import that failed: where it is written, why, the files that led to it, what to do."""
+    """An import that failed: its place, the reason, the files that led to it, and an advice."""
 
     path: tuple[str, ...]
     sentence: str
@@ -225,16 +233,16 @@ class ImportFault:
 
     @property
     def place(self) -> Place:
-        """Where the failed import is written."""
+        """The place of the failed import in its file."""
         return self.document.place(self.path)
 
 
 @dataclass(frozen=True, eq=False)
 class Blueprint:
-    """The whole hFSM of one procedure: an ordered set of State Branches, and its written form.
+    """The whole hFSM of one procedure: an ordered set of State Branches, and its documents.
 
-    The SBs of imported files come behind its own; ``imported`` says in which document each
-    stands, and they are edited there. ``imports`` is how the files lead to each other.
+    The SBs of imported files come after its own. ``imported`` has the document of each imported SB,
+    where edits change it. ``imports`` says how the files lead to each other.
     """
 
     branches: Mapping[str, StateBranch]
@@ -260,17 +268,17 @@ class Blueprint:
 
     @property
     def file(self) -> str:
-        """The name of the file, as messages show it."""
+        """The name of the file in messages."""
         return self.document.file
 
     @property
     def documents(self) -> tuple[Document, ...]:
-        """Every document that belongs to it, its own first, each once."""
+        """Every document of the blueprint, its own first, each once."""
         files = self.imports.files if self.imports else ()
         return (self.document, *(item.document for item in files))
 
     def home(self, branch: str) -> Document:
-        """The document in which an SB stands; the blueprint's own for a name that is in none."""
+        """Return the document of an SB, or the blueprint's own document for an unknown name."""
         return self.imported.get(branch, self.document)
 
     @cached_property
@@ -284,17 +292,17 @@ class Blueprint:
 
     @cached_property
     def roots(self) -> tuple[str, ...]:
-        """The SBs named in nobody's SUB_SBS, in file order."""
+        """The SBs that are in no SUB_SBS, in file order."""
         named = {sub for branch in self for sub, _ in branch.header.sub_sbs}
         return tuple(name for name in self.branches if name not in named)
 
     @cached_property
     def hazards(self) -> tuple[Hazard, ...]:
-        """The hazards of all its documents: facts that must never hold together."""
+        """The hazards in all documents: facts that must never hold together."""
         return tuple(hazard for one in self.documents for hazard in self.hazards_of(one))
 
     def hazards_of(self, document: Document) -> tuple[Hazard, ...]:
-        """The hazards that one of its documents names."""
+        """Return the hazards in one of its documents."""
         if "_hazards" not in document.values:
             return ()
         from smsl_studio.blueprint.annotations import read_hazards
@@ -303,7 +311,7 @@ class Blueprint:
 
     @cached_property
     def levels(self) -> Mapping[str, str]:
-        """The levels that its documents declare; of equal keys its own document counts first."""
+        """The levels that its documents declare. Of equal keys the first document counts."""
         found: dict[str, str] = {}
         for document in self.documents:
             for key, level in self.levels_of(document).items():
@@ -311,7 +319,7 @@ class Blueprint:
         return MappingProxyType(found)
 
     def levels_of(self, document: Document) -> Mapping[str, str]:
-        """The levels that one of its documents declares."""
+        """Return the levels that one of its documents declares."""
         if "_levels" not in document.values:
             return EMPTY
         from smsl_studio.blueprint.annotations import read_levels
@@ -320,35 +328,38 @@ class Blueprint:
 
     @property
     def state_count(self) -> int:
-        """How many states all SBs have together, imported ones too."""
+        """The number of states of all SBs, also imported ones."""
         return sum(len(branch.table) for branch in self)
 
     @property
     def operation_count(self) -> int:
-        """How many operations all SBs have together, imported ones too."""
+        """The number of operations of all SBs, also imported ones."""
         return sum(branch.edge_count for branch in self)
 
     def resolve(self, text: str | Address) -> Address:
-        """The address of something that exists; AddressError with a near name otherwise.
+        """Return the address of an element that exists. AddressError, with a similar name, if it
+        does not.
 
-        The SB may be left out where the file has one root: ``State_aaa/Op_1c``.
+        The SB may be left out if the file has one root: ``State_aaa/Op_1c``.
         """
         return resolved(self, text)
 
     def place(self, address: Address, *below: str) -> Place:
-        """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""
+        """Return the place of an address (or of a key below it, such as HEADER, INITIAL) in the
+        text.
+        """
         return self.home(address.branch).place((*address.path, *below))
 
     @cached_property
     def meaning(self) -> Json:
-        """Everything a digest signs, as plain values; the order of SBs counts."""
+        """Everything that digests cover, as plain values. The order of SBs counts."""
         from smsl_studio.blueprint.meaning import blueprint_meaning
 
         return blueprint_meaning(self)
 
     @cached_property
     def behaviour(self) -> str:
-        """SHA-256 of what runs: SBs (imported ones too), states, operations, headers."""
+        """SHA-256 of the SBs (also imported ones), their states, operations and headers."""
         from smsl_studio.blueprint.behaviour import behaviour_of
 
         return behaviour_of(self)

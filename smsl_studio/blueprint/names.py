@@ -1,4 +1,4 @@
-"""Fresh names for new elements, in the manner of the names that are there."""
+"""New names for new elements, similar to the existing names."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 _TRIES = 4096
 _LONGEST = 64
-"""At most so many facts are put into a name that is made here."""
+"""The largest number of facts in a name that is made here."""
 
 
 def fresh_branch_name(blueprint: Blueprint) -> str:
-    """``SB1``, ``SB2``...: the first that is free."""
+    """Return the first free name among ``SB1``, ``SB2`` and so on."""
     return next(numbered("SB", blueprint.branches))
 
 
 def fresh_state_name(branch: StateBranch) -> str:
-    """A free name in the manner of the SB's states: their prefix and unused fact values.
+    """Return a free name similar to the SB's states: their prefix with unused fact values.
 
-    The first state of an SB is ``State0``, with as many digits as NUM_FACTS asks for.
+    The first state of an SB is ``State0``, with NUM_FACTS digits.
     """
     if not branch.table:
         return "State" + "0" * min(branch.header.num_facts or 1, _LONGEST)
@@ -30,7 +30,7 @@ def fresh_state_name(branch: StateBranch) -> str:
 
 
 def fresh_state_names(branch: StateBranch) -> Iterator[str]:
-    """All free names in that manner, for an SB that has states."""
+    """Yield all free names of this form, for an SB with states."""
     shape = branch.shape
     if shape.opaque or shape.width == 0:
         yield from numbered("State", branch.table)
@@ -44,7 +44,7 @@ def fresh_state_names(branch: StateBranch) -> Iterator[str]:
         name = prefix + "".join(digits)
         if name not in branch.table:
             yield name
-    # Every combination is taken: another value for the last fact keeps the names of one length.
+    # Every combination is taken. A new value of the last fact keeps the length of the names.
     for value in _more_values(shape.width, values):
         for digits in islice(product(values, repeat=shape.num_facts - 1), _TRIES):
             name = prefix + "".join(digits) + value
@@ -54,7 +54,7 @@ def fresh_state_names(branch: StateBranch) -> Iterator[str]:
 
 
 def _more_values(width: int, values: list[str]) -> Iterator[str]:
-    """Values of a fact of this width that do not occur yet."""
+    """Yield values of a fact of this width that do not occur yet."""
     numbers = (f"{number:0{width}}" for number in range(10 ** min(width, 3)))
     yield from (value for value in numbers if value not in values)
     letters = (letter * width for letter in ascii_lowercase)
@@ -62,7 +62,9 @@ def _more_values(width: int, values: list[str]) -> Iterator[str]:
 
 
 def fresh_operation_name(branch: StateBranch, state: str) -> str:
-    """A free name in ``state``: ``Operation`` and the state's facts, with a letter if need be."""
+    """Return a free name in ``state``: ``Operation`` with the state's facts, and a letter if
+    necessary.
+    """
     taken = branch.table.get(state, {})
     used = {name for operations in branch.table.values() for name in operations}
     prefix = "Op_" if used and all(name.startswith("Op_") for name in used) else "Operation"
@@ -76,17 +78,19 @@ def fresh_operation_name(branch: StateBranch, state: str) -> str:
 
 
 class FreeNames:
-    """Names that are free, each like one that is wanted. Counting goes on where it ended, so that
-    many of one kind cost no more than few.
+    """Free names, each similar to a wanted one. The count goes on where it ended, so many names of
+    one kind are found quickly.
     """
 
     def __init__(self, taken: Iterable[str]) -> None:
         self.taken = set(taken)
         self._used: dict[tuple[str, int], tuple[int, int]] = {}
-        """For a stem and a width: from which number on up to which one none is free."""
+        """For a stem and a width, a range of numbers that are all taken: its first, and the one
+        after it.
+        """
 
     def take(self, name: str) -> str:
-        """The name itself where it is free, else with the next free number: ``SB1``, ``SB2``."""
+        """Return the name itself if it is free, else with the next free number, and take it."""
         free = name if name not in self.taken else self._numbered(name)
         self.taken.add(free)
         return free
@@ -108,5 +112,5 @@ class FreeNames:
 
 
 def numbered(prefix: str, taken: Container[str], first: int = 1) -> Iterator[str]:
-    """The prefix with every number that makes a free name."""
+    """Yield the prefix with every number that makes a free name."""
     return (f"{prefix}{n}" for n in count(first) if f"{prefix}{n}" not in taken)

@@ -1,7 +1,6 @@
-"""All annotations of one SB together, read from its ``_`` fields.
+"""All annotations of one SB, read from its ``_`` fields.
 
-The kinds of notes, and what checks them, are ``annotations``, which is loaded only where an SB has
-a note.
+``annotations`` has the kinds of notes and their checks. It is loaded only if an SB has a note.
 """
 
 from __future__ import annotations
@@ -21,9 +20,9 @@ Json = Any
 
 @dataclass(frozen=True)
 class Notes:
-    """The annotations of one SB, and what in them could not be understood.
+    """The annotations of one SB, and the faults in them with their paths.
 
-    ``written`` has, for each entry of ``operations``, the words that stand in it.
+    ``written`` has the keys in each entry of ``operations``.
     """
 
     facts: Mapping[int, FactNote] = field(default_factory=dict)
@@ -34,7 +33,9 @@ class Notes:
     written: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     def operation(self, state: str, operation: str) -> OperationNote:
-        """The note of one edge: the one of its name, overridden by the one of the edge."""
+        """Return the note of one edge: that of its name, with the changes of the edge's own
+        note.
+        """
         key = note_key(operation, state)
         common, own = self.operations.get(note_key(operation)), self.operations.get(key)
         if common is None or own is None:
@@ -43,7 +44,7 @@ class Notes:
 
 
 def read_notes(fields: Mapping[str, Json]) -> Notes:
-    """The typed annotations in an SB's ``_`` fields; faults carry the path and the reason."""
+    """Return the annotations in an SB's ``_`` fields. ``faults`` has paths and reasons."""
     from smsl_studio.blueprint.annotations import (
         FactNote,
         OperationNote,
@@ -56,7 +57,7 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
     faults: list[tuple[tuple[str, ...], str]] = []
 
     def table(key: str) -> dict[str, Json]:
-        """The map under ``key``, empty where there is none; a fault where it is no map."""
+        """Return the map under ``key``, or an empty one. Another value is a fault."""
         raw = fields.get(key, {})
         if isinstance(raw, dict):
             return raw
@@ -98,7 +99,7 @@ NO_NOTES = Notes()
 
 @cache
 def _plain() -> OperationNote:
-    """The note of an operation of which nothing is said."""
+    """Return the note of an operation without annotations."""
     from smsl_studio.blueprint.annotations import PLAIN
 
     return PLAIN

@@ -1,4 +1,4 @@
-"""The states of an SB by number, and the targets of its operations."""
+"""The states of an SB as numbers, and the targets of its operations."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _values = methodcaller("values")
 
 @dataclass(frozen=True, eq=False)
 class Numbers:
-    """``of`` numbers the states in written order; ``targets`` has, for every operation in written
-    order, the number of the state it leads to, or None where the SB has no such state.
+    """``of`` has the number of each state in written order. ``targets`` has the number of the
+    target of every operation in written order, or None if the SB has no such state.
     """
 
     of: dict[str, int]
@@ -24,12 +24,12 @@ class Numbers:
 
     @cached_property
     def dangles(self) -> bool:
-        """Whether some operation leads to no state of the SB (rule R02)."""
+        """Whether an operation leads to no state of the SB (rule R02)."""
         return None in self.targets
 
 
 def numbers_of(branch: StateBranch) -> Numbers:
-    """The numbers of a branch, worked out at the first call and kept with it, as its graph is."""
+    """Return the numbers of a branch. They are computed at the first call and kept with it."""
     kept = branch.__dict__.get(_KEY)
     if isinstance(kept, Numbers):
         return kept

@@ -1,7 +1,7 @@
-"""Which files a file may import: those of its own project, in a written form.
+"""The files that a file may import: those of its own project, in a written form.
 
-A blueprint may come from anybody, so what it names is opened only where that can do no harm: below
-one folder, with the suffix of a written form, an ordinary file. Links are resolved first.
+A blueprint may come from anybody. So an import is opened only if that can do no harm: it must be an
+ordinary file below one folder, with the suffix of a written form. Links are resolved first.
 """
 
 from __future__ import annotations
@@ -15,24 +15,26 @@ from pathlib import PurePath
 from smsl_studio.smsl.forms import SUFFIXES
 
 MARKS = (".git", "smsl.toml")
-"""What the top folder of a project holds."""
+"""The names that mark the top folder of a project."""
 
 LONGEST = 4096
-"""Characters of the longest name that is looked for."""
+"""The largest number of characters of a name."""
 
 _DRIVE = re.compile(r"[A-Za-z]:")
 
 
 @dataclass(frozen=True, slots=True)
 class RefusedName:
-    """Why a name is not followed, and what to do about it."""
+    """Why a name is not followed, with an advice."""
 
     sentence: str
     advice: str
 
 
 def real_path(file: str) -> str:
-    """What tells whether two names are one file; the name itself where nothing can be told."""
+    """Return the real path of a file, by which two names can be compared. The name itself if there
+    is none.
+    """
     try:
         return os.path.realpath(file)
     except (OSError, ValueError):
@@ -40,10 +42,10 @@ def real_path(file: str) -> str:
 
 
 def project_of(file: str) -> str:
-    """The real path of the folder below which the imports of a file must stand.
+    """Return the real path of the folder that must contain the imports of a file.
 
-    It is the nearest folder, from the file's own upwards, that holds ``.git`` or ``smsl.toml``,
-    else the file's own. What came through standard input stands in the current folder.
+    It is the nearest folder with ``.git`` or ``smsl.toml``, from the file's own folder upwards, or
+    else the file's own folder. Standard input counts as a file in the current folder.
     """
     own = folder = real_path(os.path.dirname(file))  # noqa: PTH120
     while True:
@@ -56,7 +58,7 @@ def project_of(file: str) -> str:
 
 
 def refusal_of_name(name: str) -> RefusedName | None:
-    """Why a name cannot be that of an import, whatever stands there; None where it can."""
+    """Return why a name cannot be an import, whatever file it names. None if it can."""
     if len(name) > LONGEST or "\0" in name:
         return RefusedName("the import is no name of a file", "Name a file beside this one.")
     if name.startswith("/") or "\\" in name or _DRIVE.match(name):
@@ -73,7 +75,7 @@ def refusal_of_name(name: str) -> RefusedName | None:
 def refusal_of_place(
     real: str, project: str, what: str = "the import", suffixes: Iterable[str] = SUFFIXES
 ) -> RefusedName | None:
-    """Why a file (by its real path) cannot be read for a project; None where it can."""
+    """Return why a file (by its real path) must not be read for a project. None if it may."""
     if not _is_below(real, project):
         return RefusedName(
             f"{what} leads out of the project",

@@ -1,7 +1,7 @@
-"""From a Document to the Blueprint that it means.
+"""Makes the Blueprint of a Document.
 
-Refused (ReadError, exit 2) is only what cannot be a blueprint: an SB, HEADER, state or target of
-the wrong kind. Everything else opens and is reported by inspection.
+A ReadError (exit 2) comes only if something cannot be a blueprint: an SB, HEADER, state or target
+of the wrong kind. Everything else opens, and inspection reports it.
 """
 
 from __future__ import annotations
@@ -20,18 +20,19 @@ from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_NAME
 Json = Any
 HEADER = "HEADER"
 Wrong = tuple[Path, str, Json]
-"""Where something of the wrong kind stands, what should stand there, and what does."""
+"""A path, the kind that should stand there, and the value that does."""
 
 
 def read_blueprint(
     document: Document, former: Blueprint | None = None, opened: Iterable[Document] = ()
 ) -> Blueprint:
-    """The blueprint a document means; ReadError names every place of what cannot be one.
+    """Return the blueprint of a document. ReadError has the place of everything that cannot be in
+    one.
 
-    An SB whose values are the very objects that ``former`` was read from is taken over from it,
-    with everything that was worked out about it, so that an edit takes time only for what it
-    changes. Imported files are found relative to the document's own; those that ``former`` imports,
-    or that are among the ``opened``, count as they are in memory. See ``imports``.
+    If the values of an SB are the same objects as in ``former``, its SB is used again with
+    everything that was computed for it. So an edit takes time only for its changes. Imports are
+    found relative to the document's file. Those that ``former`` imports, and the ``opened``
+    documents, are used as they are in memory. See ``imports``.
     """
     own = partial(branches_of, former=former)
     fields = document.fields
@@ -49,10 +50,10 @@ def read_blueprint(
 
 
 def read_gathered(documents: Sequence[Document]) -> Blueprint:
-    """The blueprint of documents that were gathered before, the importing one first.
+    """Return the blueprint of documents that were gathered before, the importing one first.
 
-    They are ``Blueprint.documents``: no name in them is followed and no file is read, so that a
-    process to which they were sent has what the sender has looked at.
+    They are ``Blueprint.documents``. No name in them is followed and no file is read. So another
+    process that gets them has the same blueprint as the sender.
     """
     from smsl_studio.blueprint.imported_files import KEY, Import, Imports
     from smsl_studio.blueprint.imports import gather
@@ -63,11 +64,11 @@ def read_gathered(documents: Sequence[Document]) -> Blueprint:
 
 
 def salvage(document: Document) -> Blueprint:
-    """What can be read of a document: whatever is of a wrong kind is left out."""
+    """Return what can be read of a document. Everything of a wrong kind is left out."""
     from smsl_studio.blueprint.imports import follow, gather
 
     def own(one: Document) -> dict[str, StateBranch]:
-        """The SBs that can be read from one document."""
+        """Return the SBs that can be read from one document."""
         return _read(one, None)[0]
 
     fields = document.fields
@@ -77,7 +78,7 @@ def salvage(document: Document) -> Blueprint:
 
 
 def branches_of(document: Document, former: Blueprint | None = None) -> dict[str, StateBranch]:
-    """The SBs that stand in a document; see ``read_blueprint``."""
+    """Return the SBs of a document (see ``read_blueprint``)."""
     branches, wrong = _read(document, former)
     if wrong:
         from smsl_studio.blueprint.wrong_kinds import refused
@@ -89,7 +90,7 @@ def branches_of(document: Document, former: Blueprint | None = None) -> dict[str
 def _read(
     document: Document, former: Blueprint | None
 ) -> tuple[dict[str, StateBranch], list[Wrong]]:
-    """The SBs of a document, and what in it cannot be part of one."""
+    """Return the SBs of a document, and everything in it that cannot be part of one."""
     branches: dict[str, StateBranch] = {}
     wrong: list[Wrong] = []
     for name, value in document.values.items():
@@ -113,8 +114,9 @@ def _read(
 def _branch(
     name: str, value: dict[str, Json], wrong: list[Wrong], known: Mapping[str, Json]
 ) -> StateBranch:
-    """The SB in a value; the very operations that ``known`` has for a state are those of a state
-    that was read before."""
+    """Return the SB in a value. ``known`` has the states that were read before; states with the
+    same objects need no check.
+    """
     table: dict[str, Mapping[str, str]] = dict(value)
     fields = {key: table.pop(key) for key in value if key[:1] == "_"}
     written = table.pop(HEADER, None)
@@ -150,9 +152,9 @@ def _are_names(lengths: Collection[int]) -> bool:
 
 
 def _is_plain(table: Mapping[str, Json]) -> bool:
-    """Whether a table holds nothing but states whose operations lead to names.
+    """Return whether a table has nothing but states whose operations lead to names.
 
-    It looks at whole tables with the interpreter's own loops, because nearly all tables are so.
+    It checks whole tables with built-in functions, because nearly all tables are plain.
     """
     lengths = set(map(len, table))
     if not set(map(type, table.values())) <= {dict} or not _are_names(lengths):
@@ -171,7 +173,9 @@ def _operations(
     state_fields: dict[str, dict[str, Json]],
     wrong: list[Wrong],
 ) -> Mapping[str, str]:
-    """The operations of one state; ``_`` fields go to ``state_fields``, faults to ``wrong``."""
+    """Return the operations of one state. ``_`` fields go to ``state_fields``, faults to
+    ``wrong``.
+    """
     found: dict[str, str] = {}
     for key, target in value.items():
         if key[:1] == "_":
@@ -192,7 +196,9 @@ def _header(value: Mapping[str, Json]) -> Header:
     odd: dict[str, Json] = {}
 
     def get(key: str, kind: type) -> Any:
-        """The value of a header key; one of the wrong kind goes to ``odd`` and counts as None."""
+        """Return the value of a header key. A value of the wrong kind goes to ``odd`` and counts as
+        None.
+        """
         found = value.get(key)
         if type(found) is kind and found != "":
             return found
@@ -221,9 +227,9 @@ KNOWN = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
 
 
 def sub_entries(written: Json) -> Iterator[tuple[Path, str, Json]]:
-    """The entries of SUB_SBS (a map, or a list of one-key maps): the path, the sub-SB, its digit.
+    """Yield the entries of SUB_SBS (a map, or a list of maps): the path, the sub-SB and its digit.
 
-    An element of a list that is no map has an empty name; ``_`` names are left out.
+    A list element that is no map has an empty name. Names that begin with ``_`` are left out.
     """
     if isinstance(written, list):
         for index, item in enumerate(written):

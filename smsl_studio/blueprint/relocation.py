@@ -1,4 +1,4 @@
-"""A document that goes to another folder: its imports are named from there."""
+"""Moves a document to another folder: its imports get names from there."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from smsl_studio.smsl.splice import reconcile
 
 
 def relocated(document: Document, file: str | os.PathLike[str]) -> Document:
-    """The document with the import names that it needs at ``file`` to import what it imports now.
+    """Return the document with names of imports that are right from the folder of ``file``.
 
-    Imports are named from the folder of the file that names them. The very same document where
-    the folder stays or nothing is imported; absolute names stay. ConvertError where it may import
-    a file from here and may not from there (see ``project``).
+    The same object is returned if the folder stays or nothing is imported. Absolute names stay.
+    ConvertError if an import is allowed from here and would not be allowed from there (see
+    ``project``).
     """
     listed: Any = document.values.get(KEY)
     old, new = _folder(document.file), _folder(os.fspath(file))
@@ -35,7 +35,9 @@ def relocated(document: Document, file: str | os.PathLike[str]) -> Document:
 
 
 def _must_stay(document: Document, file: str, before: Any, after: Any, index: int) -> None:
-    """ConvertError where an import that is permitted now would not be from another file."""
+    """Raise ConvertError if an import that is allowed now would not be allowed from another
+    file.
+    """
     if not isinstance(before, str) or before == after or refusal_of_name(before):
         return
     real = real_path(os.path.join(os.path.dirname(document.file), before))  # noqa: PTH118, PTH120
@@ -57,6 +59,6 @@ def _from(old: str, new: str, name: str) -> str:
         return name
     try:
         found = os.path.relpath(os.path.join(old, name), new)  # noqa: PTH118
-    except ValueError:  # another drive
+    except ValueError:  # on another drive
         return os.path.join(old, name)  # noqa: PTH118
     return found.replace(os.sep, "/")

@@ -1,4 +1,4 @@
-"""Resolving a written address to the one element of a blueprint that has it."""
+"""Finds the element of a blueprint for a written address."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from smsl_studio.errors import AddressError, did_you_mean
 
 
 class NamedBranch(Protocol):
-    """A State Branch (``model.StateBranch``) by the names in it."""
+    """A State Branch (``model.StateBranch``): its name and the names in it."""
 
     @property
     def name(self) -> str:
@@ -22,7 +22,7 @@ class NamedBranch(Protocol):
 
 
 class NamedElements(Protocol):
-    """A blueprint (``model.Blueprint``) by its State Branches."""
+    """A blueprint (``model.Blueprint``): its State Branches and roots."""
 
     @property
     def branches(self) -> Mapping[str, NamedBranch]:
@@ -30,7 +30,7 @@ class NamedElements(Protocol):
 
     @property
     def roots(self) -> tuple[str, ...]:
-        """The names of the SBs that stand in nobody's SUB_SBS."""
+        """The names of the SBs that are in no SUB_SBS."""
 
     def __getitem__(self, branch: str) -> NamedBranch: ...
     def __iter__(self) -> Iterator[NamedBranch]: ...
@@ -70,6 +70,6 @@ def resolved(blueprint: NamedElements, text: str | Address) -> Address:
 
 
 def _homes(blueprint: NamedElements, parts: tuple[str, ...]) -> str:
-    """An advice to put the SB before a state that some SBs have, or the empty text."""
+    """Return an advice to write the SB before a state that some SBs have, or the empty text."""
     found = [Address(one.name, *parts[:2]) for one in blueprint if parts[0] in one.table]
     return f"Write {' or '.join(map(str, found[:3]))}." if found and len(parts) < 3 else ""

@@ -1,4 +1,4 @@
-"""A blueprint after a change of its texts; every change of a document goes through here."""
+"""The blueprint after a change of its documents. All changes go through this module."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from smsl_studio.smsl.document.likeness import same
 
 
 def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
-    """The blueprint with one of its documents (known by its ``file``) as it is given here.
+    """Return the blueprint with ``document`` in place of its document with the same ``file``.
 
-    Only what changed in it is read again. Where its ``_imports`` changed they are followed anew,
-    but documents in memory are not read from disk. ReadError where the document cannot be part of a
-    blueprint, UsageError where it does not belong to this one. A file that could not be imported so
-    far may be given too.
+    Only the changes are read again. If its ``_imports`` changed, they are followed again, but
+    documents in memory are not read from disk. ReadError if the document cannot be part of a
+    blueprint. UsageError if it does not belong to this one. It may also be a file that could not be
+    imported before.
     """
     for before in blueprint.documents:
         if before.file == document.file:
@@ -33,20 +33,22 @@ def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
 
 
 def imported_anew(blueprint: Blueprint) -> Blueprint:
-    """The blueprint with every import that failed so far and now leads to a file.
+    """Return the blueprint with all imports that failed before and now lead to a file.
 
-    What is in memory is not read again.
+    Documents in memory are not read again.
     """
     imports = follow(blueprint.document, blueprint.imports.known if blueprint.imports else {})
     return gather(blueprint.document, imports, partial(branches_of, former=blueprint))
 
 
 def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprint:
-    """The blueprint with changed texts; ``changed`` maps each former document to its new one."""
+    """Return the blueprint with changed documents. ``changed`` maps each former document to its new
+    one.
+    """
     read = {after: branches_of(after, former) for after in changed.values()}
 
     def own(document: Document) -> dict[str, StateBranch]:
-        """The SBs of one document; a document that changed was read before."""
+        """Return the SBs of one document. A changed document was read before."""
         return read[document] if document in read else branches_of(document, former)
 
     document = changed.get(former.document, former.document)
@@ -70,11 +72,11 @@ def _with_import(blueprint: Blueprint, document: Document) -> Blueprint:
 
 
 def _with_former_values(before: Document, document: Document) -> Document:
-    """The document with the former objects for all values that are equal to the former ones."""
+    """Return the document with the former objects for all values that equal the former ones."""
     values = dict(document.values)
     for key, value in values.items():
         former = before.values.get(key)
-        # The first comparison is quick, the second one is exact (order, 1 and true).
+        # The first comparison is fast, and the second one exact (order of keys, 1 and true).
         if former == value and same(former, value):
             values[key] = former
     return replace(document, values=values)

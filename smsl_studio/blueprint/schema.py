@@ -1,7 +1,8 @@
-"""JSON Schema of the JSON form, made from the model, so that any editor completes and checks it.
+"""The JSON Schema of the JSON form, made from the model, so that any editor can complete and check
+it.
 
-The notes are described by their own types (``annotations``); around them stands what ``reading``
-accepts. What inspection finds (targets that are no states, say) is beyond a schema.
+The types in ``annotations`` describe the notes. The rest describes what ``reading`` accepts. A
+schema cannot express the findings of inspection, such as targets that are no states.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ WORDS: dict[str, dict[str, str]] = {
         "facts": 'The facts: "SB/digit": value.',
     },
 }
-"""What an editor says of each word; the empty one is about the note itself."""
+"""The descriptions that an editor shows. The empty key is the note itself."""
 
 HEADER = {
     "type": "object",
@@ -130,7 +131,7 @@ POINT = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems"
 
 
 def schema() -> Json:
-    """The schema as plain values."""
+    """Return the schema as plain values."""
     return {
         "$schema": DIALECT,
         "title": "SMSL blueprint",
@@ -168,7 +169,7 @@ def schema() -> Json:
 
 
 def schema_text() -> str:
-    """The schema as the text of its file."""
+    """Return the schema as the text of its file."""
     return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
 
 
@@ -207,7 +208,7 @@ def _table(note: str, words: str) -> dict[str, Json]:
 
 
 def _notes() -> dict[str, Json]:
-    """The schemas of the notes, from their types, with the words of this file."""
+    """Return the schemas of the notes, from their types, with the descriptions in this file."""
     from pydantic import TypeAdapter
 
     adapters: list[Any] = [(note, "validation", TypeAdapter(note)) for note in NOTES]

@@ -1,4 +1,7 @@
-"""The cheapest way through a space that is built on demand; ties by count, then by names."""
+"""The cheapest path through a graph that is built on demand.
+
+Ties are decided by the number of names, the number of moves, and then the names.
+"""
 
 from __future__ import annotations
 
@@ -15,10 +18,10 @@ Node = TypeVar("Node", bound=Hashable)
 
 
 class Move(NamedTuple):
-    """One step of a search: where it leads, what it costs, and what it stands for.
+    """One move of a search: its target, its cost, and the object that it stands for.
 
-    ``number`` is how many of the routed SB's edges are in it, ``names`` tells their names when
-    asked; ``key`` decides between moves equal in all this; ``what`` is handed back untouched.
+    ``number`` is the number of edges of the routed SB in it, and ``names`` returns their names.
+    ``key`` decides between moves that are equal otherwise. ``what`` is returned with the result.
     """
 
     to: Any
@@ -34,16 +37,16 @@ MOST = 50_000
 
 
 def patience(states: int) -> int:
-    """How many joint configurations are looked at before a search is given up.
+    """Return how many joint configurations are searched before a search is given up.
 
-    Every state of a flat SB, and then some: joint configurations multiply, and a tree of many
-    sub-SBs has more of them than anyone would wait for.
+    It is enough for every state of a flat SB. A tree of many sub-SBs has more joint configurations
+    than anyone would wait for.
     """
     return MOST + 4 * states
 
 
 def nothing(node: object) -> float:
-    """The estimate of the remaining cost where nothing is known: 0."""
+    """Return 0, the estimate of the remaining cost if nothing is known."""
     return 0.0
 
 
@@ -54,16 +57,18 @@ def cheapest(
     most: int = MOST,
     ahead: Callable[[Node], float] = nothing,
 ) -> list[Move] | None:
-    """The cheapest sequence of moves to a goal, None where there is none (see ``PlanSearch``)."""
+    """Return the cheapest sequence of moves to a goal, None if there is none (see
+    ``PlanSearch``).
+    """
     return PlanSearch(start, is_goal, moves, most, ahead).found()
 
 
 class PlanSearch(Generic[Node]):
-    """The search for the cheapest sequence of moves to a goal.
+    """The search for the cheapest sequence of moves to a goal (A*).
 
-    Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs
-    must not be negative. ``ahead`` says what is still to be paid at least, ``inf`` where no way
-    leads on; along a move it falls by no more than the move costs.
+    Ties are decided by the number of names, the number of moves, and then the names, move by move.
+    Costs must not be negative. ``ahead`` is a lower bound of the remaining cost, ``inf`` if there
+    is no way. Along a move it must not fall by more than the move's cost.
     """
 
     def __init__(
@@ -88,9 +93,10 @@ class PlanSearch(Generic[Node]):
         self._looked_at = 0
 
     def found(self) -> list[Move] | None:
-        """The moves, None where no way leads to a goal; PlanningError after ``most`` nodes.
+        """Return the moves, None if no path leads to a goal. PlanningError after ``most`` nodes.
 
-        It heeds (see ``stop``) at every node. Called off and asked again it goes on from there.
+        It heeds the listener (see ``stop``) at every node. If it is called off and asked again, it
+        goes on.
         """
         heap, best, origins, order = self._heap, self._best, self._origins, self._order
         moves, ahead = self._moves, self._ahead
@@ -112,12 +118,13 @@ class PlanSearch(Generic[Node]):
                     f"no plan was found among the first {self._most:,} joint configurations",
                     advice="Name a nearer goal, or split the blueprint into fewer sub-SBs.",
                 )
-            # The node stays on the heap until all its moves are known: these may be called off.
+            # The node stays on the heap until all its moves are known, because their search may be
+            # called off.
             onward = list(moves(node))
             heappop(heap)
             self._looked_at += 1
             for move in onward:
-                # Rounded so that sums which differ only in their last bits still tie.
+                # Costs are rounded, so that sums which differ only in their last bits are equal.
                 further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)
                 known = best.get(move.to)
                 if known is None or further < known:

@@ -1,6 +1,6 @@
-"""From an edge that is asked for to its joint step, or to the reasons why there is none.
+"""From an edge to its joint step, or to the reasons why there is none.
 
-Pure: a configuration in, a value out. Dispatch, inspection and ``explore`` share it.
+It is pure: it maps a configuration to a value. Dispatch and inspection share it.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ Key = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Terms:
-    """What may be used: edges shut out with the reason, and the edges that have a function.
+    """The edges that may be used: exclusions with reasons, and the edges with a function.
 
-    ``bound`` None stands for a plan without a world: every edge counts as bound. ``failing`` are
-    the edges that may be used though they lead into a failure state (None: all of them); only a
-    person can put one there. ``costs`` replace declared ones; ``extra`` gives what an edge costs in
-    addition.
+    ``bound`` None means a plan without a world, in which every edge counts as bound. ``failing``
+    are the edges that may be used although they lead into a failure state (None: all of them). Only
+    a request of a person allows one. ``costs`` replace declared costs. ``extra`` gives the
+    additional cost of an edge.
     """
 
     shut: Mapping[Address, str] = field(default_factory=dict)
@@ -52,8 +52,7 @@ class Terms:
 
 
 class Stepper:
-    """Writes joint steps and keeps what it found. A new one is needed only when the terms
-    change."""
+    """Makes joint steps and keeps the results. A new one is needed only if the terms change."""
 
     def __init__(self, hierarchy: Hierarchy, terms: Terms | None = None) -> None:
         self.hierarchy = hierarchy
@@ -69,10 +68,10 @@ class Stepper:
         self._hills: dict[tuple[str, str], Downhill] = {}
 
     def step(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
-        """The joint step of an edge out of its SB's active state (clauses 5, 6, 10).
+        """Return the joint step of an edge out of its SB's active state (clauses 5, 6 and 10).
 
-        It has an allowance of its own, and is Unavailable where that is used up. It can be stopped
-        (see ``stop``); asked again, it continues from there.
+        It has an allowance of its own, and the result is Unavailable if that is used up. It can be
+        stopped (see ``stop``). If it is asked again, it goes on.
         """
         before, self.allowance = self.allowance, Allowance(self.hierarchy)
         try:
@@ -85,7 +84,7 @@ class Stepper:
             self.allowance = before
 
     def written(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
-        """The same with the current allowance; PlanningError where that is used up."""
+        """Return the same with the current allowance. PlanningError if that is used up."""
         key = (self.key(configuration), edge)
         found = self._steps.get(key)
         if found is None:
@@ -99,8 +98,9 @@ class Stepper:
         return found
 
     def glance(self, configuration: Configuration, edge: Edge) -> StepDraft | None:
-        """The cost and the end of a joint step without its actions; None where it is
-        unavailable."""
+        """Return the cost and the end of a joint step without its actions, None if it is
+        unavailable.
+        """
         script = StepDraft(configuration, light=True)
         try:
             self._carry(script, edge, {})
@@ -109,11 +109,13 @@ class Stepper:
         return script
 
     def key(self, configuration: Configuration) -> tuple[str, ...]:
-        """A configuration as a tuple in the order of ``hierarchy.order``."""
+        """Return a configuration as a tuple in the order of ``hierarchy.order``."""
         return tuple(configuration[name] for name in self.hierarchy.order)
 
     def _carry(self, script: StepDraft, edge: Edge, held: Held) -> Carried:
-        """Write the edge, its subs' movements and the bases' edges that must go with it."""
+        """Write the edge, the movements of its sub-SBs, and the edges of bases that must go
+        along.
+        """
         self._allow(script.configuration, edge)
         if not script.light:
             refuse_too_many_carried(script.asked or edge, len(script.carried) + 1)
@@ -138,8 +140,9 @@ class Stepper:
         return carried
 
     def allows(self, configuration: Configuration, edge: Edge) -> bool:
-        """Whether an edge alone may be used from a configuration: not shut out, bound, required
-        facts given. For a pure edge that is no crossing this is the whole question."""
+        """Return whether an edge alone may be used from a configuration: it is not excluded, is
+        bound, and its required facts hold. For a pure edge that is no crossing this is sufficient.
+        """
         try:
             self._allow(configuration, edge)
         except Unavailable:
@@ -147,7 +150,7 @@ class Stepper:
         return True
 
     def closed(self, edge: Edge) -> bool:
-        """Whether an edge may be used from no configuration at all."""
+        """Return whether an edge can be used from no configuration at all."""
         return next(self._closures(edge), None) is not None
 
     def _allow(self, configuration: Configuration, edge: Edge) -> None:
@@ -168,7 +171,7 @@ class Stepper:
             yield f"{edge} leads into a failure: {edge.fails}"
 
     def _transit(self, edge: Edge, loaded: Iterable[str]) -> tuple[FactKey, ...]:
-        """The base digits in transit from the start of a crossing to its commit."""
+        """Return the base digits in transit from the start of a crossing to its commit."""
         crossed = [edge.branch] if edge.crossing else []
         return tuple(fact for sub in (*crossed, *loaded) for fact in self.hierarchy.bases[sub])
 
@@ -178,12 +181,12 @@ class Stepper:
             names = ", ".join(f"{name}/{digit}" for name, digit in broken)
             raise Unavailable(f"{script.carried[0].edge} would leave {names} against its sub-SB")
 
-    # what moves with it ---------------------------------------------------------------------------
+    # links ----------------------------------------------------------------------------------------
 
     def _link(
         self, script: StepDraft, new: list[Carried], places: Mapping[str, str], held: Held
     ) -> None:
-        """Every crossing commits with the edges of its bases."""
+        """Let every crossing commit with the edges of its bases."""
         pairs = [(carried, carried.edge.branch) for carried in new if carried.edge.crossing]
         pairs += [(new[0], sub) for sub in places]
         script.links += [
@@ -193,10 +196,12 @@ class Stepper:
             if base in held
         ]
 
-    # its subs -----------------------------------------------------------------------------------
+    # sub-SBs ------------------------------------------------------------------------------------
 
     def _loaded(self, configuration: Configuration, edge: Edge) -> dict[str, str]:
-        """Where a ``load`` edge leaves the subs it changes and everything below them."""
+        """Return the states into which a ``load`` edge puts the sub-SBs that it changes and those
+        below.
+        """
         failing = self.terms.failing
         may_fail = failing is None or edge.address in failing
         subs = dict(self.hierarchy.subs[edge.branch])
@@ -214,7 +219,9 @@ class Stepper:
         return found
 
     def _drive(self, script: StepDraft, edge: Edge, held: Held) -> None:
-        """Falls to INITIAL, then rises to ACTIVATING, in order of digit (clause 5)."""
+        """Move sub-SBs: first falls to INITIAL, then rises to ACTIVATING, in order of digits
+        (clause 5).
+        """
         subs = dict(self.hierarchy.subs[edge.branch])
         for digit in (*edge.falls, *edge.rises):
             branch = self.hierarchy.blueprint[subs[digit]]
@@ -236,7 +243,7 @@ class Stepper:
                 self._carry(script, part, held)
 
     def _take(self, script: StepDraft, way: SubRoute, held: Held) -> None:
-        """Take a whole sub-route at once; its changes and its cost are worked out only once."""
+        """Add a whole sub-route. Its changes and its cost are computed only once."""
         if way.whole is None:
             whole = StepDraft(script.configuration, light=True)
             before, self._within = self._within, way
@@ -259,16 +266,17 @@ class Stepper:
     def _sub_route(
         self, configuration: Configuration, branch: StateBranch, goal: str, held: Held
     ) -> SubRoute:
-        """The sub's own edges to its goal, over the joint configurations below it (clause 12).
+        """Return the sub-SB's own edges to its goal, over the joint configurations below it (clause
+        12).
 
-        One is kept for all configurations that are alike in its region.
+        A route is kept for all configurations that are equal in its region.
         """
         region = self._region(branch.name, held)
         taken = frozenset(held[name].edge for name in region.border)
         key = (branch.name, goal, region.key(configuration), taken)
         way = self._routes.get(key)
         if way is None:
-            # A search that was stopped continues; one that gave up gives up again at once.
+            # A search that was stopped goes on. One that gave up gives up again at once.
             way = self._routes[key] = self._search(configuration, branch, goal, held)
         self.allowance.use(way, self._within)
         if way.search is not None:
@@ -295,14 +303,14 @@ class Stepper:
     def _search(
         self, configuration: Configuration, branch: StateBranch, goal: str, held: Held
     ) -> SubRoute:
-        """The search for a sub-route; it notes why edges cannot be used."""
+        """Return the search for a sub-route. It collects the reasons why edges cannot be used."""
         crossing = 1 if goal == branch.activating else -1
         region = self._region(branch.name, held)
         at = region.names.index(branch.name)
         way = SubRoute(region)
 
         def moves(node: Key) -> Iterator[Move]:
-            """The edges out of a node of the search that can be carried out, each with its cost."""
+            """Yield the possible edges out of a node of the search, each with its cost."""
             here = {**configuration, **dict(zip(region.names, node, strict=True))}
             edges = self.edges.out(branch.name, node[at])
             for edge in edges:
@@ -317,7 +325,7 @@ class Stepper:
                     continue
                 to = region.key(script.configuration)
                 yield Move(to, script.cost, 1, lambda: (), (edge.name,), edge)
-            # Last, so that a node that is visited again after a stop is counted only once.
+            # This comes last, so that a node that is visited again after a stop is counted once.
             self.allowance.spend(len(edges), way)
 
         most = patience(self.hierarchy.blueprint.state_count)
@@ -337,7 +345,7 @@ class Stepper:
         return Unavailable(words, *reasons)
 
     def _shut_in(self, branch: StateBranch) -> list[str]:
-        """Why edges of a flat sub cannot be used, with ``MOST_REASONS`` reasons at most."""
+        """Return why edges of a flat sub-SB cannot be used, at most ``MOST_REASONS`` reasons."""
         if branch.name not in self._blocks:
             reasons: list[str] = []
             for state in branch.table:
@@ -359,13 +367,13 @@ class Stepper:
         script.stride(branch.name, goal, *far)
 
     def downhill(self, sub: str, goal: str) -> Downhill:
-        """The ways of a plain sub to a goal, from all its states at once."""
+        """Return the routes of a plain sub-SB to a goal, from all its states at once."""
         found = self._hills.get((sub, goal))
         if found is None:
             crossing = 1 if goal == self.hierarchy.blueprint[sub].activating else -1
 
             def allowed(edge: Edge) -> bool:
-                """Whether an edge may be part of the way to the goal."""
+                """Return whether an edge may be part of a route to the goal."""
                 return edge.crossing in (0, crossing) and self.allows({}, edge)
 
             found = self._hills[sub, goal] = Downhill(self.edges, sub, goal, allowed)
@@ -373,8 +381,9 @@ class Stepper:
 
     @cached_property
     def plain(self) -> frozenset[str]:
-        """The subs whose routes depend on nothing but their own state: flat, with one base, and
-        with no ``requires``."""
+        """The sub-SBs whose routes depend only on their own state: they have one base, no sub-SBs
+        and no ``requires``.
+        """
         return frozenset(
             name
             for name, bases in self.hierarchy.bases.items()

@@ -1,4 +1,6 @@
-"""The way of one sub-SB to ACTIVATING or back to INITIAL, kept so that it is found only once."""
+"""The route of one sub-SB to ACTIVATING or back to INITIAL. It is kept, so it is searched only
+once.
+"""
 
 from __future__ import annotations
 
@@ -14,11 +16,12 @@ Key = tuple[str, ...]
 
 
 class Region:
-    """The SBs that the way of a sub depends on, while the edges of the SBs in ``held`` are begun.
+    """The SBs that the route of a sub-SB depends on, while the edges of the SBs in ``held`` have
+    begun.
 
-    These are the sub and all below it, the bases that go along with them, and every SB of which an
-    operation of these ``requires`` a fact. ``names`` are in the order of the hierarchy; ``border``
-    are the bases among ``held``, of which only the edge counts.
+    These are the sub-SB and all SBs below it, the bases that go along with them, and every SB with
+    a fact that one of their operations ``requires``. ``names`` are in the order of the hierarchy.
+    ``border`` are the bases in ``held``, of which only the edge matters.
     """
 
     def __init__(self, edges: Edges, branch: str, held: Collection[str]) -> None:
@@ -38,15 +41,15 @@ class Region:
         self.border = tuple(border)
 
     def key(self, configuration: Configuration) -> Key:
-        """The part of a configuration that the way depends on."""
+        """Return the part of a configuration that the route depends on."""
         return tuple(configuration[name] for name in self.names)
 
 
 class SubRoute(Part):
-    """The edges of a sub on its way; while they are looked for, the ``search`` for them.
+    """The edges of a sub-SB's route, or the ``search`` for them.
 
-    ``reasons`` are why edges could not be used, ``closed`` why there is no way. ``whole`` is what
-    going the way changes and costs, once somebody has asked for that.
+    ``reasons`` say why edges could not be used, and ``closed`` why there is no route. ``whole`` has
+    the changes and the cost of the whole route, after these were asked for.
     """
 
     def __init__(self, region: Region) -> None:

@@ -13,11 +13,11 @@ Json = Any
 
 
 def values_of(blueprint: Blueprint) -> dict[str, Json]:
-    """Everything a blueprint holds, ``_`` fields and unknown header keys included,
-    but for the SBs of imported files.
+    """Return everything in a blueprint as plain values, with ``_`` fields and unknown header keys,
+    but without the SBs of imported files.
 
-    The values read to an equal blueprint. Where ``_`` fields stand among the others is known only
-    to the text: ``reconcile`` keeps their slots.
+    Reading the values gives an equal blueprint. They do not keep the places of ``_`` fields among
+    the other keys; ``reconcile`` does.
     """
     values: dict[str, Json] = {key: _plain(value) for key, value in blueprint.fields.items()}
     for branch in blueprint:
@@ -28,7 +28,7 @@ def values_of(blueprint: Blueprint) -> dict[str, Json]:
 
 
 def new_blueprint(file: str = "untitled.json") -> Blueprint:
-    """An empty blueprint that will be saved under ``file``."""
+    """Return an empty blueprint that will be saved under ``file``."""
     return read_blueprint(parse_json(write_json({}), file))
 
 
@@ -57,7 +57,9 @@ def _header(header: Header) -> dict[str, Json]:
 
 
 def _subs(header: Header) -> Json:
-    """SUB_SBS as it was written; else a map, or a list where one sub-SB is named twice."""
+    """Return SUB_SBS as it was written. Otherwise return a map, or a list if a sub-SB is named
+    twice.
+    """
     written, pairs = header.subs_as_written, header.sub_sbs
     told = [(sub, digit) for _, sub, digit in sub_entries(written)]
     good = tuple((sub, digit) for sub, digit in told if sub and type(digit) is int)

@@ -2,8 +2,8 @@
 
     C_State110 := lambda s: [f1(s), f2(s), f3(s)]
 
-f1 is the first fact, and it holds where the scene has the value that the state wants. In the paper
-a term is true or false; here it may also be unknown, with a reason.
+f1 is the first fact. It is true if the scene has the value that the state needs. In the paper a
+term is true or false; here it may also be unknown, with a reason.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 
 @dataclass(frozen=True, slots=True)
 class WrittenTerm:
-    """One f_i(s): its text and where that stands in the whole, its truth, and why in words."""
+    """One f_i(s): its text, its place in the whole text, its truth, and the reason in words."""
 
     text: str
     start: int
@@ -25,18 +25,18 @@ class WrittenTerm:
 
     @property
     def truth(self) -> bool | None:
-        """Whether the term is true; None where that is unknown."""
+        """Whether the term is true, None if that is unknown."""
         return self.term.truth
 
     @property
     def end(self) -> int:
-        """The offset behind the term in the text of the whole check."""
+        """The offset after the term in the text of the whole check."""
         return self.start + len(self.text)
 
 
 @dataclass(frozen=True, slots=True)
 class WrittenCheck:
-    """A state check in the paper's words: ``text`` has the terms at their places."""
+    """A state check in the notation of the paper. ``text`` has the terms at their places."""
 
     name: str
     text: str
@@ -45,7 +45,7 @@ class WrittenCheck:
 
 
 def written_check(blueprint: Blueprint, check: CheckResult) -> WrittenCheck:
-    """``lambda s: [f1(s), f2(s)]`` of a check; terms that were left out of it are not there."""
+    """Return ``lambda s: [f1(s), f2(s)]`` of a check. Terms that the check left out are missing."""
     text = "lambda s: ["
     terms = []
     for index, term in enumerate(check.terms):
@@ -57,7 +57,9 @@ def written_check(blueprint: Blueprint, check: CheckResult) -> WrittenCheck:
 
 
 def term_words(blueprint: Blueprint, term: Term) -> str:
-    """Why a term is what it is: ``Clamp fixed reads 0, not 1``, ``... is unknown: no reading``."""
+    """Return a term in words, such as ``Clamp fixed reads 0, not 1`` or ``... is unknown: no
+    reading``.
+    """
     branch, digit = term.fact
     name = blueprint[branch].fact_name(digit)
     if term.truth is None:

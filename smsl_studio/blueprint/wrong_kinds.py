@@ -1,7 +1,8 @@
-"""What cannot be part of a blueprint: an SB, HEADER, state or target of the wrong kind.
+"""Errors for values that cannot be part of a blueprint: an SB, HEADER, state or target of the wrong
+kind.
 
-All of one document are told in one error, each with its place, an advice and, where it is plain
-what was meant, a repair of the text.
+One error has all of a document, each with its place and an advice. If the intention is clear, it
+also has a repair of the text.
 """
 
 from __future__ import annotations
@@ -20,7 +21,9 @@ _BY_DEPTH = ("a State Branch", "a state", "an operation")
 
 
 def refused(document: Document, wrong: Sequence[tuple[Path, str, Json]]) -> ReadError:
-    """One error that tells them all: where each stands, what should stand there, what does."""
+    """Return one error for all wrong values: the place, the kind that should stand there, and the
+    value.
+    """
     errors = [_error(document, *one) for one in wrong[:MAX_FAULTS]]
     return ReadError.of(sorted(errors, key=lambda error: error.place or document.place(())))
 
@@ -44,12 +47,12 @@ def _error(document: Document, path: Path, what: str, value: Json) -> ReadError:
 
 
 def _is_header(name: str) -> bool:
-    """Whether a name is HEADER in another spelling."""
+    """Return whether a name is HEADER in another spelling."""
     return name.strip().casefold() == "header"
 
 
 def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
-    """What is wrong, and what to do."""
+    """Return the sentence and the advice."""
     name = path[-1]
     if what == ONE_TOO_MANY:
         return TOO_MANY_BRANCHES
@@ -71,14 +74,16 @@ def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
 
 
 def _in_quotes(written: str, value: Json, member: Member) -> TextFix | None:
-    """A number, true or false that was meant as the name of a state."""
+    """Return the repair of a number, true or false that was meant as the name of a state."""
     if not isinstance(value, bool | int | float):
         return None
     return TextFix(f'Write "{written}"', member.value_start, member.value_end, f'"{written}"')
 
 
 def _renamed(document: Document, member: Member, new: str) -> TextFix | None:
-    """The key as another, in the quotes it has; None where it is spelled in an unusual way."""
+    """Return the repair that renames a key and keeps its quotes. None if it is written in an
+    unusual way.
+    """
     start, end = member.key_start, member.key_end
     written = document.text[start:end]
     quote = written[:1] if written[:1] in ("'", '"') else ""
@@ -88,7 +93,7 @@ def _renamed(document: Document, member: Member, new: str) -> TextFix | None:
 
 
 def kind_of(value: Json) -> str:
-    """What a value is, in words: ``a text``, ``a list``, ``null`` ..."""
+    """Return the kind of a value in words, such as ``a text``, ``a list`` or ``null``."""
     if value is None:
         return "null"
     if isinstance(value, bool):

@@ -1,7 +1,7 @@
-"""What changed between two blueprints: meaning, and layout apart.
+"""The changes between two blueprints: those of meaning, and those of the layout.
 
-``compare`` reads both as graphs, not as texts: order, form, comments and written-out defaults make
-no difference, a renamed state is one change and not one for every operation that leads to it.
+``compare`` reads both as graphs and not as texts. Order, form, comments and explicit defaults make
+no difference. A renamed state is one change, whatever number of operations lead to it.
 """
 
 from smsl_studio.blueprint.comparison.compare import compare

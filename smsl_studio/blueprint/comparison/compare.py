@@ -15,11 +15,11 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 
 def compare(before: Blueprint, after: Blueprint) -> Difference:
-    """What changed in meaning from ``before`` to ``after``; apart from it, which boxes were moved
-    and which ``_`` fields differ that no reader reads.
+    """Return the changes of meaning from ``before`` to ``after``. Moved boxes, and ``_`` fields
+    without a meaning, are listed apart from them.
 
-    Deterministic, and the same read the other way round: an addition there is a removal here.
-    Time grows with the number of operations, not with its square.
+    The result is deterministic. In the opposite direction an addition is a removal. The time grows
+    linearly with the number of operations.
     """
     renamed = renamed_branches(before.branches, after.branches)
     sides = Sides(before, after, renamed)

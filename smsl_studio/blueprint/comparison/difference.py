@@ -15,11 +15,11 @@ from smsl_studio.errors import Place
 Json = Any
 Path = tuple[str, ...]
 _TOLD = 5
-"""The sentence names at most so many fields without meaning."""
+"""The largest number of fields without meaning that the sentence names."""
 
 
 class ChangeKind(Enum):
-    """What happened to an element."""
+    """The kinds of changes of an element."""
 
     REMOVED = "removed"
     RENAMED = "renamed"
@@ -34,10 +34,9 @@ class Change:
 
     ``what`` is the kind of element: ``branch``, ``state``, ``operation``, ``header``, ``fact``,
     ``note``, ``hazard``, ``level``, ``import``, ``field`` or ``order``. ``before`` and ``after``
-    are the addresses of the element it belongs to on either side, None where there is none.
-    ``field`` is the key that changed, ``old`` and ``new`` its values, or the names of what
-    was renamed, or the targets of what was retargeted. The paths lead to the place in each side's
-    text.
+    are the addresses of its element on both sides, None if there is none. ``field`` is the key that
+    changed. ``old`` and ``new`` are its values, or the names after a renaming, or the targets after
+    a retargeting. The paths lead to its place in the text of each side.
     """
 
     kind: ChangeKind
@@ -53,11 +52,13 @@ class Change:
 
     @property
     def address(self) -> Address | None:
-        """The address on the later side, or the one on the earlier side where it was removed."""
+        """The address on the later side, or on the earlier side if the element was removed."""
         return self.after or self.before
 
     def as_json(self) -> dict[str, Json]:
-        """The change as plain values: addresses as text, without the places in the files."""
+        """Return the change as plain values. Addresses are texts. The places in the files are left
+        out.
+        """
         return {
             "kind": self.kind.value,
             "what": self.what,
@@ -74,10 +75,10 @@ class Change:
 class Difference:
     """All changes between two blueprints, in the order of the files.
 
-    ``moved`` are the states (on the later side) whose boxes stand elsewhere. ``states`` gives, for
-    each SB of the earlier side that is still there, the new names of the states that were renamed;
-    ``branches`` the same for SBs. ``fields`` are the ``_`` fields that differ and have no meaning,
-    such as ``_comment``: like the layout they are no changes.
+    ``moved`` are the states (on the later side) with moved boxes. ``states`` has, for each SB on
+    both sides, the new names of its renamed states. ``branches`` has the new names of renamed SBs.
+    ``fields`` are the ``_`` fields without a meaning that differ, such as ``_comment``. Like the
+    layout, they are no changes.
     """
 
     before: Blueprint
@@ -90,34 +91,34 @@ class Difference:
 
     @property
     def same(self) -> bool:
-        """Whether nothing differs, layout and fields without meaning included."""
+        """Whether nothing differs, not even layout and fields without meaning."""
         return not (self.changes or self.moved or self.fields)
 
     @property
     def same_meaning(self) -> bool:
-        """Whether nothing differs but layout and fields without meaning."""
+        """Whether nothing differs except layout and fields without meaning."""
         return not self.changes
 
     @property
     def layout_only(self) -> bool:
-        """Whether boxes were moved and nothing else happened."""
+        """Whether only boxes were moved."""
         return bool(self.moved) and not (self.changes or self.fields)
 
     def count(self, kind: ChangeKind) -> int:
-        """How many changes are of one kind."""
+        """Return the number of changes of one kind."""
         return Counter(change.kind for change in self.changes)[kind]
 
     def place_before(self, change: Change) -> Place | None:
-        """Where a change stands in the earlier text; None for what was added."""
+        """Return the place of a change in the earlier text, None for an addition."""
         return _place(self.before, change.path_before)
 
     def place_after(self, change: Change) -> Place | None:
-        """Where a change stands in the later text; None for what was removed."""
+        """Return the place of a change in the later text, None for a removal."""
         return _place(self.after, change.path_after)
 
     @property
     def words(self) -> str:
-        """One sentence that sums up the difference."""
+        """The difference in one sentence."""
         if self.same:
             return "No difference."
         boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
@@ -134,7 +135,7 @@ class Difference:
 
     @property
     def _fields_differ(self) -> str:
-        """The fields without meaning, each named once."""
+        """The names of the fields without meaning that differ."""
         names = [said(name) for name in dict.fromkeys(one.field for one in self.fields)]
         if len(names) == 1:
             return f"{names[0]} differs"
@@ -143,7 +144,7 @@ class Difference:
         return f"{', '.join(told)} and {last} differ"
 
     def as_json(self) -> dict[str, Json]:
-        """The whole difference as plain values, each change with its places in both files."""
+        """Return the whole difference as plain values. Each change has its places in both files."""
         return {
             "before": self.before.file,
             "after": self.after.file,

@@ -1,4 +1,6 @@
-"""What stands at file level: hazards, levels, imports, other ``_`` fields, the order of SBs."""
+"""Compares everything at file level: hazards, levels, imports, other ``_`` fields, the order of
+SBs.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ _TOLD = 8
 
 
 def compare_fields(sides: Sides) -> None:
-    """Hazards, levels and imports one by one, every other field as a whole."""
+    """Compare hazards, levels and imports one by one, and every other field as a whole."""
     _compare_hazards(sides)
     _compare_levels(sides)
     _compare_imports(sides)
@@ -33,7 +35,7 @@ def compare_fields(sides: Sides) -> None:
 def changed_fields(
     one: Any, other: Any, where: str, above_before: Path, above_after: Path, **more: Any
 ) -> Iterator[Change]:
-    """A change for every ``_`` field that differs."""
+    """Yield a change for every ``_`` field that differs."""
     for key, here, there in fields_that_differ(one, other):
         old, new = one.get(key), other.get(key)
         yield Change(
@@ -51,21 +53,21 @@ def changed_fields(
 
 
 def kind_of(here: bool, there: bool) -> ChangeKind:
-    """The kind of a change by the sides on which something stands."""
+    """Return the kind of a change, from the sides on which the element is."""
     if here and there:
         return ChangeKind.CHANGED
     return ChangeKind.REMOVED if here else ChangeKind.ADDED
 
 
 def value_words(here: bool, there: bool, old: Json, new: Json) -> str:
-    """What happened to a value, behind its name: ``is 2 instead of 1``."""
+    """Return the words for a change of a value, such as ``is 2 instead of 1``."""
     if here and there:
         return f"is {said(new)} instead of {said(old)}"
     return f"is removed (it was {said(old)})" if here else f"is added: {said(new)}"
 
 
 def compare_order(sides: Sides) -> None:
-    """The order of the SBs that both sides have: it counts where several roots are run."""
+    """Compare the order of the SBs on both sides, which matters if several roots are run."""
     old = [name for name in sides.before.branches if sides.branch(name) in sides.after.branches]
     kept = {sides.branch(name) for name in old}
     new = [name for name in sides.after.branches if name in kept]
@@ -81,7 +83,7 @@ def _list(names: list[str]) -> str:
 
 
 def _compare_hazards(sides: Sides) -> None:
-    """The hazards of all files, by name; their order means nothing."""
+    """Compare the hazards of all files by name. Their order has no meaning."""
     old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(sides.before).items()}
     new = _by_name(sides.after)
     for key in merged(list(old), list(new)):
@@ -94,9 +96,10 @@ Placed = tuple[Path, Json]
 
 
 def _by_name(blueprint: Blueprint) -> dict[tuple[str, int], Placed]:
-    """The hazards by name, and those of one name by number; what is none goes by its text.
+    """Return the hazards by name, and those of the same name by number. An entry of another form
+    has its text as its name.
 
-    Only those of the blueprint's own file have a place in it.
+    Only hazards of the blueprint's own file have a place in it.
     """
     found: dict[str, list[Placed]] = {}
     for document in blueprint.documents:
@@ -140,7 +143,7 @@ def _facts(hazard: Json) -> Json:
 
 
 def _compare_levels(sides: Sides) -> None:
-    """The levels of all files, by what they are of; a default that is written changes nothing."""
+    """Compare the levels of all files by their keys. An explicit default is no change."""
     written = levels_written(*sides.before.documents)
     old = {_level_key(sides, key): (key, level) for key, level in written.items()}
     new = levels_written(*sides.after.documents)
@@ -167,20 +170,20 @@ def _compare_levels(sides: Sides) -> None:
 
 
 def _level_key(sides: Sides, key: str) -> str:
-    """A key of the earlier side with the name that its SB has on the later one."""
+    """Return a key of the earlier side with the SB's name on the later side."""
     name, slash, rest = key.partition("/")
     branch = Address.split(name)[0]
     return f"{Address(sides.branch(branch))}/{rest}" if slash else key
 
 
 def _level_path(blueprint: Blueprint, key: str) -> Path:
-    """Where a level stands in the blueprint's own file; nothing where it does not."""
+    """Return the path of a level in the blueprint's own file, empty if it is not there."""
     raw = blueprint.fields.get("_levels")
     return ("_levels", key) if isinstance(raw, dict) and key in raw else ()
 
 
 def _first_places(listed: Json) -> dict[str, int]:
-    """Where in the list each import stands first."""
+    """Return the first index of each import in the list."""
     places: dict[str, int] = {}
     for at, name in enumerate(listed if isinstance(listed, list) else ()):
         places.setdefault(_import(name), at)
@@ -188,7 +191,7 @@ def _first_places(listed: Json) -> dict[str, int]:
 
 
 def _named_alike(sides: Sides, one: Json, other: Json) -> Json:
-    """The imports of the earlier side, each under the name that the later side has for the file."""
+    """Return the imports of the earlier side, each with the name of its file on the later side."""
     if not isinstance(one, list) or not isinstance(other, list):
         return one
     ours, kept = set(map(_import, one)), set(map(_import, other))
@@ -200,12 +203,12 @@ def _named_alike(sides: Sides, one: Json, other: Json) -> Json:
 
 
 def _import(name: Json) -> str:
-    """An import, or the text of what is none."""
+    """Return an import, or the text of a value that is no import."""
     return name if isinstance(name, str) else word_for_word(name)
 
 
 def _file(blueprint: Blueprint, name: Json) -> str:
-    """The file that an import means, or the text of what is none."""
+    """Return the real path of an import, or the text of a value that is no import."""
     if not isinstance(name, str):
         return word_for_word(name)
     folder = os.path.dirname(blueprint.file)  # noqa: PTH120

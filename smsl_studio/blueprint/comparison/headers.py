@@ -1,4 +1,4 @@
-"""Headers compared by their effect: writing out a default is no change, moving one is."""
+"""Compares headers by their effect: an explicit default is no change."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HEADER = "HEADER"
 
 
 def compare_header(pair: BranchSides) -> None:
-    """INITIAL, ACTIVATING, the cut of the names into facts, sub-SBs, and every other key."""
+    """Compare INITIAL, ACTIVATING, the split of names into facts, sub-SBs, and every other key."""
     for key in ("INITIAL", "ACTIVATING"):
         _compare_role(pair, key)
     _compare_facts(pair)
@@ -113,7 +113,7 @@ def _one(digits: list[int]) -> Json:
 
 
 def _others(branch: StateBranch) -> dict[str, Json]:
-    """Keys that have no effect and are kept all the same; a right NUM_STATES says nothing."""
+    """Return the keys without effect. A correct NUM_STATES is left out."""
     header = branch.header
     found = {**header.odd, **header.unknown}
     if header.num_states is not None and header.num_states != len(branch.table):
@@ -129,9 +129,9 @@ def _add(
     below: tuple[str, str] = ("", ""),
     sides: tuple[bool, bool] = (True, True),
 ) -> None:
-    """Add a change of a header; pairs are before and after.
+    """Add a change of a header. Pairs are before and after.
 
-    ``below`` is the key inside the header's value, ``sides`` says on which sides it is written.
+    ``below`` has the keys inside the header's value. ``sides`` says on which sides it is written.
     """
     here, there = sides
     inner = [(key, name) if name else (key,) for name in below]

@@ -1,10 +1,9 @@
-"""Finding which state of one SB is which state of another one where names changed.
+"""Finds the renamed states of an SB: which state of one version is which state of the other.
 
-A name that stands on both sides is the same state. Of the others, pairs are proposed where they
-stand at the same place in the file, have the same facts, are the start or the goal, or are reached
-from a pair that is known already; a pair holds if at least half of the operations at it agree.
-Every proposal is one look at the operations of its two states, and each pair is looked at a few
-times at most, so that the work grows with the number of operations.
+A name on both sides is the same state. For the other states pairs are proposed. The two states of a
+proposal stand at the same place in the file, have the same facts, are both the start or the goal,
+or are reached from a known pair. A pair is accepted if at least half of its operations agree. Each
+pair is compared only a few times, so the work grows linearly with the number of operations.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ K = TypeVar("K", bound=Hashable)
 
 
 def renamed_states(before: StateBranch, after: StateBranch) -> dict[str, str]:
-    """The new name of every state of ``before`` that has another one in ``after``."""
+    """Return the new name of every state of ``before`` that has another name in ``after``."""
     gone = [name for name in before.table if name not in after.table]
     come = [name for name in after.table if name not in before.table]
     if not gone or not come:
@@ -33,7 +32,7 @@ def renamed_states(before: StateBranch, after: StateBranch) -> dict[str, str]:
 
 
 class _PairSearch:
-    """The search for pairs; ``gone`` and ``come`` are the names that only one of the sides has."""
+    """The search for pairs. ``gone`` and ``come`` are the names that only one side has."""
 
     def __init__(
         self, before: StateBranch, after: StateBranch, gone: list[str], come: list[str]
@@ -47,7 +46,9 @@ class _PairSearch:
         self.looks: Counter[Pair] = Counter()
 
     def found(self) -> dict[str, str]:
-        """The pairs: what is certain first, and what only stands at the same place last."""
+        """Return the pairs: the certain ones first, and those with only the same place in the file
+        last.
+        """
         for proposals in (self._certain(), _same_place(self.before.table, self.after.table)):
             fresh = self._accept(proposals)
             while fresh:
@@ -55,7 +56,9 @@ class _PairSearch:
         return self.pairs
 
     def _certain(self) -> Iterator[Pair]:
-        """Pairs of one role or the same facts, and what the states that kept their name lead to."""
+        """Yield pairs with the same role or the same facts, and the targets of states that kept
+        their names.
+        """
         yield self.before.initial, self.after.initial
         yield self.before.activating, self.after.activating
         for name in self.before.table:
@@ -71,7 +74,9 @@ class _PairSearch:
                 yield name, new[facts]
 
     def _around(self, old: str, new: str) -> Iterator[Pair]:
-        """What a known pair leads to by one name, and what alone leads to it by one name."""
+        """Yield the targets of a known pair by operations of the same name, and the sources that
+        alone lead to it by one name.
+        """
         others = self.after.table[new]
         for operation, target in self.before.table[old].items():
             if operation in others:
@@ -88,7 +93,9 @@ class _PairSearch:
         return [end for end in into.get(name, ()) if end[0] in wanted]
 
     def _accept(self, proposals: Iterable[Pair]) -> list[Pair]:
-        """The proposed pairs that are accepted, the best first; each state is paired once."""
+        """Accept some of the proposed pairs, the best first, and return them. Each state is paired
+        once.
+        """
         scored = []
         for pair in dict.fromkeys(proposals):
             if self._is_open(pair) and self.looks[pair] < _LOOKS:
@@ -96,7 +103,8 @@ class _PairSearch:
                 score = self._score(*pair)
                 if score >= ENOUGH:
                     here, there = self.gone[pair[0]], self.come[pair[1]]
-                    # Two pairs of one state never come out equal, so both ways give the same.
+                    # Two pairs of one state never have equal keys, so both directions give the same
+                    # result.
                     scored.append((-score, abs(here - there), here + there, here, pair))
         fresh = []
         for *_, pair in sorted(scored):
@@ -116,10 +124,11 @@ class _PairSearch:
         )
 
     def _score(self, old: str, new: str) -> float:
-        """The share of the operations at both that agree; states without any agree wholly.
+        """Return the share of equal operations in and out of both states, 1.0 if they have none.
 
-        None where one has so many more than the other that they cannot: what stands at a state
-        with very many operations is not counted anew for each that it is compared with.
+        It is 0.0 if one has so many more operations than the other that the share cannot be
+        ``ENOUGH``. So the operations of a state with very many are not counted again for each
+        comparison.
         """
         fewer, more = sorted(
             (
@@ -137,7 +146,7 @@ class _PairSearch:
         return (one & other).total() / total if total else 1.0
 
     def _old(self, name: str) -> str:
-        """A neighbour by its later name; all that are not known yet are one."""
+        """Return the later name of a neighbour. All unknown ones count as the same."""
         return self.pairs.get(name, "") if name in self.gone else name
 
     def _new(self, name: str) -> str:
@@ -145,7 +154,7 @@ class _PairSearch:
 
 
 def _into(table: Table) -> dict[str, list[tuple[str, str]]]:
-    """For each target the sources and the names of the operations that lead to it."""
+    """Return for each target the sources and names of the operations that lead to it."""
     found: dict[str, list[tuple[str, str]]] = {}
     for source, operations in table.items():
         for operation, target in operations.items():
@@ -154,7 +163,7 @@ def _into(table: Table) -> dict[str, list[tuple[str, str]]]:
 
 
 def _unique(items: Iterable[tuple[K, str]]) -> dict[K, str]:
-    """The items whose key occurs once."""
+    """Return the items whose key occurs once."""
     found: dict[K, str] = {}
     doubled = set()
     for key, value in items:
@@ -165,7 +174,7 @@ def _unique(items: Iterable[tuple[K, str]]) -> dict[K, str]:
 
 
 def _same_place(before: Table, after: Table) -> Iterator[Pair]:
-    """Names that stand at one place between the same names that were kept."""
+    """Yield pairs of names at the same place between the same kept names."""
     one, other = _runs(before, after), _runs(after, before)
     for anchor, names in one.items():
         others = other.get(anchor, [])
@@ -174,7 +183,7 @@ def _same_place(before: Table, after: Table) -> Iterator[Pair]:
 
 
 def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
-    """The names that follow each kept name, and those that come before the first one."""
+    """Return the names after each kept name, and those before the first one."""
     found: dict[str, list[str]] = {}
     anchor = ""
     for name in table:
@@ -188,14 +197,16 @@ def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
 def renamed_branches(
     before: Mapping[str, StateBranch], after: Mapping[str, StateBranch]
 ) -> dict[str, str]:
-    """The new name of every SB that has another one: most of its operations are the same."""
+    """Return the new name of every SB that has another name: half of its states and operations are
+    equal.
+    """
     gone = [name for name in before if name not in after]
     come = [name for name in after if name not in before]
     return _pair_branches(before, after, gone, come)
 
 
 _MOST_BRANCHES = 40
-"""Of more SBs than these on both sides, only those are paired whose operations are all the same."""
+"""With more SBs than these on a side, only SBs with equal tables are paired."""
 
 
 def _pair_branches(
@@ -224,7 +235,7 @@ def _pair_branches(
 
 
 def _share(one: StateBranch, other: StateBranch) -> float:
-    """The share of states and operations that two SBs have in common."""
+    """Return the share of states and operations that two SBs have in common."""
     total = max(len(one.table) + one.edge_count, len(other.table) + other.edge_count)
     if not total:
         return 1.0

@@ -1,4 +1,4 @@
-"""Both sides of a comparison, and the names that elements of one have on the other."""
+"""Both sides of a comparison, and the names of elements on the other side."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 @dataclass
 class Sides:
-    """The two blueprints, the renamings found between them, and the changes written so far."""
+    """The two blueprints, the renamed SBs, and the changes so far."""
 
     before: Blueprint
     after: Blueprint
@@ -21,14 +21,14 @@ class Sides:
     changes: list[Change] = field(default_factory=list)
 
     def fact(self, text: str) -> str:
-        """The name on the later side of a fact of the earlier one."""
+        """Return the later name of a fact of the earlier side."""
         found = split_fact(text)
         if found is None or found[0] not in self.branches:
             return text
         return fact_text(self.branches[found[0]], found[1])
 
     def branch(self, name: str) -> str:
-        """The name on the later side of an SB of the earlier one."""
+        """Return the later name of an SB of the earlier side."""
         return _renamed(name, self.branches, self._given)
 
     @cached_property
@@ -37,10 +37,10 @@ class Sides:
 
 
 def _renamed(name: str, names: Mapping[str, str], given: Collection[str]) -> str:
-    """The name that an element of the earlier side has on the later one.
+    """Return the later name of an element of the earlier side.
 
     A name that only a renamed element has on the later side names nothing on the earlier one. It
-    gets a null character, so that it is equal to no name of the later side.
+    gets a null character, so that it equals no name of the later side.
     """
     return f"{name}\0" if name in given else names.get(name, name)
 
@@ -54,11 +54,10 @@ class BranchSides:
     after: StateBranch
     states: Mapping[str, str]
     operations: dict[tuple[str, str], str] = field(default_factory=dict)
-    """For (state, operation) of the earlier side, the new name of an operation renamed there."""
+    """For (state, operation) of the earlier side, the new name of a renamed operation."""
 
     def state(self, name: str) -> str:
-        """The name on the later side of a state of the earlier one; also for a name that is no
-        state."""
+        """Return the later name of a state of the earlier side. The name need not be a state."""
         return _renamed(name, self.states, self._given)
 
     @cached_property
@@ -66,13 +65,13 @@ class BranchSides:
         return frozenset(self.states.values()) - self.before.table.keys()
 
     def address_before(self, state: str = "", operation: str = "") -> Address:
-        """An address in the SB of the earlier side; without names that of the SB itself."""
+        """Return an address in the SB of the earlier side, that of the SB itself without names."""
         return Address(self.before.name, state, operation)
 
     def address_after(self, state: str = "", operation: str = "") -> Address:
-        """An address in the SB of the later side; without names that of the SB itself."""
+        """Return an address in the SB of the later side, that of the SB itself without names."""
         return Address(self.after.name, state, operation)
 
     def add(self, change: Change) -> None:
-        """Append a change to those found so far."""
+        """Add a change."""
         self.sides.changes.append(change)

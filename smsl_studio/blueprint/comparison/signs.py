@@ -1,4 +1,4 @@
-"""The signs of a difference: how each side marks the elements that changed."""
+"""The signs of a difference: the marks of changed elements on each side."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ ADDED, REMOVED, CHANGED = "+", "-", "~"
 
 
 def sign_of(kind: ChangeKind) -> str:
-    """The sign of one kind of change."""
+    """Return the sign of one kind of change."""
     return {ChangeKind.ADDED: ADDED, ChangeKind.REMOVED: REMOVED}.get(kind, CHANGED)
 
 
 @dataclass
 class Signs:
-    """``+``, ``-`` or ``~`` by address: of one side's SBs, states and operations."""
+    """The signs ``+``, ``-`` and ``~`` of one side's SBs, states and operations, by address."""
 
     by_address: dict[Address, str] = field(default_factory=dict)
 
     def of(self, address: Address) -> str:
-        """The sign of an element, or the empty text where it did not change."""
+        """Return the sign of an element, or the empty text if it did not change."""
         return self.by_address.get(address, "")
 
     def add(self, address: Address, sign: str, blueprint: Blueprint) -> None:
-        """Mark an element and, where it was added or removed, everything that belongs to it."""
-        # An element that was added or removed keeps this sign, whatever other change names it.
+        """Mark an element. If it was added or removed, mark everything in it too."""
+        # An element that was added or removed keeps this sign, even if another change names it.
         if self.by_address.get(address) in (ADDED, REMOVED):
             return
         self.by_address[address] = sign
@@ -43,7 +43,7 @@ class Signs:
 
 
 def signs_of(difference: Difference) -> tuple[Signs, Signs]:
-    """The signs of the earlier and of the later side."""
+    """Return the signs of the earlier and of the later side."""
     before, after = Signs(), Signs()
     for change in difference.changes:
         whole = change.what in ("branch", "state", "operation")

@@ -1,4 +1,4 @@
-"""States and operations of one SB on both sides."""
+"""Compares the states and operations of one SB."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from smsl_studio.blueprint.comparison.sides import BranchSides
 from smsl_studio.blueprint.comparison.values import merged
 
 _TOLD = 6
-"""So many operations of an added or removed state are named in its sentence."""
+"""The largest number of operations in the sentence about an added or removed state."""
 
 
 def compare_states(pair: BranchSides) -> None:
-    """Every state, and of those that are on both sides every operation."""
+    """Compare every state, and every operation of the states on both sides."""
     before, after = pair.before.table, pair.after.table
     old_names = {new: old for old, new in pair.states.items()}
     fields = pair.before.state_fields or pair.after.state_fields
@@ -90,7 +90,9 @@ def _compare_operations(pair: BranchSides, old: str, new: str) -> None:
 
 
 def _renamed_operations(one: Mapping[str, str], other: Mapping[str, str]) -> dict[str, str]:
-    """Pairs of operations of different names with the same target; of several, in written order."""
+    """Return pairs of operations with different names and the same target. Several pairs are made
+    in written order.
+    """
     come: dict[str, deque[str]] = {}
     for name, target in other.items():
         if name not in one:

@@ -1,4 +1,4 @@
-"""Values side by side: whether they are alike, which fields differ, how they read."""
+"""Compares values: whether they are equal, which fields differ, and their words."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _LONGEST = 60
 
 
 def alike(one: Json, other: Json) -> bool:
-    """Whether two values are written alike up to the spelling of numbers; true is not 1."""
+    """Return whether two values are equal except for the spelling of numbers. True is not 1."""
     if one is other:
         return True
     if isinstance(one, bool) or isinstance(other, bool):
@@ -27,7 +27,7 @@ def alike(one: Json, other: Json) -> bool:
 def fields_that_differ(
     one: Mapping[str, Json], other: Mapping[str, Json]
 ) -> Iterator[tuple[str, bool, bool]]:
-    """Every key whose values differ: the key, and on which sides it stands."""
+    """Yield every key whose values differ, and on which sides it is."""
     for key in merged(list(one), list(other)):
         here, there = key in one, key in other
         if not (here and there and alike(one[key], other[key])):
@@ -35,7 +35,9 @@ def fields_that_differ(
 
 
 def merged(before: list[T], after: list[T]) -> list[T]:
-    """Both lists as one: the order of ``after``, what is only in ``before`` where it stood."""
+    """Return both lists as one, in the order of ``after``. Items that are only in ``before`` keep
+    their places.
+    """
     kept = set(after)
     follow: dict[T | None, list[T]] = {}
     last: T | None = None
@@ -52,7 +54,7 @@ def merged(before: list[T], after: list[T]) -> list[T]:
 
 
 def said(value: Json) -> str:
-    """A value in a sentence, cut where it is long."""
+    """Return a value for a sentence, cut if it is long."""
     if isinstance(value, float) and value.is_integer():
         value = int(value)
     text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)

@@ -1,9 +1,9 @@
-"""The edits: pure functions, Blueprint in, Blueprint out, the text spliced with it.
+"""The edits: pure functions from Blueprint to Blueprint. They splice the text too.
 
-Each refuses (EditRefused: a sentence and an advice) what would leave nonsense, and then nothing
-has changed. ``after.document`` always agrees with the meaning of ``after``.
+An edit raises EditRefused, with a sentence and an advice, if the result would be invalid. Then
+nothing has changed. ``after.document`` always agrees with the meaning of ``after``.
 
-Each is loaded when it is first asked for, so that what only offers edits starts quickly.
+Each edit is loaded when it is first used, so that programs which only offer edits start quickly.
 """
 
 from __future__ import annotations

@@ -10,7 +10,9 @@ from smsl_studio.errors import EditRefused, did_you_mean
 
 
 def add_branch(blueprint: Blueprint, name: str, file: str | None = None) -> Blueprint:
-    """A new SB without states, behind the others of its file: the blueprint's own, or ``file``."""
+    """Return a blueprint with a new SB without states, after the others of its file. ``file`` is
+    the blueprint's own by default. EditRefused if the name is not free.
+    """
     free_name(name, blueprint.branches, "a State Branch")
     draft = Draft(blueprint)
     whole = draft.file(document_named(blueprint, file))
@@ -22,9 +24,10 @@ def add_branch(blueprint: Blueprint, name: str, file: str | None = None) -> Blue
 def add_state(
     blueprint: Blueprint, branch: str, name: str, at: tuple[float, float] | None = None
 ) -> Blueprint:
-    """A new state without operations, behind the others, placed at ``at`` (pixels at 100 %).
+    """Return a blueprint with a new state without operations, after the others, at ``at`` (pixels
+    at 100 %). EditRefused if the name is not free.
 
-    Any name is accepted: where its facts do not fit the SB's, inspection says so (R05).
+    Its facts need not fit those of the SB. Inspection reports that (R05).
     """
     found = branch_of(blueprint, branch)
     free_name(name, found.table, "a state")
@@ -39,7 +42,9 @@ def add_state(
 def add_operation(
     blueprint: Blueprint, branch: str, state: str, name: str, target: str
 ) -> Blueprint:
-    """A new operation from ``state`` to ``target``, behind the state's others."""
+    """Return a blueprint with a new operation from ``state`` to ``target``, after the state's
+    others. EditRefused if a state does not exist or the name is not free.
+    """
     found = branch_of(blueprint, branch)
     for end in (state, target):
         if end not in found.table:
@@ -53,7 +58,7 @@ def add_operation(
 
 
 def recount(draft: Draft, branch: str, change: int) -> None:
-    """Let a NUM_STATES that was right stay right."""
+    """Adapt NUM_STATES if it was correct before."""
     before = draft.before[branch]
     if before.header.num_states == len(before.table):
         draft.header(branch)["NUM_STATES"] = len(before.table) + change

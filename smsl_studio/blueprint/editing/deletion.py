@@ -1,4 +1,4 @@
-"""Deleting an element, together with everything that would then point at nothing."""
+"""Deletes elements together with everything that would point at nothing afterwards."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from smsl_studio.errors import EditRefused
 
 
 def delete(blueprint: Blueprint, addresses: Iterable[Address]) -> Blueprint:
-    """Remove SBs, states and operations in one edit.
+    """Return the blueprint without some SBs, states and operations.
 
-    With a state go the operations that lead to it, its annotations, and an INITIAL or ACTIVATING
-    that names it; with an SB its entries in its bases' SUB_SBS. An SB that a hazard or a
-    ``requires`` speaks of is refused, because a safety condition must not vanish on the side.
+    With a state its incoming operations, its annotations, and an INITIAL or ACTIVATING with its
+    name are deleted. With an SB its entries in SUB_SBS of its bases are deleted. EditRefused if a
+    hazard or a ``requires`` names the SB, because a safety condition must not disappear unnoticed.
     """
     wanted = {existing(blueprint, address) for address in addresses}
     branches = {address.branch for address in wanted if not address.state}
@@ -87,12 +87,13 @@ def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
 
 
 def _delete_levels(draft: Draft) -> None:
-    """Delete the levels of operations that are gone; the level of a name stays, as its note
-    does."""
+    """Delete the levels of operations that are gone. A level for all operations of a name stays,
+    like its note.
+    """
     blueprint = draft.before
 
     def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:
-        """The key as it stays, or None where the element that it names is gone."""
+        """Return the key, or None if its element is gone."""
         branch = blueprint.branches.get(key[0])
         if branch is None:
             return key

@@ -1,4 +1,4 @@
-"""Draft: the values of a blueprint while an edit changes them, copied only where it writes."""
+"""Draft: the values of a blueprint while an edit changes them. Only what changes is copied."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ Json = Any
 
 
 class Draft:
-    """What one edit writes; ``done`` splices it into the texts and reads the result.
+    """The changes of one edit. ``done`` splices them into the texts and reads the result.
 
-    Each SB is written in the document it stands in. Objects the edit does not ask for stay the
-    very same objects, so that splicing and reading can pass over them.
+    Each SB is changed in its own document. Objects that the edit does not ask for stay the same
+    objects, so that splicing and reading can skip them.
     """
 
     def __init__(self, before: Blueprint) -> None:
@@ -29,15 +29,14 @@ class Draft:
         self._own: set[tuple[str, ...]] = set()
 
     def file(self, document: Document | None = None) -> dict[str, Json]:
-        """The values of one of the documents (by default its own), which may be changed."""
+        """Return the values of one of the documents (by default its own) for changes."""
         chosen = document or self.before.document
         if chosen not in self._values:
             self._values[chosen] = dict(chosen.values)
         return self._values[chosen]
 
     def at(self, branch: str, *below: str) -> dict[str, Json]:
-        """The object of an SB, or one below it, which may be changed; KeyError where there is
-        none."""
+        """Return the object of an SB, or one below it, for changes. KeyError if there is none."""
         node = self.file(self.before.home(branch))
         path = (branch, *below)
         for depth, key in enumerate(path, start=1):
@@ -52,7 +51,9 @@ class Draft:
         return node
 
     def header(self, branch: str) -> dict[str, Json]:
-        """The HEADER of an SB, made in front of its states where it has none."""
+        """Return the HEADER of an SB for changes. It is created before the states if there is
+        none.
+        """
         inner = self.at(branch)
         if HEADER not in inner:
             rest = dict(inner)
@@ -62,9 +63,10 @@ class Draft:
         return self.at(branch, HEADER)
 
     def table(self, branch: str, key: str) -> dict[str, Json]:
-        """A table of annotations (``_layout``, ``_states``...), made at the end of the SB.
+        """Return a table of annotations (``_layout``, ``_states`` and so on) for changes. It is
+        created at the end of the SB if there is none.
 
-        EditRefused where something else than a map stands under its name.
+        EditRefused if the value under its name is no map.
         """
         inner = self.at(branch)
         inner.setdefault(key, {})
@@ -77,12 +79,12 @@ class Draft:
         return self.at(branch, key)
 
     def tables(self, branch: str, *keys: str) -> list[dict[str, Json]]:
-        """The tables of these names that exist and are maps."""
+        """Return the tables with these names that exist and are maps."""
         present = self.before.home(branch).values.get(branch, {})
         return [self.at(branch, key) for key in keys if isinstance(present.get(key), dict)]
 
     def done(self) -> Blueprint:
-        """The edited blueprint; the one before where nothing differs."""
+        """Return the edited blueprint, or the blueprint before if nothing differs."""
         changed = {}
         for before, values in self._values.items():
             after = reconcile(before, values)
@@ -95,9 +97,9 @@ class Draft:
 
 
 def rename_keys(table: dict[str, Json], names: Mapping[str, str]) -> None:
-    """Give keys other names in their places; those that are absent are passed over.
+    """Give keys other names in their places. Missing keys are ignored.
 
-    What stood under a new name (a note of something long gone) gives way.
+    If a new name is a key already, its old value (a note of a former element) is removed.
     """
     present = {old: new for old, new in names.items() if old in table and old != new}
     if not present:
@@ -111,13 +113,13 @@ def rename_keys(table: dict[str, Json], names: Mapping[str, str]) -> None:
 
 
 def branch_of(blueprint: Blueprint, branch: str) -> StateBranch:
-    """The SB of that name; EditRefused where there is none."""
+    """Return the SB of that name. EditRefused if there is none."""
     existing(blueprint, Address(branch))
     return blueprint[branch]
 
 
 def document_named(blueprint: Blueprint, file: str | None) -> Document:
-    """The document of that file, its own where none is named; EditRefused where there is none."""
+    """Return the document of that file, or its own without a name. EditRefused if there is none."""
     for document in blueprint.documents:
         if file is None or document.file == file:
             return document
@@ -128,7 +130,7 @@ def document_named(blueprint: Blueprint, file: str | None) -> Document:
 
 
 def existing(blueprint: Blueprint, address: Address) -> Address:
-    """The address of something that exists; EditRefused otherwise."""
+    """Return the address of an existing element. EditRefused if it does not exist."""
     try:
         found = blueprint.resolve(address)
     except AddressError as error:
@@ -141,7 +143,7 @@ def existing(blueprint: Blueprint, address: Address) -> Address:
 
 
 def free_name(name: str, taken: object, what: str) -> None:
-    """EditRefused where ``name`` cannot be the name of a new element beside ``taken``.
+    """Raise EditRefused if ``name`` cannot be the name of a new element beside ``taken``.
 
     ``what`` is the kind of element with its article, such as "a state".
     """

@@ -1,7 +1,7 @@
 """Copying: a part of a blueprint as a text of its own, in the native form.
 
-What is copied from inside an SB carries a mark (``_copied`` in the SB), so that pasting puts it
-into an SB again; a text without the mark is made of whole SBs. Other readers skip it.
+A copy from inside an SB has the mark ``_copied`` in its SB, so that pasting puts it into an SB
+again. A text without the mark has whole SBs. Other readers skip the mark.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ STATES, OPERATIONS = "states", "operations"
 
 
 def excerpt(blueprint: Blueprint, addresses: Iterable[Address]) -> str:
-    """The chosen SBs, states or operations as native SMSL.
+    """Return the chosen SBs, states or operations as native SMSL.
 
-    An SB comes with everything in it. States come with the operations among them, their notes and
-    places; operations alone come in the states they leave.
+    An SB comes with everything in it. States come with the operations between them, their notes and
+    places. Operations alone come in the states that they leave.
     """
     return form_named("smsl").write(parts_of(blueprint, addresses))
 
 
 def cut(blueprint: Blueprint, addresses: Iterable[Address]) -> tuple[Blueprint, str]:
-    """The blueprint without the chosen elements (see ``delete``), and their excerpt."""
+    """Return the blueprint without the chosen elements (see ``delete``), and their excerpt."""
     chosen = tuple(addresses)
     return delete(blueprint, chosen), excerpt(blueprint, chosen)
 
 
 def parts_of(blueprint: Blueprint, addresses: Iterable[Address]) -> dict[str, Json]:
-    """The values of an excerpt."""
+    """Return the values of an excerpt. EditRefused if nothing is chosen."""
     chosen = {existing(blueprint, address) for address in addresses}
     if not chosen:
         raise EditRefused("nothing is chosen", advice="Choose states, operations or an SB.")
@@ -80,7 +80,7 @@ def _part(blueprint: Blueprint, branch: StateBranch, chosen: set[Address]) -> di
 def _notes(
     written: Mapping[str, Json], states: set[str], kept: Mapping[str, list[str]]
 ) -> dict[str, Json]:
-    """The entries of the tables of notes that speak of what is copied."""
+    """Return the entries in the tables of notes about copied elements."""
     named = {note_key(name) for names in kept.values() for name in names}
     named |= {note_key(name, state) for state, names in kept.items() for name in names}
     wanted = {"_states": states, "_operations": named, "_layout": states}

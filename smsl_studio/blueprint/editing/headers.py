@@ -16,7 +16,9 @@ Json = Any
 
 
 def set_header(blueprint: Blueprint, branch: str, key: str, value: str | int | None) -> Blueprint:
-    """Write INITIAL, ACTIVATING, NUM_FACTS or NUM_STATES; None leaves it to the default."""
+    """Set INITIAL, ACTIVATING, NUM_FACTS or NUM_STATES. None restores the default. EditRefused for
+    a value that does not fit.
+    """
     found = branch_of(blueprint, branch)
     if key in ("INITIAL", "ACTIVATING"):
         _check_state(found, key, value)
@@ -44,7 +46,9 @@ def set_header(blueprint: Blueprint, branch: str, key: str, value: str | int | N
 
 
 def attach_sub(blueprint: Blueprint, base: str, digit: int, sub: str) -> Blueprint:
-    """Let ``sub`` expand fact ``digit`` (from 0) of ``base``."""
+    """Let ``sub`` expand fact ``digit`` (from 0) of ``base``. EditRefused if the digit does not
+    exist or is taken, or if a cycle would arise.
+    """
     found = branch_of(blueprint, base)
     branch_of(blueprint, sub)
     count = found.header.num_facts or found.num_facts
@@ -85,7 +89,7 @@ def attach_sub(blueprint: Blueprint, base: str, digit: int, sub: str) -> Bluepri
 
 
 def detach_sub(blueprint: Blueprint, base: str, sub: str) -> Blueprint:
-    """Let ``sub`` expand no fact of ``base`` any more."""
+    """Let ``sub`` expand no fact of ``base`` any more. EditRefused if it expands none."""
     found = branch_of(blueprint, base)
     subs = [name for _, name, _ in sub_entries(found.header.subs_as_written)]
     if sub not in subs:
@@ -96,7 +100,7 @@ def detach_sub(blueprint: Blueprint, base: str, sub: str) -> Blueprint:
 
 
 def drop_sub(draft: Draft, base: str, sub: str) -> None:
-    """Take ``sub`` out of SUB_SBS, and SUB_SBS out of the HEADER when nothing is left in it."""
+    """Remove ``sub`` from SUB_SBS, and an empty SUB_SBS from the HEADER."""
     header = draft.header(base)
     written = header.get("SUB_SBS")
     left: Json
@@ -137,7 +141,7 @@ def _check_num_facts(branch: StateBranch, value: object) -> None:
 
 
 def _check_digits(before: StateBranch, after: StateBranch) -> None:
-    """Refuse a HEADER under which a sub-SB would lose the digit it expands."""
+    """Raise EditRefused if a sub-SB would lose the digit that it expands."""
     for sub, digit in after.header.sub_sbs:
         if digit < before.num_facts and digit >= (after.header.num_facts or after.num_facts):
             raise EditRefused(
@@ -147,7 +151,9 @@ def _check_digits(before: StateBranch, after: StateBranch) -> None:
 
 
 def _path(blueprint: Blueprint, start: str, goal: str) -> tuple[str, ...]:
-    """The SBs on a way down from ``start`` to ``goal``, both included; empty if there is none."""
+    """Return the SBs on a path down from ``start`` to ``goal``, with both. Empty if there is
+    none.
+    """
     ways: list[tuple[str, ...]] = [(start,)]
     seen = {start}
     while ways:
@@ -164,11 +170,13 @@ def _path(blueprint: Blueprint, start: str, goal: str) -> tuple[str, ...]:
 
 
 def keep_activating(before: Blueprint, after: Blueprint, branches: Collection[str]) -> Blueprint:
-    """``after`` with ACTIVATING written where states that came in would take over as activating.
+    """Return ``after`` in which ACTIVATING stays the same state, although states were added at the
+    end.
 
-    Where ACTIVATING is not written the state listed last is activating, so a state that is added
-    would become it and nobody said so. This is done for the ``branches`` named: in an SB that is
-    just being drawn the last state drawn is what people expect, and in one of a single state, too.
+    Without a written ACTIVATING the last state is activating. A state that is added would replace
+    it, and nobody has asked for that. So ACTIVATING is written for these ``branches``. In an SB
+    with fewer than two states before, the last state that is drawn becomes activating, as people
+    expect.
     """
     for name in branches:
         former, branch = before.branches.get(name), after.branches.get(name)

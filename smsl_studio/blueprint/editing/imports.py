@@ -1,4 +1,4 @@
-"""Edits of a file's ``_imports``: which other files bring State Branches."""
+"""Edits of a file's ``_imports``: the other files with its State Branches."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ Json = Any
 
 
 def set_imports(blueprint: Blueprint, files: Sequence[Json], file: str | None = None) -> Blueprint:
-    """Write which files a document imports (its own, or ``file``); an empty list removes them.
+    """Set the imports of a document (its own, or ``file``). An empty list removes them.
 
-    The names are relative to the document. EditRefused where a name that is new leads to nothing
-    that can be imported; those that stood there before are not asked about again.
+    The names are relative to the document. EditRefused if a new name leads to nothing that can be
+    imported. Names that were there before are not checked again.
     """
     document = document_named(blueprint, file)
     written = document.values.get(KEY, [])

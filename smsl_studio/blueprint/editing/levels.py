@@ -1,4 +1,4 @@
-"""Edits of ``_levels``: who does, senses, inspects and supervises."""
+"""Edits of ``_levels``: who acts, senses, inspects and supervises."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Names = tuple[str, ...]
 def set_levels(
     blueprint: Blueprint, levels: Mapping[str, str | None], file: str | None = None
 ) -> Blueprint:
-    """Write levels into ``_levels`` of its own file, or of ``file``; None takes one out.
+    """Set levels in ``_levels`` of its own file, or of ``file``. None removes one.
 
-    Keys are those of ``Levels``. What stands there besides stays, also what fits nothing (R29).
-    EditRefused where a key names nothing or a level is none.
+    Keys are those of ``Levels``. Other entries stay, even if they do not fit (R29). EditRefused for
+    an unknown key or level.
     """
     for key, level in levels.items():
         fault = None if level is None else fault_of(blueprint, key, level)
@@ -46,10 +46,10 @@ def set_levels(
 
 
 def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None:
-    """Let the keys of every ``_levels`` follow an edit of what they name.
+    """Let the keys of every ``_levels`` follow an edit of their elements.
 
-    ``follow`` is given the names in a key, (SB, digit), (SB, operation) or (SB, state, operation),
-    and says what they are now; None where that is gone, and its level with it.
+    ``follow`` gets the names in a key: (SB, digit), (SB, operation) or (SB, state, operation). It
+    returns the names after the edit, or None if the element is gone. Then its level is deleted.
     """
     for document in draft.before.documents:
         written = document.values.get("_levels")

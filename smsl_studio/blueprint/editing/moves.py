@@ -1,4 +1,4 @@
-"""Edits that change where something leads or stands: retarget, reorder."""
+"""Edits of targets and of order: retarget and reorder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ from smsl_studio.errors import EditRefused, did_you_mean
 
 
 def retarget(blueprint: Blueprint, address: Address | Sequence[Address], target: str) -> Blueprint:
-    """Let an operation, or several of one SB, lead to another state of their SB."""
+    """Let an operation, or several of one SB, lead to another state of their SB. EditRefused if one
+    of them or the state does not exist.
+    """
     addresses = [address] if isinstance(address, Address) else list(address)
     for one in addresses:
         existing(blueprint, one)
@@ -31,8 +33,8 @@ def retarget(blueprint: Blueprint, address: Address | Sequence[Address], target:
 
 
 def reorder(blueprint: Blueprint, address: Address, index: int) -> Blueprint:
-    """Move an element to place ``index`` (from 0) among its like: the SBs of its file, states or
-    operations.
+    """Move an element to place ``index`` (from 0) among the elements of its kind: the SBs of its
+    file, the states or the operations. EditRefused for a place outside.
 
     Order has meaning: the first state is the default INITIAL, the last the default ACTIVATING.
     """

@@ -1,4 +1,4 @@
-"""Edits of what stands under ``_`` keys: layout, annotations, hazards; and of doubled keys."""
+"""Edits of ``_`` fields (layout, annotations, hazards) and of doubled keys."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Json = Any
 def set_layout(
     blueprint: Blueprint, branch: str, positions: Mapping[str, tuple[float, float]]
 ) -> Blueprint:
-    """Place states (node centres, pixels at 100 % zoom); other states stay where they are."""
+    """Place states (centres of nodes, pixels at 100 % zoom). Other states stay where they are."""
     found = branch_of(blueprint, branch)
     if not positions:
         return blueprint
@@ -36,7 +36,9 @@ def set_layout(
 
 
 def point(at: tuple[float, float]) -> list[float]:
-    """A position as it is written: tenths of a pixel, whole numbers without a dot."""
+    """Return a position as it is written: in tenths of a pixel, whole numbers without a dot.
+    EditRefused if it is not on the canvas.
+    """
     if not all(math.isfinite(value) and abs(value) < FAR for value in at):
         raise EditRefused(f"the position {at} is not on the canvas", advice="Drop it nearer.")
     rounded = [round(float(value), 1) for value in at]
@@ -46,10 +48,10 @@ def point(at: tuple[float, float]) -> list[float]:
 def set_note(
     blueprint: Blueprint, branch: str, table: str, key: str, note: Mapping[str, Json] | None
 ) -> Blueprint:
-    """Write one entry of ``_facts``, ``_states`` or ``_operations``; None removes it.
+    """Set one entry of ``_facts``, ``_states`` or ``_operations``. None removes it.
 
-    The key is a digit, a state's name, or an operation as ``note_key`` writes it. EditRefused
-    where nothing has that name or the entry does not fit its kind.
+    The key is a digit, a state's name, or an operation as ``note_key`` writes it. EditRefused if
+    there is no such element or if the entry does not fit.
     """
     branch_of(blueprint, branch)
     draft = Draft(blueprint)
@@ -69,11 +71,11 @@ def set_note(
 def change_notes(
     blueprint: Blueprint, table: str, changes: Mapping[tuple[str, str], Mapping[str, Json]]
 ) -> Blueprint:
-    """Change words of many entries of one table at once, as a form does.
+    """Change fields of many entries of one table at once, as a form does.
 
-    ``changes`` has new values for entries (SB, key); None takes a word out, and an entry without
-    words goes. What else stands in an entry stays, also what fits no kind (rule R29). EditRefused
-    where a new value does not fit, or something else than a map stands where an entry would be.
+    ``changes`` has new values for the entries (SB, key). None removes a field, and an entry without
+    fields is removed. Other fields of an entry stay, even if they do not fit (rule R29).
+    EditRefused if a new value does not fit, or if an entry is no map.
     """
     draft = Draft(blueprint)
     by_branch: dict[str, list[str]] = {}
@@ -114,9 +116,10 @@ def _changed(
 def set_hazards(
     blueprint: Blueprint, hazards: Sequence[Json], file: str | None = None
 ) -> Blueprint:
-    """Write the ``_hazards`` of a file (its own, or ``file``); an empty list removes them.
+    """Set the ``_hazards`` of a file (its own, or ``file``). An empty list removes them.
+    EditRefused if a new hazard does not fit.
 
-    Those that stood there before are not checked again: what did not fit is reported (R29).
+    Hazards that were there before are not checked again; rule R29 reports them.
     """
     plain = _plain(list(hazards))
     document = document_named(blueprint, file)
@@ -140,9 +143,10 @@ def set_hazards(
 
 
 def keep_last(blueprint: Blueprint, path: tuple[str, ...], file: str | None = None) -> Blueprint:
-    """Write a doubled key once (the quick fix of R01): the last, winning one takes the first's
-    place, so that the meaning stays. ``path`` is one of ``document.duplicates()``, the document
-    its own or that of ``file``.
+    """Write a doubled key once (the quick fix of R01). The last one counts, and takes the place of
+    the first, so the meaning stays.
+
+    ``path`` is one of ``document.duplicates()``, in its own document or that of ``file``.
     """
     document = document_named(blueprint, file)
     try:
@@ -160,7 +164,7 @@ def _must_fit(table: str, words: Mapping[str, Json]) -> None:
 
 
 class _Noted:
-    """What the entries of one table of an SB may speak of; names are collected once."""
+    """The elements that the entries of one table of an SB may name. They are collected once."""
 
     def __init__(self, blueprint: Blueprint, branch: str, table: str) -> None:
         self._branch, self._table = branch_of(blueprint, branch), table
@@ -175,7 +179,7 @@ class _Noted:
         return {name for operations in self._branch.table.values() for name in operations}
 
     def must_have(self, key: str) -> None:
-        """EditRefused where nothing has this name (a digit, a state, an operation)."""
+        """Raise EditRefused if no digit, state or operation has this name."""
         branch = self._branch
         if self._table == "_facts":
             self._must_be_digit(key)
@@ -210,7 +214,7 @@ def _must_be_state(branch: StateBranch, state: str) -> None:
 
 
 def _plain(value: Json) -> Json:
-    """Maps and sequences as the plain dictionaries and lists a document holds."""
+    """Return a value as the plain dictionaries and lists of a document."""
     if isinstance(value, Mapping):
         return {str(key): _plain(inner) for key, inner in value.items()}
     if isinstance(value, list | tuple):

@@ -14,16 +14,16 @@ Json = Any
 Point = tuple[float, float]
 
 STEP = (160.0, 96.0)
-"""How far apart (pixels at 100 %) states are put that have no places of their own."""
+"""The distances (pixels at 100 %) between states without places of their own."""
 
 ASIDE = (32.0, 32.0)
-"""How far aside (pixels at 100 %) a state moves that would cover another one."""
+"""How far aside (pixels at 100 %) a state moves if it would cover another one."""
 
 
 @dataclass(frozen=True)
 class PastedPlaces:
-    """States are moved by an offset, or have their middle at a point; else they stay where they
-    were, or go a little aside.
+    """The places of pasted states: moved by an offset, or with their middle at a point. Otherwise
+    they keep their places, or go a little aside.
     """
 
     offset: Point | None = None
@@ -32,7 +32,7 @@ class PastedPlaces:
     def of(
         self, states: list[str], layout: Mapping[str, Json], taken: Iterable[Point]
     ) -> Iterator[tuple[str, list[float]]]:
-        """Which states get a place, and which one."""
+        """Yield the states that get a place, and the place."""
         points = {state: place for state in states if (place := point_of(layout.get(state)))}
         if not points and self.at is not None:
             points = _rows(states)
@@ -54,7 +54,7 @@ class PastedPlaces:
 
 
 def _rows(states: list[str]) -> dict[str, Point]:
-    """Places in rows, about as high as wide."""
+    """Return places in rows, about as many rows as columns."""
     wide = ceil(sqrt(len(states)))
     return {
         state: (index % wide * STEP[0], index // wide * STEP[1])

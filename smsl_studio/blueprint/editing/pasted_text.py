@@ -1,4 +1,4 @@
-"""Pasting: the elements in a text become part of a blueprint, under names that are free."""
+"""Pasting: the elements in a text become part of a blueprint, with free names."""
 
 from __future__ import annotations
 
@@ -25,11 +25,12 @@ Values = Mapping[str, Json]
 def paste(
     blueprint: Blueprint, branch: str, text: str, at: Point | None = None
 ) -> tuple[Blueprint, tuple[Address, ...]]:
-    """Put a copied text (see ``excerpt``), or any SMSL text, into the blueprint; the new addresses.
+    """Put a copied text (see ``excerpt``), or any SMSL text, into the blueprint. Return the new
+    addresses too.
 
-    States and operations go into ``branch``, whole SBs behind the others; an element whose name is
-    taken gets a free one, and what refers to it is changed alike. ``at`` is the new middle of the
-    states. EditRefused where the text is no SMSL.
+    States and operations go into ``branch``, whole SBs after the others. An element whose name is
+    taken gets a free one, and references to it follow. ``at`` is the new middle of the states.
+    EditRefused if the text is no SMSL.
     """
     return _put(blueprint, [(branch, *item) for item in _values(text).items()], PastedPlaces(at=at))
 
@@ -37,13 +38,13 @@ def paste(
 def duplicate(
     blueprint: Blueprint, addresses: Iterable[Address], offset: Point = ASIDE
 ) -> tuple[Blueprint, tuple[Address, ...]]:
-    """A copy of each chosen element beside it, moved by ``offset``; the new addresses."""
+    """Add a copy of each chosen element, moved by ``offset``. Return the new addresses too."""
     parts = [(name, name, value) for name, value in parts_of(blueprint, addresses).items()]
     return _put(blueprint, parts, PastedPlaces(offset))
 
 
 def _values(text: str) -> Values:
-    """The SBs in a text."""
+    """Return the SBs in a text. EditRefused if it is no SMSL."""
     file = "the pasted text"
     try:
         document = form_named(form_of("", text)).parse(text, file)
@@ -60,7 +61,9 @@ def _values(text: str) -> Values:
 def _put(
     blueprint: Blueprint, parts: Iterable[tuple[str, str, Values]], places: PastedPlaces
 ) -> tuple[Blueprint, tuple[Address, ...]]:
-    """Put in every part: the SB it goes into, the one it comes from, and what stands in it."""
+    """Put in every part. A part is the SB that it goes into, the SB that it comes from, and its
+    values.
+    """
     draft = Draft(blueprint)
     made: list[Address] = []
     whole: dict[str, Values] = {}
@@ -90,7 +93,7 @@ def _put(
 
 
 def _put_branches(draft: Draft, whole: Mapping[str, Values]) -> Iterator[Address]:
-    """Put SBs behind the others; SUB_SBS and ``requires`` follow their new names."""
+    """Add SBs after the others. SUB_SBS and ``requires`` follow their new names."""
     inner = draft.file()
     free = FreeNames({*draft.before.branches, *inner})
     names = {name: free.take(name) for name in whole}
@@ -140,7 +143,9 @@ class _Into:
             draft.table(branch, "_layout")[names[state]] = place
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:
-        """Put operations into the states that are called like those from which they were copied."""
+        """Put operations into the states with the same names as those from which they were
+        copied.
+        """
         states = [key for key in value if not key.startswith("_") and key != HEADER]
         edges = []
         for state in states:
@@ -162,7 +167,7 @@ class _Into:
         self._edge_notes(value, edges)
 
     def _edge_notes(self, value: Values, edges: Iterable[tuple[str, str, str, str]]) -> None:
-        """Copy the notes of operations; edges are (state, operation) before, then after pasting.
+        """Copy the notes of operations. Edges are (state, operation) before, then after pasting.
 
         A note for all operations of a name must not apply to operations that were here before.
         """
@@ -184,9 +189,11 @@ class _Into:
 
 
 class _StateNames:
-    """Names for new states of an SB. A state keeps its own name where that is free, has as many
-    facts as the others, and no other state has the same facts; else it gets the next name of the
-    kind that the SB uses."""
+    """Names for new states of an SB.
+
+    A state keeps its own name if it is free, has as many facts as the others, and no other state
+    has the same facts. Otherwise it gets the next name of the form that the SB uses.
+    """
 
     def __init__(self, branch: StateBranch) -> None:
         shape = branch.shape
@@ -197,7 +204,7 @@ class _StateNames:
         self._fresh = fresh_state_names(branch)
 
     def take(self, name: str) -> str:
-        """A free name for a state that was called ``name``; it counts as taken from now on."""
+        """Return a free name for a state that was called ``name``, and take it."""
         if self._length:
             name = self._with_own_facts(name)
         free = self._free.take(name)

@@ -1,4 +1,4 @@
-"""Renaming: a refactoring, everything that names the element follows."""
+"""Renaming: everything that names the element follows."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ Json = Any
 def rename(
     blueprint: Blueprint, address: Address, new_name: str, rename_everywhere: bool = False
 ) -> Blueprint:
-    """Give an SB, a state or an operation another name, in its place.
+    """Give an SB, a state or an operation another name, in its place. EditRefused if it is not
+    free.
 
-    SB: SUB_SBS, ``requires`` and hazards follow. State: targets, INITIAL, ACTIVATING and the
-    annotations follow. Operation: just that edge and its own annotations; with
-    ``rename_everywhere`` every edge of that name in the SB, and the name's annotations. The keys
-    of ``_levels`` follow in any case.
+    For an SB, SUB_SBS, ``requires`` and hazards follow. For a state, targets, INITIAL, ACTIVATING
+    and its annotations follow. For an operation only this edge and its own annotations change. With
+    ``rename_everywhere`` every edge of that name in the SB changes, and the annotations of the
+    name. The keys of ``_levels`` always follow.
     """
     existing(blueprint, address)
     if new_name == address.path[-1]:
@@ -60,7 +61,7 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
 
 
 def renamed_subs(value: Json, names: Mapping[str, str]) -> Json:
-    """SUB_SBS (a map or a list of maps) with other names for some SBs."""
+    """Return SUB_SBS (a map or a list of maps) with other names for some SBs."""
     if isinstance(value, list):
         return [renamed_subs(item, names) for item in value]
     if not isinstance(value, dict):
@@ -69,7 +70,7 @@ def renamed_subs(value: Json, names: Mapping[str, str]) -> Json:
 
 
 def renamed_requires(notes: Json, names: Mapping[str, str]) -> Json:
-    """``_operations`` with other names for some SBs in every ``requires``."""
+    """Return ``_operations`` with other names for some SBs in every ``requires``."""
     if not isinstance(notes, dict):
         return notes
     renamed = dict(notes)
