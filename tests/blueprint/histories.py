@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
@@ -18,7 +17,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.document import Document, Member
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.splice import reconcile
-from tests.blueprint.test_any_edits import random_edit, some
+from tests.blueprint.test_any_edits import random_edit
 from tests.smsl.native_texts import native, plain
 from tests.smsl.texts import written
 
@@ -82,28 +81,6 @@ def _branch(chance: random.Random, files: int) -> dict[str, Json]:
     return branch
 
 
-def any_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
-    """What one edit makes of a blueprint; EditRefused where it is nonsense."""
-    if chance.random() < 0.75 or not blueprint.branches:
-        return random_edit(chance, blueprint)
-    at, other = some(chance, blueprint), some(chance, blueprint)
-    kind = chance.randrange(6)
-    if kind == 0:
-        return edit.duplicate(blueprint, [at, other])[0]
-    if kind == 1:
-        return edit.paste(blueprint, other.branch, edit.excerpt(blueprint, [at]), (5, 5))[0]
-    if kind == 2:
-        return edit.cut(blueprint, [at])[0]
-    file = chance.choice(blueprint.documents).file
-    if kind == 3:
-        return edit.add_branch(blueprint, f"New{chance.randrange(99)}", file)
-    if kind == 4:
-        level = chance.choice(["human", "shared", "automatic", None])
-        return edit.set_levels(blueprint, {str(at): level, "supervision": level}, file)
-    hazards = [{"name": "h", "facts": {}}] * chance.randrange(3)
-    return edit.set_hazards(blueprint, hazards, file)
-
-
 def stand(blueprint: Blueprint) -> str:
     """Everything that must be the same again: texts, digests, layout, order."""
     layouts = [[one.name, sorted(one.notes.layout.items())] for one in blueprint]
@@ -126,7 +103,7 @@ class History:
     def edit(self, chance: random.Random) -> None:
         before = self.blueprint
         try:
-            after = any_edit(chance, before)
+            after = random_edit(chance, before)
         except EditRefused:
             return
         if after is before:

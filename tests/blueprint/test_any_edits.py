@@ -7,6 +7,7 @@ import json
 import random
 from collections import Counter
 from collections.abc import Callable
+from inspect import signature
 from typing import Any
 
 from hypothesis import given, settings
@@ -43,43 +44,69 @@ def random_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
     """What one edit, chosen by chance, makes of a blueprint; EditRefused where it is nonsense."""
     if not blueprint.branches:
         return edit.add_branch(blueprint, fresh_branch_name(blueprint))
+    name = chance.choice([name for name in edit.__all__ if name not in APART])
+    change = getattr(edit, name)
+    values = drawn_values(chance, blueprint)
+    chosen = {
+        one.name: values[one.name]()
+        for one in signature(change).parameters.values()
+        if one.default is one.empty or (one.name != "offset" and chance.random() < 0.5)
+    }
+    if name == "set_header":
+        chosen["key"] = chance.choice(["INITIAL", "ACTIVATING", "NUM_FACTS", "NUM_STATES"])
+    made = change(**chosen)
+    after: Blueprint = made[0] if isinstance(made, tuple) else made
+    return after
+
+
+APART = {
+    "excerpt": "it gives a text, which ``paste`` puts in again",
+    "keep_activating": "it takes the blueprint before and after",
+    "keep_last": "it takes a path to a key that is written twice",
+    "set_imports": "it takes other files, and test_editing_imports.py has them",
+}
+"""The edits that no random arguments fit, each with the reason."""
+
+
+def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Callable[[], Any]]:
+    """A value for a parameter of an edit, by its name. A parameter of another name comes here."""
     at, other = some(chance, blueprint), some(chance, blueprint)
-    name = chance.choice(ODD_NAMES)
     where = (chance.uniform(-9, 9), float(chance.randrange(99)))
+    odd = chance.choice(ODD_NAMES)
+    fresh = [odd, fresh_branch_name(blueprint), fresh_state_name(blueprint[at.branch])]
+    if at.state:
+        fresh.append(fresh_operation_name(blueprint[at.branch], at.state))
     notes: list[dict[str, Any] | None] = [
-        {"title": name},
-        {"cost": 1.5},
-        {"name": name, "on": "1"},
-        None,
-        {"facts": ["a"]},
-    ]
-    table = chance.choice(["_facts", "_states", "_operations"])
+        {"title": odd}, {"cost": 1.5}, {"name": odd, "on": "1"}, None, {"facts": ["a"]},
+    ]  # fmt: skip
     key = chance.choice(["0", at.state, at.operation])
-    header = chance.choice(["INITIAL", "ACTIVATING", "NUM_FACTS", "NUM_STATES"])
-    value = chance.choice([other.state, None, 1, 2, 3])
-    edits: list[Callable[[], Blueprint]] = [
-        lambda: edit.add_branch(blueprint, name or fresh_branch_name(blueprint)),
-        lambda: edit.add_state(blueprint, at.branch, name, chance.choice([None, where])),
-        lambda: edit.add_state(blueprint, at.branch, fresh_state_name(blueprint[at.branch])),
-        lambda: edit.add_operation(blueprint, at.branch, at.state, name, other.state),
-        lambda: edit.add_operation(
-            blueprint,
-            at.branch,
-            at.state,
-            fresh_operation_name(blueprint[at.branch], at.state),
-            at.state,
-        ),
-        lambda: edit.rename(blueprint, at, name, chance.random() < 0.5),
-        lambda: edit.delete(blueprint, [at, other][: chance.randrange(1, 3)]),
-        lambda: edit.retarget(blueprint, at, other.state),
-        lambda: edit.reorder(blueprint, at, chance.randrange(4)),
-        lambda: edit.set_header(blueprint, at.branch, header, value),
-        lambda: edit.attach_sub(blueprint, at.branch, chance.randrange(2), other.branch),
-        lambda: edit.detach_sub(blueprint, at.branch, other.branch),
-        lambda: edit.set_layout(blueprint, at.branch, {at.state: where}),
-        lambda: edit.set_note(blueprint, at.branch, table, key, chance.choice(notes)),
-    ]
-    return chance.choice(edits)()
+    level = chance.choice(["human", "shared", "automatic", None])
+    return {
+        "blueprint": lambda: blueprint,
+        "address": lambda: at,
+        "addresses": lambda: [at, other][: chance.randrange(1, 3)],
+        "branch": lambda: at.branch,
+        "base": lambda: at.branch,
+        "sub": lambda: other.branch,
+        "state": lambda: at.state,
+        "target": lambda: other.state,
+        "name": lambda: chance.choice(fresh),
+        "new_name": lambda: odd,
+        "rename_everywhere": lambda: True,
+        "index": lambda: chance.randrange(4),
+        "digit": lambda: chance.randrange(2),
+        "at": lambda: where,
+        "positions": lambda: {at.state: where},
+        "key": lambda: key,
+        "value": lambda: chance.choice([other.state, None, 1, 2, 3]),
+        "table": lambda: chance.choice(["_facts", "_states", "_operations"]),
+        "note": lambda: chance.choice(notes),
+        "changes": lambda: {(at.branch, key): chance.choice(notes) or {}},
+        "levels": lambda: {str(at): level, "supervision": level},
+        "hazards": lambda: [{"name": "h", "facts": {}}] * chance.randrange(3),
+        "text": lambda: edit.excerpt(blueprint, [other]),
+        "file": lambda: chance.choice(blueprint.documents).file,
+    }
 
 
 def whole(blueprint: Blueprint) -> Any:

@@ -12,52 +12,28 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from smsl_studio.blueprint.editing.additions import add_branch, add_operation, add_state
-    from smsl_studio.blueprint.editing.deletion import delete
-    from smsl_studio.blueprint.editing.excerpts import cut, excerpt
-    from smsl_studio.blueprint.editing.headers import (
-        attach_sub,
-        detach_sub,
-        keep_activating,
-        set_header,
-    )
-    from smsl_studio.blueprint.editing.imports import set_imports
-    from smsl_studio.blueprint.editing.levels import set_levels
-    from smsl_studio.blueprint.editing.moves import reorder, retarget
-    from smsl_studio.blueprint.editing.notes import (
-        change_notes,
-        keep_last,
-        set_hazards,
-        set_layout,
-        set_note,
-    )
-    from smsl_studio.blueprint.editing.pasted_text import duplicate, paste
-    from smsl_studio.blueprint.editing.renames import rename
-
-__all__ = [
-    "add_branch",
-    "add_operation",
-    "add_state",
-    "attach_sub",
-    "change_notes",
-    "cut",
-    "delete",
-    "detach_sub",
-    "duplicate",
-    "excerpt",
-    "keep_activating",
-    "keep_last",
-    "paste",
-    "rename",
-    "reorder",
-    "retarget",
-    "set_hazards",
-    "set_header",
-    "set_imports",
-    "set_layout",
-    "set_levels",
-    "set_note",
-]
+    from smsl_studio.blueprint.editing.additions import add_branch as add_branch
+    from smsl_studio.blueprint.editing.additions import add_operation as add_operation
+    from smsl_studio.blueprint.editing.additions import add_state as add_state
+    from smsl_studio.blueprint.editing.deletion import delete as delete
+    from smsl_studio.blueprint.editing.excerpts import cut as cut
+    from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
+    from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
+    from smsl_studio.blueprint.editing.headers import detach_sub as detach_sub
+    from smsl_studio.blueprint.editing.headers import keep_activating as keep_activating
+    from smsl_studio.blueprint.editing.headers import set_header as set_header
+    from smsl_studio.blueprint.editing.imports import set_imports as set_imports
+    from smsl_studio.blueprint.editing.levels import set_levels as set_levels
+    from smsl_studio.blueprint.editing.moves import reorder as reorder
+    from smsl_studio.blueprint.editing.moves import retarget as retarget
+    from smsl_studio.blueprint.editing.notes import change_notes as change_notes
+    from smsl_studio.blueprint.editing.notes import keep_last as keep_last
+    from smsl_studio.blueprint.editing.notes import set_hazards as set_hazards
+    from smsl_studio.blueprint.editing.notes import set_layout as set_layout
+    from smsl_studio.blueprint.editing.notes import set_note as set_note
+    from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
+    from smsl_studio.blueprint.editing.pasted_text import paste as paste
+    from smsl_studio.blueprint.editing.renames import rename as rename
 
 _HOMES = {
     "add_branch": "additions",
@@ -83,6 +59,9 @@ _HOMES = {
     "set_levels": "levels",
     "set_note": "notes",
 }
+"""Every edit with its module. Random sequences of edits in the tests take each of them."""
+
+__all__ = list(_HOMES)
 
 
 def __getattr__(name: str) -> Any:

@@ -30,7 +30,8 @@ class Action:
 
     ``keys`` are shortcuts; menus and tooltips show the first one. ``scope`` is ``window``, or
     ``canvas`` for keys that the canvas itself answers while it has the focus (single letters, Del,
-    Enter). ``section`` groups the actions of a menu; a line separates the sections.
+    Enter). ``section`` groups the actions of a menu; a line separates the sections. ``pointer``
+    names the kinds of elements (state, operation) whose menu at the pointer ends with the action.
     """
 
     id: str
@@ -46,6 +47,7 @@ class Action:
     short: str = ""
     """The label in the mode bar, if ``words`` are too long for it."""
     tip: str = ""
+    pointer: tuple[str, ...] = ()
 
     @property
     def hint(self) -> str:

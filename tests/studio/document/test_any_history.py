@@ -8,7 +8,8 @@ from functools import partial
 import pytest
 
 from smsl_studio.studio.document.session import Session
-from tests.blueprint.histories import any_blueprint, any_edit, as_read, stand
+from tests.blueprint.histories import any_blueprint, as_read, stand
+from tests.blueprint.test_any_edits import random_edit
 
 
 def typed(chance: random.Random, text: str) -> str:
@@ -32,7 +33,7 @@ def test_a_history_of_edits_and_typing_is_exact(qapp: object, part: int) -> None
         for _ in range(20):
             kind, at = chance.random(), session.history.index()
             if kind < 0.35:
-                session.edit("Edit", partial(any_edit, chance))
+                session.edit("Edit", partial(random_edit, chance))
             elif kind < 0.6:
                 file, text = chance.choice(list(session.texts.items()))
                 session.write("Type", typed(chance, text), file)

@@ -16,8 +16,9 @@ from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
-ON_STATE = ("connect", "rename", "", "cut", "copy", "duplicate", "", "delete")
-ON_OPERATION = ("rename", "", "cut", "copy", "duplicate", "", "delete")
+ON_OPERATION = ("rename", "", "cut", "copy", "duplicate", "")
+ON_STATE = ("connect", *ON_OPERATION)
+"""The first lines. Below them stand the actions that name the kind of element as ``pointer``."""
 
 
 def context_menu(
@@ -41,9 +42,9 @@ def context_menu(
         session.select((address,))
     actions.refresh()
     if address.operation:
-        _add(menu, actions, ON_OPERATION)
+        _add(menu, actions, (*ON_OPERATION, *_at_pointer(actions, "operation")))
         return menu
-    _add(menu, actions, ON_STATE)
+    _add(menu, actions, (*ON_STATE, *_at_pointer(actions, "state")))
     menu.addSeparator()
     for key, words in (("INITIAL", "Make initial"), ("ACTIVATING", "Make activating")):
         chosen = getattr(session.blueprint[address.branch], key.lower()) == address.state
@@ -66,6 +67,10 @@ def _set(session: Session, key: str, address: Address) -> None:
         f"Set {key} to {address.state}",
         lambda bp: editing.set_header(bp, address.branch, key, address.state),
     )
+
+
+def _at_pointer(actions: Actions, kind: str) -> tuple[str, ...]:
+    return tuple(name for name, action in actions.table.items() if kind in action.pointer)
 
 
 def _add(menu: QMenu, actions: Actions, names: tuple[str, ...]) -> None:

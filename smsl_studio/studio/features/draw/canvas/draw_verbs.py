@@ -11,6 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.graph.layout import place_anew
+from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
@@ -136,6 +137,23 @@ class DrawVerbs:
 
     def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
         return self._session.edit(words, change)
+
+
+def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Action, ...]:
+    """The rows of the Edit menu about the selection. ``drawn`` tells whether Draw mode is shown.
+
+    A new edit is a method above and its row here.
+    """
+    return (
+        Action("rename", "Rename", drawing.rename, "Edit", "pencil", ("F2",),
+               lambda: drawn() and drawing.can_rename(), scope="canvas", section=1,
+               tip="Edit the name in place"),
+        Action("delete", "Delete", drawing.delete, "Edit", "trash", ("Del",),
+               lambda: drawn() and drawing.has_selection(), scope="canvas", section=1,
+               pointer=("state", "operation")),
+        Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
+               lambda: drawn() and drawing.has_states(), scope="canvas", section=1),
+    )  # fmt: skip
 
 
 def _together(a: tuple[float, float], b: tuple[float, float] | None) -> bool:

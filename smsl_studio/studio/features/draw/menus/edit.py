@@ -9,7 +9,7 @@ from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Shell
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
-from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs, selection_actions
 
 NOT_SHOWN = EditRefused(
     "the steps of the drawing are undone and done again where it is shown",
@@ -56,14 +56,7 @@ def edit_actions(
         Action("duplicate", "Duplicate", clipping.duplicate, "Edit", "", ("Ctrl+D",),
                lambda: drawn() and clipping.can_duplicate(), scope="canvas", section=1,
                tip="A copy of what is selected, beside it"),
-        Action("rename", "Rename", drawing.rename, "Edit", "pencil", ("F2",),
-               lambda: shell.mode == "draw" and drawing.can_rename(), scope="canvas", section=1,
-               tip="Edit the name in place"),
-        Action("delete", "Delete", drawing.delete, "Edit", "trash", ("Del",),
-               lambda: shell.mode == "draw" and drawing.has_selection(), scope="canvas",
-               section=1),
-        Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
-               lambda: shell.mode == "draw" and drawing.has_states(), scope="canvas", section=1),
+        *selection_actions(drawing, drawn),
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),
         Action("find", "Find in the blueprint", shell.open_palette, "Edit", "", ("Ctrl+F",),
