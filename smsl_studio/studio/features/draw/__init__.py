@@ -1,1 +1,1 @@
-"""Drawing a blueprint: the canvas with its editor, the panels, the source, files and search."""
+"""Draw mode: the canvas with its editor, the panels, the source editor, comparison and search."""

@@ -1,4 +1,4 @@
-"""The drawing as one feature: canvas, panels, source, search, comparison and unsaved work."""
+"""Draw mode as one feature: canvas, panels, source, search, comparison and unsaved work."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class DrawFeature(Feature):
         }
 
     def actions(self) -> tuple[Action, ...]:
-        """The File, Edit, View and Blueprint menus."""
+        """The rows of the File, Edit, View and Blueprint menus."""
         session, files, shell = self._parts.session, self._parts.files, self._shell
         return (
             *file_actions(files, session, shell.program, shell),
@@ -107,7 +107,7 @@ class DrawFeature(Feature):
         )
 
     def take_actions(self, actions: Actions) -> None:
-        """Connect everything: every key and menu of the drawing has its action now."""
+        """Build what needs the actions (palette, tidings) and connect all signals."""
         parts, session = self._parts, self._parts.session
         self._actions = actions
         finder = Finder(session, actions, self.findings, self.going)
@@ -151,21 +151,21 @@ class DrawFeature(Feature):
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
 
-    # What the shell asks of it.
+    # Called by the shell.
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
-        """Offer their operations in library, source and forms."""
+        """Offer the operations of the plugins in the library, the source and the forms."""
         self._loaded = loaded
         self._show_offers()
         self.source.set_library(operation_names(loaded))
         self.properties.set_plugins(loaded)
 
     def settle(self) -> None:
-        """Take over what is typed in the source."""
+        """Take over the text that is being typed in the source."""
         self.source.settle()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         for part in (self.canvas, self.palette, self.fix_card, self.comparing, self.safety):
             part.set_tokens(tokens)
         for panel in self.panels:
@@ -173,24 +173,27 @@ class DrawFeature(Feature):
                 panel.widget.set_tokens(tokens)
 
     def stop(self) -> None:
-        """Nothing is read, compared or kept any more."""
+        """End all background work of the drawing, because the window closes."""
         for part in (self.source, self.comparing, self.findings):
             part.stop()
         self.safety.close()
 
     def show_difference(self, entry: JournalEntry, tokens: Tokens, parent: QDialog) -> bool:
-        """Show what was kept beside what stands on the disk; False where one is nothing."""
+        """Compare the kept text with the file on the disk.
+
+        Returns False if there is nothing to compare.
+        """
         from smsl_studio.studio.features.draw.compare.kept_difference import difference_dialog
 
         return difference_dialog(entry, tokens, parent)
 
-    # What is shown.
+    # Reactions to the session.
 
     def _show_offers(self) -> None:
         self.library.set_offers(offers(self._loaded, self._parts.session.blueprint))
 
     def _show_broken(self) -> None:
-        """A text that does not read is repaired in the source, where its faults are marked."""
+        """Show the source if the text cannot be read, because its faults are marked there."""
         if self._parts.session.broken is not None and self._shell.mode == "draw":
             self._shell.show_tab("Source")
 
@@ -198,18 +201,18 @@ class DrawFeature(Feature):
         self._parts.toast.of_step(*step_notice(before, after))
 
     def _jumped(self, address: Address) -> None:
-        """What was found is in view, and the keys act on it."""
+        """Scroll the canvas to an element that was found, and give it the keyboard focus."""
         self.canvas.reveal(address)
         if self._shell.mode == "draw":
             self.canvas.setFocus()
 
     def _say_deleted(self, name: str, states: int) -> None:
-        """A whole SB has gone by one key: say so, and offer to take it back."""
+        """Say that a whole SB was deleted, and offer to undo that."""
         words = f"Deleted State Branch {name} with {counted(states, 'state')}."
         self._parts.toast.offer(words, "Undo", self._parts.session.history.undo)
 
     def _refused(self, error: StudioError) -> None:
-        """Say it in a line, unless the field in which it was typed says it."""
+        """Show a refused edit in a toast, unless the open name field shows the reason itself."""
         if self.editor.field is None:
             self._parts.toast.refuse(error)
 
@@ -218,7 +221,7 @@ class DrawFeature(Feature):
         context_menu(session, self.editor, actions, self.clipping, address).popup(at)
 
     def _choose_sub_sb(self) -> None:
-        """A menu of the facts, and of the SBs that could expand each."""
+        """Open the menu of facts, with the SBs that could expand each of them."""
         menu = passing_menu(self._parts.window)
         fill_sub_sbs(self._parts.session, self.drawing, menu)
         menu.popup(self._shell.corner_below("sub_sb"))

@@ -1,6 +1,6 @@
-"""Tidings of the inspection: everything in the window that shows findings hears of them here.
+"""Passes the findings of the inspection to every part of the window that shows them.
 
-A text that does not read has no findings; its faults are told in their place.
+A text that cannot be read has no findings; the parts show its faults instead.
 """
 
 from __future__ import annotations
@@ -20,18 +20,22 @@ from smsl_studio.studio.features.draw.panels.findings import Findings
 from smsl_studio.studio.running.window_parts import WindowParts
 
 EMPTY = "R03"
-"""The rule that finds SBs without states."""
+"""The rule for SBs without states."""
 
 
 class Marked(Protocol):
-    """What marks the elements that it shows with their findings."""
+    """A part that marks the elements it shows with their findings."""
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Mark the elements with these findings."""
+        """Mark the elements that have these findings."""
 
 
 class Tidings(QObject):
-    """Hands findings on to the list, the canvas and whatever marks elements, and says their sum."""
+    """Passes new findings to the list, the canvas and the other parts that mark elements.
+
+    ``say`` shows the sum of the findings in a few words; ``then`` is called after the parts have
+    them.
+    """
 
     def __init__(
         self,
@@ -55,7 +59,7 @@ class Tidings(QObject):
         self._inspector = inspector
 
     def forget(self) -> None:
-        """Another file was opened: what was found in the last one says nothing about it."""
+        """Remove all findings, because another file was opened."""
         for part in self._marked:
             part.set_findings(())
         self._findings.forget()
@@ -63,7 +67,8 @@ class Tidings(QObject):
         self._say("checking")
 
     def _opened(self) -> None:
-        """Of a file that was opened broken, the blueprint is what could be read of it."""
+        """Remember the blueprint of a file that was broken when opened: it holds only what could
+        be read."""
         self._salvaged = self._session.blueprint if self._session.broken is not None else None
 
     def _broken(self) -> None:
@@ -78,7 +83,7 @@ class Tidings(QObject):
             self._say("checking")
 
     def _said(self, broken: Broken | None) -> str:
-        """What the canvas says of the drawing beside a text that does not read."""
+        """The banner of the canvas while the text cannot be read; empty if it can be read."""
         if broken is None:
             return ""
         shown = self._session.blueprint
@@ -92,10 +97,10 @@ class Tidings(QObject):
 
     def _found(self, findings: tuple[Finding, ...]) -> None:
         if self._session.broken is not None and self._session.blueprint is self._salvaged:
-            # What could not be read is missing in it: that is no finding, and no fix is one.
+            # The unreadable part is missing in it; that is no mistake and needs no fix.
             findings = ()
         if not self._session.blueprint.state_count:
-            # Whoever has just begun has made no mistake, and nothing is there to be approved.
+            # A new blueprint has no states yet; that is no mistake of the person.
             findings = tuple(finding for finding in findings if finding.rule != EMPTY)
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
@@ -105,6 +110,6 @@ class Tidings(QObject):
         self._then()
 
     def _told(self, findings: Sequence[Finding]) -> str:
-        """What the findings come to; that nothing was found is not said of nothing."""
+        """The number of findings in words. An empty blueprint has “nothing to check”."""
         nothing = "no findings" if self._session.blueprint.state_count else "nothing to check"
         return tally(findings) or nothing

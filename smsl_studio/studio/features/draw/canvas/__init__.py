@@ -1,1 +1,1 @@
-"""The editor of the canvas: its gestures become edits of the session."""
+"""The editor of the canvas: it turns gestures into edits of the session."""

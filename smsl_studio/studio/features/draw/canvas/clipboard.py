@@ -1,6 +1,7 @@
-"""Copy, cut, paste, duplicate: elements travel as SMSL text on the system's clipboard.
+"""Copy, cut, paste and duplicate elements, as SMSL text on the system's clipboard.
 
-So they go to another window, another process or an editor, and any SMSL text comes in from there.
+Elements can be pasted in another window, another process or a text editor, and any SMSL text can be
+pasted into the drawing.
 """
 
 from __future__ import annotations
@@ -23,33 +24,33 @@ from smsl_studio.studio.features.draw.canvas.free_places import on_grid
 
 KIND = "text/x-smsl"
 MOST = 64 * 2**20
-"""Bytes: who pastes more than this means a file."""
+"""In characters. A longer text is not pasted; it has to be opened as a file."""
 
 Put = tuple[Blueprint, tuple[Address, ...]]
-"""A blueprint with something put in, and where that stands."""
+"""The blueprint after an edit, and the addresses of the elements that were put in."""
 
 Texts = QLineEdit | QPlainTextEdit | QTextEdit
 
 
 class ClipboardVerbs:
-    """The verbs on the selection; where a text is being edited they are the text's own.
+    """Copy, cut, paste and duplicate the selection; in a text field they act on its text.
 
-    ``say`` tells what was copied; what is refused is told by the session.
+    ``say`` shows what was copied. A refusal is emitted as ``Session.refused``.
     """
 
     def __init__(self, session: Session, canvas: Canvas, say: Callable[[str], object]) -> None:
         self._session, self._canvas, self._say = session, canvas, say
 
     def can_copy(self) -> bool:
-        """Whether something is selected, or a text is being edited."""
+        """Whether an element is selected or a text field has the keyboard focus."""
         return bool(self._session.selection) or _text_focus() is not None
 
     def can_duplicate(self) -> bool:
-        """Whether something is selected."""
+        """Whether an element is selected."""
         return bool(self._session.selection)
 
     def copy(self) -> None:
-        """Put the selection onto the clipboard."""
+        """Copy the selection to the clipboard."""
         field = _text_focus()
         if field is not None:
             field.copy()
@@ -57,7 +58,7 @@ class ClipboardVerbs:
             self._copy(self._session.selection)
 
     def cut(self) -> None:
-        """Copy the selection and take it away, as one step."""
+        """Copy the selection to the clipboard and delete it, as one step."""
         field = _text_focus()
         if field is not None:
             field.cut()
@@ -65,8 +66,10 @@ class ClipboardVerbs:
             self._cut(self._session.selection)
 
     def paste(self, at: QPointF | None = None) -> None:
-        """Put in what is on the clipboard: at a scene point, else at the pointer, else in the
-        middle of what is seen.
+        """Paste the clipboard at a scene point.
+
+        Without one at the pointer, or in the middle of the view if the pointer is not over the
+        canvas.
         """
         field = _text_focus()
         if field is not None and at is None:
@@ -75,11 +78,11 @@ class ClipboardVerbs:
             self._paste(at)
 
     def duplicate(self) -> None:
-        """A copy of the selection beside it."""
+        """Add a copy of the selection next to it."""
         self._duplicate(self._session.selection)
 
     def on_branch(self, verb: str, name: str) -> None:
-        """Copy, cut or duplicate a whole SB, or paste beside it."""
+        """Copy, cut or duplicate a whole SB, or paste. ``verb`` is the name of one of these."""
         chosen = (Address(name),)
         if verb == "paste" or name not in self._session.blueprint.branches:
             self._paste(None)
@@ -108,7 +111,7 @@ class ClipboardVerbs:
         self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
 
     def _put_in(self, verb: str, change: Callable[[Blueprint], Put]) -> None:
-        """One step; what came in is shown and selected."""
+        """Make the edit as one step, then show and select the elements that were put in."""
         session = self._session
         session.settling.emit()
         try:
@@ -133,7 +136,8 @@ class ClipboardVerbs:
             return ""
 
     def _place(self) -> QPointF:
-        """The pointer, where it is over the canvas; else the middle of the view."""
+        """The scene point under the pointer if it is over the canvas, else the middle of the
+        view."""
         view = self._canvas.viewport()
         at = view.mapFromGlobal(QCursor.pos())
         over = view.rect().contains(at) and self._canvas.isActiveWindow()
@@ -143,7 +147,7 @@ class ClipboardVerbs:
 def _pasted(
     blueprint: Blueprint, branch: str, text: str, at: tuple[float, float]
 ) -> tuple[Blueprint, tuple[Address, ...]]:
-    """States that are pasted where there is no SB bring one along."""
+    """Paste into the SB; if there is none, states are pasted into a new SB."""
     if branch in blueprint.branches:
         return editing.paste(blueprint, branch, text, at)
     name = fresh_branch_name(blueprint)
@@ -161,7 +165,7 @@ def _put(text: str) -> None:
 
 
 def _taken() -> str:
-    """The text on the clipboard; EditRefused where there is none."""
+    """The text on the clipboard. EditRefused if there is none or too much."""
     data = QGuiApplication.clipboard().mimeData()
     raw = bytes(data.data(KIND).data()) if data is not None and data.hasFormat(KIND) else b""
     text = raw.decode("utf-8", "replace") if raw else (data.text() if data is not None else "")
@@ -179,13 +183,13 @@ def _taken() -> str:
 
 
 def _text_focus() -> Texts | None:
-    """The text field that has the focus: there the keys and menus mean its own text."""
+    """The text field with the keyboard focus, or None. In it, these verbs act on its text."""
     field: QWidget | None = QApplication.focusWidget()
     return field if isinstance(field, QLineEdit | QPlainTextEdit | QTextEdit) else None
 
 
 def _what(chosen: Sequence[Address]) -> str:
-    """What is chosen, as a step names it."""
+    """What is chosen, in the words of an undo step: a name or a count."""
     if len(chosen) == 1:
         return chosen[0].path[-1]
     states = sum(1 for address in chosen if address.state and not address.operation)

@@ -1,4 +1,4 @@
-"""The fields of a new operation: its name, with the names in use, and perhaps its target."""
+"""The card with the fields of a new operation: its name and, if it is open, its target."""
 
 from __future__ import annotations
 
@@ -16,11 +16,12 @@ ROWS = 4
 
 
 class ConnectCard(PassingCard):
-    """The fields of a new operation: its name, with the names in use, and perhaps its target.
+    """The fields of a new operation: its name, with names in use as choices, and its target.
 
-    ``begun`` are both as they stand at first; a target of None is fixed, and has no field.
-    ``commit`` takes (operation, target) and answers with a reason or the empty text. Without a
-    fixed target the second field names a state that is there, or a new one.
+    ``begun`` holds the texts at the start: (operation, target). A target of None is fixed by the
+    caller and gets no field. Otherwise the second field names a state, which may be new. ``commit``
+    takes (operation, target) and returns why they are refused, or the empty text. ``target_for``
+    suggests the target for an operation name.
     """
 
     def __init__(
@@ -73,7 +74,7 @@ class ConnectCard(PassingCard):
         self.choices.chosen.connect(self._choose)
 
     def commit(self) -> None:
-        """Add the operation; a refusal is said, and what was typed stays."""
+        """Add the operation. If that is refused, show why and keep what was typed."""
         if self._closing:
             return
         chosen = self.choices.current
@@ -92,7 +93,7 @@ class ConnectCard(PassingCard):
 
     @property
     def complaint(self) -> str:
-        """Why the operation was refused; empty where it was not."""
+        """Why the operation was refused; empty if it was not."""
         return self.error.text()
 
     def _typed(self) -> None:

@@ -1,4 +1,4 @@
-"""The menu at the pointer: what can be done with what lies there."""
+"""The menu at the pointer: the actions for the element there or for the empty canvas."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def context_menu(
     clipping: ClipboardVerbs,
     address: Address | None,
 ) -> QMenu:
-    """The menu for an element, which is selected with it, or for the empty canvas."""
+    """The menu for an element, which gets selected, or for the empty canvas (None)."""
     menu = passing_menu(_window(editor))
     if address is None:
         at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
@@ -56,7 +56,7 @@ def context_menu(
 
 
 def _add_home(menu: QMenu, session: Session, actions: Actions) -> None:
-    """An SB from another file is at home there."""
+    """Offer to open the file of an SB that is imported."""
     if session.branch in session.blueprint.imported:
         menu.addSeparator()
         menu.addAction(actions["open_home"])

@@ -1,4 +1,4 @@
-"""The verbs of drawing that need no pointer: what menus, keys and buttons ask for."""
+"""The verbs of drawing that need no pointer; menus, keys and buttons call them."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
 
 TENTH = 0.1
-"""Pixels: what a layout is written in."""
+"""In scene units. Positions that differ by less are equal when the layout is written."""
 
 
 class DrawVerbs:
-    """Verbs on the SB that is shown and on the selection."""
+    """Verbs on the SB that is shown and on the selection. ``can_…`` and ``has_…`` enable them."""
 
     def __init__(self, session: Session, editor: CanvasEditor) -> None:
         self._session, self._editor, self.canvas = session, editor, editor.canvas
@@ -59,10 +59,10 @@ class DrawVerbs:
         """Whether the SB that is shown is a sub-SB."""
         return self._session.branch in self._session.blueprint.bases
 
-    # Doing it.
+    # The verbs.
 
     def add_state(self) -> None:
-        """Name a new state beside the others."""
+        """Ask for the name of a new state, at a free place near the selected state."""
         self.canvas.setFocus()
         chosen = [a.state for a in self._states() if a.branch == self._session.branch]
         self._editor.add_state_at(QPointF(*free_place(self.canvas, chosen[-1] if chosen else "")))
@@ -74,17 +74,17 @@ class DrawVerbs:
             self._session.show_branch(name)
 
     def connect(self) -> None:
-        """An operation from the selected state; of two, from the first to the second."""
+        """Ask for an operation from the selected state, or from the first of two to the second."""
         self.canvas.setFocus()
         self._editor.quick_add()
 
     def attach(self, digit: int, sub: str | None) -> None:
-        """Let an SB (a new one, where ``sub`` is None) expand a fact of the SB that is shown."""
+        """Make an SB expand a fact of the SB that is shown. With ``sub`` None, the SB is new."""
         base = self._session.branch
         name = sub or fresh_branch_name(self._session.blueprint)
 
         def change(blueprint: Blueprint) -> Blueprint:
-            """The blueprint with the sub-SB attached; a new one is added first."""
+            """The blueprint with the sub-SB attached; a new sub-SB is added first."""
             if sub is None:
                 blueprint = editing.add_branch(blueprint, name)
             return editing.attach_sub(blueprint, base, digit, name)
@@ -92,13 +92,13 @@ class DrawVerbs:
         self._edit(f"Attach {name} to fact {digit} of {base}", change)
 
     def rename(self) -> None:
-        """Edit the name of the selected element in place."""
+        """Edit the name of the selected element on the canvas."""
         if self.can_rename():
             self.canvas.setFocus()
             self._editor.rename(self._session.selection[0])
 
     def delete(self) -> None:
-        """Delete what is selected."""
+        """Delete the selection."""
         self._editor.delete_selected()
 
     def select_all(self) -> None:
@@ -106,7 +106,10 @@ class DrawVerbs:
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
     def tidy(self) -> None:
-        """Lay the SB out anew, as one step; none where every state stands there already."""
+        """Compute the layout of the SB anew, as one step.
+
+        If it would change nothing, only say so.
+        """
         branch, shown = self._branch, self.canvas.positions
         places = place_anew(branch)
         if all(_together(at, shown.get(name)) for name, at in places.items()):
@@ -157,5 +160,5 @@ def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Ac
 
 
 def _together(a: tuple[float, float], b: tuple[float, float] | None) -> bool:
-    """Whether two places are one when they are written."""
+    """Whether two positions are equal once they are written."""
     return b is not None and max(abs(a[0] - b[0]), abs(a[1] - b[1])) <= TENTH

@@ -1,4 +1,4 @@
-"""CanvasEditor: ties one canvas to a session. Gestures become edits, edits become pictures."""
+"""CanvasEditor connects one canvas to a session: gestures become edits, edits are drawn."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ Position = tuple[float, float]
 
 
 class CanvasEditor(QObject):
-    """Shows the session's SB on a canvas and turns the canvas's wishes into edits.
+    """Shows the SB of the session on a canvas, and turns the signals of the canvas into edits.
 
-    ``set_findings`` lights findings; everything else follows the session by itself. The field
-    that is open (a name being edited) is ``field``, None while there is none.
+    It follows the session by itself; only ``set_findings`` has to be called. ``field`` is the name
+    field or card that is open, or None.
     """
 
     def __init__(self, session: Session, canvas: Canvas) -> None:
@@ -60,7 +60,7 @@ class CanvasEditor(QObject):
     # The session changed
 
     def set_findings(self, findings: Mapping[Address, str]) -> None:
-        """Light findings: the worst severity letter (E, W, I) by address."""
+        """Mark elements on the canvas: the worst severity letter (E, W, I) by address."""
         if findings != self.canvas.marks.findings:
             self.canvas.set_marks(replace(self.canvas.marks, findings=findings))
 
@@ -77,7 +77,7 @@ class CanvasEditor(QObject):
         self._show_again(branch)
 
     def _show_again(self, branch: str) -> None:
-        """The same SB after an edit: the view stays where it is."""
+        """Draw the same SB after an edit; zoom and scroll position stay."""
         blueprint = self.session.blueprint
         if branch not in blueprint.branches:
             self.canvas.show_branch(blueprint, branch)
@@ -108,7 +108,7 @@ class CanvasEditor(QObject):
     def _refused(self, error: StudioError) -> None:
         self._refusals.append(error)
 
-    # Wishes of the canvas
+    # Signals of the canvas
 
     def add_state_at(self, at: QPointF) -> None:
         """Ask for the name of a new state at a scene point; Enter adds it there."""
@@ -121,7 +121,7 @@ class CanvasEditor(QObject):
         suggested = fresh_state_name(self._branch)
 
         def commit(name: str) -> str:
-            """Add the state and select it; answers why that was refused, or nothing."""
+            """Add the state and select it. Returns why that was refused, or the empty text."""
             words = f"Add {name}"
             done = self._edit(words, lambda bp: editing.add_state(bp, branch, name, place))
             if not done:
@@ -131,11 +131,14 @@ class CanvasEditor(QObject):
         self._name(suggested, "State", commit, self._field_place(QPointF(*place), 108.0))
 
     def _first_branch_and_state(self, at: QPointF) -> None:
-        """In a file without an SB the first state brings one along, as one step."""
+        """Ask for the first state of a file without SBs; the SB is added with it, as one step."""
         place = on_grid(at)
 
         def commit(name: str) -> str:
-            """Add an SB with the state and show it; answers why that was refused, or nothing."""
+            """Add the SB with its state and show it.
+
+            Returns why that was refused, or the empty text.
+            """
 
             def change(blueprint: Blueprint) -> Blueprint:
                 """The blueprint with the SB and its first state."""
@@ -146,7 +149,8 @@ class CanvasEditor(QObject):
             reason = self._edit(f"Add {name}", change)
             if not reason:
                 self.session.show_branch("SB1")
-                # A new SB is fitted when it is shown; the state stays under the pointer.
+                # Showing a new SB fits it into the view; undo that, to keep the state under the
+                # pointer.
                 camera.keep("")
                 camera.go(*seen, smooth=False)
                 self.session.select((Address("SB1", name),))
@@ -155,9 +159,9 @@ class CanvasEditor(QObject):
         self._name("State0", "State", commit, self._field_place(QPointF(*place), 108.0))
 
     def connect_states(self, source: Address, target: Address | None, at: QPointF) -> None:
-        """Ask for the name of a new operation; without a target a state arises at the point.
+        """Ask for the name of a new operation. Without a target, a new state is added at the point.
 
-        Operation and state are added as one step.
+        Operation and state are added as one step. ``at`` is a scene point.
         """
         branch, place = source.branch, on_grid(at)
         shown = self.session.blueprint[branch]
@@ -165,13 +169,13 @@ class CanvasEditor(QObject):
         asked = None if target is not None else fresh_state_name(shown)
 
         def commit(name: str, typed: str) -> str:
-            """Add the operation and select it; answers why that was refused, or nothing."""
+            """Add the operation and select it. Returns why that was refused, or the empty text."""
             goal = target.state if target is not None else typed
             if not goal:
                 return "The operation has no target. Name a state."
 
             def change(blueprint: Blueprint) -> Blueprint:
-                """The blueprint with the operation; a new target is added first."""
+                """The blueprint with the operation; a new target state is added first."""
                 if goal not in blueprint[branch].table:
                     blueprint = editing.add_state(blueprint, branch, goal, place)
                 return editing.add_operation(blueprint, branch, source.state, name, goal)
@@ -195,7 +199,7 @@ class CanvasEditor(QObject):
         )
 
     def quick_add(self) -> None:
-        """Add an operation from the selected state; of two, from the first to the second."""
+        """Add an operation from the selected state, or from the first of two to the second."""
         states = [a for a in self.session.selection if a.state and not a.operation]
         if not states or len(states) > 2 or states[0].branch != self.session.branch:
             self.canvas.say("Select the state the operation starts from.")
@@ -212,7 +216,7 @@ class CanvasEditor(QObject):
         self.connect_states(source, None, place)
 
     def rename(self, address: Address) -> None:
-        """Edit the name of a state or operation where it stands; the view scrolls there."""
+        """Edit the name of a state or operation on the canvas, which scrolls to it."""
         self.canvas.reveal(address, smooth=False)
         rect = self.canvas.rect_of(address)
         if rect is None or not self._stands(address):
@@ -220,7 +224,10 @@ class CanvasEditor(QObject):
         old = address.path[-1]
 
         def commit(new: str) -> str:
-            """Rename the element and keep it selected; answers why that was refused, or nothing."""
+            """Rename the element and keep it selected.
+
+            Returns why that was refused, or the empty text.
+            """
             if new == old:
                 return ""
             words = f"Rename {old} to {new}"
@@ -239,14 +246,14 @@ class CanvasEditor(QObject):
         self._name(old, hint, commit, self._field_place(rect.center(), width, rect))
 
     def retarget(self, operation: Address, target: Address) -> None:
-        """Let an operation lead to another state."""
+        """Make an operation lead to another state."""
         words = f"Let {operation.operation} lead to {target.state}"
         reason = self._edit(words, lambda bp: editing.retarget(bp, operation, target.state))
         if reason:
             self.canvas.say(reason)
 
     def move(self, places: Mapping[str, Position]) -> None:
-        """Keep where states were dragged to, as one step."""
+        """Store the positions to which states were dragged (in scene units), as one step."""
         branch = self.session.branch
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
         reason = self._edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
@@ -255,7 +262,7 @@ class CanvasEditor(QObject):
             self.canvas.say(reason)
 
     def delete_selected(self) -> None:
-        """Delete what is selected; operations to a deleted state go with it."""
+        """Delete the selection; operations that lead to a deleted state are deleted too."""
         selection = self.session.selection
         if not selection:
             return
@@ -284,7 +291,7 @@ class CanvasEditor(QObject):
         return True
 
     def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> str:
-        """Edit the session; the answer is why it was refused, or the empty text."""
+        """Edit the session. Returns why that was refused, or the empty text."""
         self._refusals.clear()
         if self.session.edit(words, change):
             return ""
@@ -325,12 +332,12 @@ class CanvasEditor(QObject):
             self.canvas.overlays.show_empty()
 
     def _leave_card(self) -> None:
-        """A press elsewhere leaves a card in which nothing was typed."""
+        """Close the card after a press elsewhere, if nothing was typed in it."""
         if isinstance(self.field, ConnectCard) and self.field.untouched:
             self._close_field()
 
     def _close_field(self) -> None:
-        """Take the open field away."""
+        """Close the open field."""
         self.canvas.show_pending(None)
         if self.field is not None:
             field, self.field = self.field, None
@@ -339,7 +346,7 @@ class CanvasEditor(QObject):
     def _field_place(
         self, centre: QPointF, width: float, rect: QRectF | None = None
     ) -> tuple[QPointF, int]:
-        """Where a name field stands: over the name itself, in the view's pixels."""
+        """Centre (view pixels) and width (pixels) of a name field that covers the name itself."""
         at = QPointF(self.canvas.mapFromScene(centre))
         full = rect is not None and rect.height() * self.canvas.zoom > 40.0
         if full:
@@ -347,7 +354,7 @@ class CanvasEditor(QObject):
         return at, int(min(max(width + 12.0, 110.0), 300.0))
 
     def _beside(self, at: QPointF) -> QPointF:
-        """A scene point in the view's pixels."""
+        """A scene point in pixels of the view."""
         return QPointF(self.canvas.mapFromScene(at))
 
 
@@ -358,7 +365,7 @@ def _sentence(error: StudioError) -> str:
 
 
 def _same_picture(before: StateBranch, after: StateBranch) -> bool:
-    """Whether two SBs differ in their layout at most."""
+    """Whether two SBs are equal except for their layout."""
     if before.name != after.name or before.header != after.header:
         return False
     if list(before.table) != list(after.table):

@@ -1,4 +1,4 @@
-"""The card over the canvas that says what is wrong with the selected element, and repairs it."""
+"""The card over the canvas that explains a finding of the selected element and offers its fix."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from smsl_studio.studio.document.session import Session
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 STEP = 16
-"""So far apart are the places that are tried where no corner is free."""
+"""Pixels between the places that are tried if no corner is free."""
 CROWD = 500
-"""Among more states than these there is no free place to be found."""
+"""With more states than these in view, no free place is searched for."""
 
 
 class FixCard(Card):
-    """Shown while one element is selected that has an error or warning with a fix."""
+    """The card for the first error or warning with a fix, while its element alone is selected."""
 
     fix_wanted = Signal(object)
-    """The finding whose fix shall be applied."""
+    """Finding: the person asked for its fix."""
 
     def __init__(self, session: Session, canvas: Canvas, tokens: Tokens) -> None:
         super().__init__(canvas, tokens, RADIUS_NODE)
@@ -69,23 +69,23 @@ class FixCard(Card):
 
     @property
     def words(self) -> tuple[QLabel, ...]:
-        """What is read on the card."""
+        """The labels of the card that are visible."""
         return tuple(part for part in (self._title, self._body) if not part.isHidden())
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """What inspection has to say now."""
+        """Take the findings of the last inspection."""
         self._findings = tuple(findings)
         self._choose()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Place the card again when the canvas has changed its size."""
+        """Move the card when the size of the canvas has changed."""
         if event.type() == QEvent.Type.Resize and not self.isHidden():
-            # Once the canvas has fitted its picture into the new size.
+            # Later, after the canvas has fitted its drawing into the new size.
             QTimer.singleShot(0, self, self._place)
         return super().eventFilter(watched, event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint border and icon in the colour of the finding's severity."""
+        """Paint the border and the icon in the colour of the finding's severity."""
         super().paintEvent(event)
         if self._shown is None:
             return
@@ -121,7 +121,7 @@ class FixCard(Card):
         self.setAccessibleName(plain_text(f"{self._title.text()} {self._body.text()}"))
         layout = self.layout()
         assert layout is not None
-        # The line of the title still knows how high the title before was.
+        # The layout still holds the height of the title before this one.
         layout.invalidate()
         layout.activate()
         self.setFixedHeight(layout.totalHeightForWidth(WIDTH))
@@ -130,7 +130,7 @@ class FixCard(Card):
         self.raise_()
 
     def _place(self) -> None:
-        """In the first corner in which it covers no state, else wherever it covers none."""
+        """Move the card to the first corner where it covers no state, else to the best place."""
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),
@@ -142,7 +142,10 @@ class FixCard(Card):
         self.move(at if at is not None else self._elsewhere(corners[0]))
 
     def _elsewhere(self, corner: QPoint) -> QPoint:
-        """Where it covers the fewest states and no other floating part, as near as can be."""
+        """The place nearest to a corner where the card covers the fewest states.
+
+        It covers no other floating part. All points are pixels of the canvas.
+        """
         overlays = self._canvas.overlays
         far = QPoint(self._canvas.width(), self._canvas.height()) - QPoint(EDGE, EDGE)
         spots = [
@@ -162,7 +165,7 @@ class FixCard(Card):
         return spots[min(range(len(spots)), key=lambda i: (covered[i], ways[i]))]
 
     def _nodes_in_view(self) -> Floats:
-        """Left, top, right and bottom of the nodes that are seen, (n, 4), in pixels."""
+        """Left, top, right and bottom of the nodes in the view, in pixels, shape (n, 4)."""
         sheet, view = self._canvas.sheet, self._canvas.viewport().rect()
         if sheet is None:
             return np.empty((0, 4))
@@ -173,7 +176,7 @@ class FixCard(Card):
         return np.hstack([at - half, at + half]) * way.m11() + [way.dx(), way.dy()] * 2
 
     def _covered(self, at: QPoint) -> int:
-        """How many states it would cover there."""
+        """How many states the card would cover at a point of the view."""
         sheet = self._canvas.sheet
         if sheet is None:
             return 0

@@ -1,4 +1,4 @@
-"""Placing: where new states and floating fields stand, clear of what is there."""
+"""Finds free places for new states (scene units) and for floating fields (pixels)."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Position = tuple[float, float]
 
 
 def clear_place(canvas: Canvas, card: ConnectCard, at: QPoint) -> QPoint:
-    """A place around a point of the view where a card covers no state."""
+    """A place near a point of the view where a card covers no state (in pixels)."""
     sheet = canvas.sheet
     w, h, off = card.width(), card.height(), 16
-    # A new state is shown where it will stand; the card stands beside it.
+    # The new state is drawn at the point; the card has to leave room for it.
     aside = 16 if card.target.isHidden() else int(54 * max(canvas.zoom, 0.5)) + 14
     inside = canvas.rect().adjusted(6, 6, -6, -6)
     places = [
@@ -45,7 +45,7 @@ def clear_place(canvas: Canvas, card: ConnectCard, at: QPoint) -> QPoint:
 
 
 def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:
-    """Put a widget at a point of an area, wholly inside it."""
+    """Move a widget to a point of an area; it stays inside the area."""
     widget.adjustSize()
     x = min(max(at.x(), 8), max(area.width() - widget.width() - 8, 8))
     y = min(max(at.y(), 8), max(area.height() - widget.height() - 8, 8))
@@ -58,17 +58,22 @@ def on_grid(at: QPointF) -> Position:
 
 
 APART = (120.0, 70.0)
-"""No nearer in both directions does a new state stand to another one."""
+"""The least distance of a new state to others, across and down, in scene units.
+
+One of the two is enough.
+"""
 AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172))
-"""Where a new state stands beside another one, if it can."""
+"""The offsets from the other state that are tried, best first, in scene units."""
 TRIED = 40
-"""So many places across, and as many down, are tried in the view."""
+"""How many places across, and how many down, are tried in the view."""
 
 
 def free_place(canvas: Canvas, beside: str = "") -> Position:
-    """A free place that is in view: beside a state or, without one, right of all or in the middle.
+    """A free place for a new state, in scene units.
 
-    Where the view has none, the place lies outside it, and whoever adds the state scrolls there.
+    It lies beside the state ``beside``; without one, right of all states. If those places are not
+    in view, the nearest free place in the view is taken. If the view has none, the place lies
+    outside, and the caller has to scroll.
     """
     places = canvas.positions
     seen = canvas.clear_view
@@ -97,7 +102,7 @@ def free_place(canvas: Canvas, beside: str = "") -> Position:
 
 
 def _is_free(canvas: Canvas, at: Position) -> bool:
-    """Whether no other state stands too near, at 100 % and as large as marks are shown now."""
+    """Whether no state is too near. The distance grows with the marks when zoomed out."""
     sheet = canvas.sheet
     if sheet is None:
         return True
@@ -107,7 +112,7 @@ def _is_free(canvas: Canvas, at: Position) -> bool:
 
 
 def _is_drawn_on(canvas: Canvas, at: Position) -> bool:
-    """Whether lines lie where the node of a new state would stand."""
+    """Whether lines are drawn where the node of a new state would be."""
     sheet = canvas.sheet
     if sheet is None:
         return False

@@ -1,4 +1,4 @@
-"""One name, edited where it stands; a refusal is said beside it and nothing typed is lost."""
+"""A field for one name, over the name on the canvas."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ from smsl_studio.studio.base.theme import Tokens
 
 
 class NameField(PassingCard):
-    """One name, edited where it stands.
+    """A field that edits one name on the canvas.
 
-    ``commit`` takes the text and answers with the reason it was refused, or with the empty text.
-    Enter commits, Esc leaves everything as it was; leaving by a click elsewhere commits what fits.
+    ``commit`` takes the text and returns why it is refused, or the empty text. Enter commits; Esc
+    closes the field without an edit. A click elsewhere commits a changed name. A refused name stays
+    in the field, with the reason below it.
     """
 
     def __init__(
@@ -45,7 +46,8 @@ class NameField(PassingCard):
         self.field.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Commit or close when the keys go elsewhere, but not for a menu or another window."""
+        """Commit or close when the field loses the keyboard focus, but not to a menu or another
+        window."""
         if isinstance(event, QFocusEvent) and event.type() is QEvent.Type.FocusOut:
             kept = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
             if event.reason() not in kept and not self._closing:
@@ -54,11 +56,11 @@ class NameField(PassingCard):
 
     @property
     def complaint(self) -> str:
-        """Why the name was refused; the empty text while nothing is wrong."""
+        """Why the name was refused; empty if it was not."""
         return self.error.text()
 
     def commit(self) -> None:
-        """Take the name over; a refusal is said, and what was typed stays."""
+        """Take the name over. If that is refused, show why and keep what was typed."""
         if self._closing:
             return
         reason = self._commit(self.field.text().strip())
@@ -69,7 +71,7 @@ class NameField(PassingCard):
             self.close_field()
 
     def _lost_focus(self) -> None:
-        """Somebody went elsewhere: a new name is taken over, one that does not fit stays here."""
+        """Commit a changed name; close the field unless that is refused."""
         text = self.field.text().strip()
         if not text or text == self._before:
             self.close_field()

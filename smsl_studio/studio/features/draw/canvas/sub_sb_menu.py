@@ -1,4 +1,4 @@
-"""The menu of the facts of an SB, and of the SBs that could expand each."""
+"""The menu of the facts of an SB, with the SBs that could expand each fact."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
 MOST = 64
-"""So many facts are offered in a menu."""
+"""The menu offers this many facts at most."""
 
 
 def fill_sub_sbs(session: Session, drawing: DrawVerbs, menu: QMenu) -> None:
-    """The facts of the SB that is shown, and the SBs that could expand each."""
+    """Fill the menu with the facts of the SB that is shown and the SBs that could expand each."""
     branch = session.blueprint[session.branch]
     for digit in range(min(branch.num_facts, MOST)):
         inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))

@@ -1,4 +1,4 @@
-"""Suggestions for new operations: names whose effect elsewhere is the one wanted here."""
+"""Suggests names and targets for new operations, from what equal names do in the SB."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MOST_EDGES = 20_000
 
 
 class Suggestions:
-    """What the operations of an SB do to its facts, by majority, as rule R15 sees it."""
+    """What the operations of an SB change in its facts, by majority (as rule R15 counts it)."""
 
     def __init__(self, branch: StateBranch) -> None:
         self._branch = branch
@@ -32,13 +32,14 @@ class Suggestions:
                 self._majority[name] = effect
 
     def names(self, source: str) -> list[str]:
-        """The operation names of the SB that ``source`` does not have yet, most used first."""
+        """The operation names of the SB that the state ``source`` does not have, most used
+        first."""
         taken = self._branch.table.get(source, {})
         free = [name for name in self._uses if name not in taken]
         return sorted(free, key=lambda name: (-self._uses[name], name))
 
     def name_for(self, source: str, target: str | None) -> str:
-        """The name for an operation: one with this very effect elsewhere, else a fresh one."""
+        """The name of an operation that has the same effect elsewhere, else a fresh name."""
         if target in self._known and source in self._known:
             wanted = _effect(self._known[source], self._known[target or ""])
             for name in self.names(source):
@@ -47,7 +48,7 @@ class Suggestions:
         return fresh_operation_name(self._branch, source)
 
     def target_for(self, source: str, name: str) -> str:
-        """The state an operation of this name would lead to from ``source``; empty if unknown."""
+        """The state that an operation of this name would lead to; empty if unknown."""
         effect = self._majority.get(name)
         if not effect or source not in self._known:
             return ""

@@ -1,1 +1,1 @@
-"""The compare view: two versions side by side, and what changed between them in words."""
+"""The compare view: two versions side by side, and a list of the changes in words."""

@@ -1,4 +1,4 @@
-"""The changes of a difference as rows of a list."""
+"""The rows of the list of changes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ MOST_MOVED = 500
 
 
 def rows_of(difference: Difference) -> list[ListRow]:
-    """A row for every change; then for what is none: other fields, states that were moved."""
+    """One row for each change.
+
+    Then the other fields and the moved states, which change no meaning.
+    """
     rows = [_row(difference, change) for change in difference.changes]
     if difference.fields:
         rows.append(ListRow("Fields without meaning, which are no change", kind="section"))

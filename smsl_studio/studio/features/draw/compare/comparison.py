@@ -1,4 +1,4 @@
-"""Comparing: which version to compare with, and the window that shows the difference."""
+"""Chooses the version to compare with, and keeps the compare view up to date."""
 
 from __future__ import annotations
 
@@ -26,24 +26,24 @@ if TYPE_CHECKING:
     from smsl_studio.studio.features.draw.compare.versions import Version
 
 WAIT = 120
-"""Milliseconds after an edit in which further edits are waited for."""
+"""Milliseconds after an edit before the compare view is updated."""
 BACK = f"{key_words(NEXT_KEYS)} goes back to the compare view, to the next change."
-"""Said when the drawing is in front, because the compare view may lie behind it."""
+"""Shown when the drawing comes to the front, because it may hide the compare view."""
 
 
 class Comparison(QObject):
-    """Shows what changed from another version to the blueprint as it is drawn now.
+    """Shows what changed from another version to the blueprint that is drawn now.
 
-    ``ask_file`` asks for a file, beginning in a folder. While the compare view is open it follows
-    every edit.
+    The compare view follows every edit while it is open. ``ask_file`` asks for a file, starting in
+    a folder; None means cancelled.
     """
 
     refused = Signal(object)
-    """A StudioError: the other version cannot be had or read."""
+    """StudioError: the other version cannot be found or read."""
     element_shown = Signal(object)
-    """The address of a changed element that was selected in the drawing, to be seen there."""
+    """Address: a changed element was selected in the drawing and has to be scrolled to."""
     said = Signal(str)
-    """How one goes on from here."""
+    """str: a hint about the next step, for a toast."""
     changed = Signal()
     """The compare view was opened or closed."""
 
@@ -60,7 +60,7 @@ class Comparison(QObject):
         self._tokens, self._window = tokens, parent
         self._version: Version | None = None
         self._dialog: CompareDialog | None = None
-        # git may think for long where the history is.
+        # git may take long if the history is long.
         self._beside = Beside(self)
         self._later = QTimer(self)
         self._later.setSingleShot(True)
@@ -86,7 +86,7 @@ class Comparison(QObject):
         return self._files.path is not None
 
     def with_file(self) -> None:
-        """Ask for a file and compare with what it holds."""
+        """Ask for a file and compare with it."""
         from smsl_studio.studio.features.draw.compare.versions import in_file
 
         self._files.settling.emit()
@@ -96,7 +96,7 @@ class Comparison(QObject):
             self._compare(_tried(partial(in_file, path)))
 
     def with_saved(self) -> None:
-        """Compare with what was last saved or read."""
+        """Compare with the text that was last saved or read."""
         from smsl_studio.studio.features.draw.compare.versions import as_saved
 
         self._files.settling.emit()
@@ -105,7 +105,7 @@ class Comparison(QObject):
         self._compare(_tried(partial(as_saved, text, file, name)))
 
     def with_revision(self) -> None:
-        """Ask which commit, and compare with the file as it was in it."""
+        """Ask for a commit and compare with the file as it was in that commit."""
         from smsl_studio.front.revisions import revisions
 
         self._files.settling.emit()
@@ -116,7 +116,7 @@ class Comparison(QObject):
         self._beside.do(partial(_tried, partial(revisions, path)), partial(self._ask_which, path))
 
     def with_version(self, version: Version) -> None:
-        """Compare with a version that is at hand."""
+        """Compare with a version that is already loaded."""
         self._compare(version)
 
     def next_change(self) -> None:
@@ -126,24 +126,24 @@ class Comparison(QObject):
             self._come_to_front(self._dialog)
 
     def previous_change(self) -> None:
-        """Go to the change before, if the compare view is open."""
+        """Go to the previous change, if the compare view is open."""
         if self._dialog is not None:
             self._dialog.show_previous()
             self._come_to_front(self._dialog)
 
     def close(self) -> None:
-        """Another file was opened: what was compared is gone."""
+        """Close the compare view, because another file was opened."""
         if self._dialog is not None:
             self._dialog.close()
 
     def stop(self) -> None:
-        """The window goes away: nobody waits for git any more, and nothing is compared with it."""
+        """End all work, because the window closes."""
         self._later.stop()
         self._beside.stop()
         self.close()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme, in the open compare view too."""
+        """Use the colours of another theme, in the open compare view too."""
         self._tokens = tokens
         if self._dialog is not None:
             self._dialog.set_tokens(tokens)
@@ -214,7 +214,7 @@ class Comparison(QObject):
             self.changed.emit()
 
     def _show_element(self, address: Address) -> None:
-        """The element in the drawing, or the nearest thing above it that is still there."""
+        """Select the element in the drawing, or the nearest parent that still exists."""
         wanted: Address | None = address
         while wanted is not None:
             try:
@@ -230,13 +230,13 @@ class Comparison(QObject):
             return
 
     def _come_to_front(self, window: QWidget) -> None:
-        """On a small screen the drawing and the compare view lie one behind the other."""
+        """Raise a window: on a small screen, drawing and compare view hide each other."""
         window.raise_()
         window.activateWindow()
 
 
 def _tried(work: Callable[[], Came]) -> Came | StudioError:
-    """What came of some work, or why it cannot be done."""
+    """The result of a function, or the StudioError that it raised."""
     try:
         return work()
     except StudioError as error:

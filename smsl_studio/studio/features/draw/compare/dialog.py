@@ -1,4 +1,4 @@
-"""The compare view: both sides, linked, over the list of what changed."""
+"""The compare view: both sides with linked views, above the list of changes."""
 
 from __future__ import annotations
 
@@ -36,23 +36,26 @@ from smsl_studio.studio.features.draw.compare.side import Side
 UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 SIZE = (1200, 760)
 CHOICE = 220, 560
-"""The choice of a State Branch is as wide as its longest name, within these."""
+"""Least and greatest width of the choice of SBs, in pixels; it fits the longest name."""
 LIST = (96, 240)
-"""The list is at first as high as its rows, within these."""
+"""Least and greatest height of the list at first, in pixels; it fits the rows."""
 Pair = tuple[str, str]
 
 
 class CompareDialog(QDialog):
-    """Both sides and the changes. Esc closes it, and it remembers nothing.
+    """Both sides and the list of changes. Esc closes it.
 
-    One works on beside it where it stands alone (see ``stand_alone``).
+    It blocks the window when it opens as a dialog, but not after ``stand_alone``.
     """
 
     element_wanted = Signal(object)
-    """The address of an element that shall be shown in the drawing."""
+    """Address: the person asked for this element in the drawing."""
     undo_wanted = Signal()
     redo_wanted = Signal()
-    """A step of the drawing shall be undone, or done again: what changed by it is shown here."""
+    """The person pressed the keys of undo or redo.
+
+    The caller changes the drawing, and shows the new difference here.
+    """
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -122,7 +125,7 @@ class CompareDialog(QDialog):
         return made
 
     def stand_alone(self, over: QWidget) -> None:
-        """Let its window, which it lies over at first, come in front; a dialog would stay there."""
+        """Make it an ordinary window over ``over``, so that either window can come to the front."""
         self._stands_alone = True
         self.setWindowFlags(Qt.WindowType.Window)
         place_over(self, over)
@@ -130,7 +133,10 @@ class CompareDialog(QDialog):
     # What is shown.
 
     def show_difference(self, difference: Difference, before: str, after: str) -> None:
-        """Show what changed between two versions; where one looked stays, if it is still there."""
+        """Show what changed between two versions. The chosen SB stays, if it still exists.
+
+        ``before`` and ``after`` name the versions.
+        """
         first = self._difference is None
         self._difference = difference
         self._signs = signs_of(difference)
@@ -158,7 +164,7 @@ class CompareDialog(QDialog):
 
     @property
     def summary(self) -> str:
-        """The difference in one sentence, as it stands at the top."""
+        """The difference in one sentence, as shown at the top."""
         return self._words.text()
 
     def _show_pair(self, pair: Pair, fit: bool = True) -> None:
@@ -174,7 +180,7 @@ class CompareDialog(QDialog):
         ):
             side.show_branch(blueprint, name, where, signs.by_address)
         moved = places != self._places and self.before.canvas.camera.fitted
-        # Before it is seen it has no room to fit in yet.
+        # Before the first show event, the canvases have no size to fit into.
         if self.isVisible() and (fit or moved):
             self._link.fit()
         self._places = places
@@ -184,7 +190,7 @@ class CompareDialog(QDialog):
         self._show_pair(self._pairs[number])
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         for side in (self.before, self.after):
             side.canvas.set_tokens(tokens)
         self.changes.set_tokens(tokens)
@@ -196,18 +202,18 @@ class CompareDialog(QDialog):
 
     @property
     def current(self) -> tuple[Address | None, Address | None] | None:
-        """What the chosen row is about, before and after."""
+        """The addresses of the chosen change, before and after; None if no change is chosen."""
         index = self.changes.currentIndex()
         found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
         payload: tuple[Address | None, Address | None] | None = found.payload if found else None
         return payload
 
     def show_next(self) -> None:
-        """Go to the next change, after the last one to the first."""
+        """Go to the next change; after the last one, to the first."""
         self._step(1)
 
     def show_previous(self) -> None:
-        """Go to the change before."""
+        """Go to the previous change; before the first one, to the last."""
         self._step(-1)
 
     def _step(self, by: int) -> None:
@@ -231,7 +237,7 @@ class CompareDialog(QDialog):
         before, after = self.current or (None, None)
         self.before.light(before)
         self.after.light(after)
-        # What came or went is on one side only; the other one follows.
+        # An added or removed element is on one side only; the other view is linked.
         for side, address in ((self.after, after), (self.before, before)):
             if address is not None and side.has(address):
                 side.canvas.reveal(address)
@@ -239,7 +245,7 @@ class CompareDialog(QDialog):
         self.jump.setEnabled(after is not None or before is not None)
 
     def _clicked(self, address: Address) -> None:
-        """Choose the row that is about what was clicked."""
+        """Choose the row of the element that was clicked."""
         place = 0 if self.sender() is self.before else 1
         for at, one in enumerate(self.changes.rows.rows):
             if one.payload and one.payload[place] == address:
@@ -253,7 +259,7 @@ class CompareDialog(QDialog):
             self.element_wanted.emit(wanted)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Divide the room, show the first change and give the keys to the list."""
+        """Divide the space, choose the first change and give the list the keyboard focus."""
         super().showEvent(event)
         handle = self.windowHandle()
         if self._stands_alone and handle is not None:
@@ -262,7 +268,7 @@ class CompareDialog(QDialog):
         self._split.setSizes([self._split.height() - low, low])
         if not self.changes.currentIndex().isValid():
             self.show_next()
-        # Last, because the first change was looked for before there was room to see it in.
+        # Last, because the first change was revealed before the canvases had a size.
         self._link.fit()
         self.changes.setFocus()
 

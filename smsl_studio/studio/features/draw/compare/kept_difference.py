@@ -1,4 +1,4 @@
-"""What a journal kept, beside what stands on the disk."""
+"""Compares the unsaved work that a journal kept with the file on the disk."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
 
 
 def difference_dialog(entry: JournalEntry, tokens: Tokens, parent: QWidget) -> bool:
-    """Show what was kept beside what stands on the disk; False where one of them is nothing."""
+    """Compare the kept work with the file on the disk.
+
+    Returns False if there is nothing to compare.
+    """
     both = sides(entry)
     if not both.comparable or both.before is None:
         return False

@@ -1,4 +1,4 @@
-"""The keys that lead from change to change, in the compare view and back from the drawing."""
+"""The keys for the next and previous change, in the compare view and in the drawing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Two canvases that look at the same place: who moves one moves the other."""
+"""Two canvases with the same zoom and position."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from smsl_studio.studio.base.canvas.canvas import Canvas
 
 
 class LinkedViews(QObject):
-    """Keeps zoom and place of two canvases equal; they show the same states at one place."""
+    """Keeps zoom and centre of two canvases equal; both use the same positions for their states."""
 
     def __init__(self, one: Canvas, other: Canvas, parent: QObject) -> None:
         super().__init__(parent)
@@ -20,14 +20,14 @@ class LinkedViews(QObject):
             canvas.zoom_changed.connect(lambda _, c=canvas, f=follower: self._follow(c, f))
 
     def fit(self) -> None:
-        """Show everything of both sides."""
+        """Fit the drawings of both sides."""
         sides = [c for c in self._pair if c.sheet is not None and len(c.sheet.at)]
         for canvas in sides:
             self._following = True
             canvas.fit(smooth=False)
             self._following = False
         if len(sides) == 2:
-            # The one that needs to stand further away leads.
+            # The side with the smaller zoom leads, so that both fit.
             leader = min(sides, key=lambda canvas: canvas.zoom)
             self._follow(leader, sides[0] if leader is sides[1] else sides[1])
 

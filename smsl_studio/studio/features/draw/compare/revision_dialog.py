@@ -1,4 +1,4 @@
-"""Which commit: the ones that touched the file, the latest first."""
+"""Asks for a commit among those that touched the file, the latest first."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from smsl_studio.studio.base.words import counted
 
 
 class RevisionDialog(QDialog):
-    """A list that narrows while one types; Enter or a double click chooses."""
+    """A list of commits that gets shorter while one types; Enter or a double click chooses."""
 
     chosen = Signal(object)
-    """A Revision."""
+    """Revision: the person chose this commit."""
 
     def __init__(
         self, name: str, revisions: Sequence[Revision], tokens: Tokens, parent: QWidget

@@ -1,4 +1,4 @@
-"""One side of a comparison: its name, and a canvas that shows an SB with what changed in it."""
+"""One side of the compare view: its name, and a canvas that shows an SB with its changes."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ LEAST = 280
 
 
 class Side(QWidget):
-    """Shows; nothing can be edited here. A click says what was clicked."""
+    """Shows one version; nothing can be edited here."""
 
     clicked = Signal(object)
-    """The address of the state or operation under the pointer."""
+    """Address: the person clicked this state or operation."""
 
     def __init__(self, tokens: Tokens, word: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,7 +47,7 @@ class Side(QWidget):
         column.addWidget(self.canvas, 1)
 
     def show_version(self, words: str) -> None:
-        """Name the version that stands on this side."""
+        """Set the name of the version on this side."""
         self._title.setText(f"{self._word}: {words}")
         self._title.setToolTip(tip_text(words))
 
@@ -58,9 +58,10 @@ class Side(QWidget):
         places: Mapping[str, Point],
         changes: Mapping[Address, str],
     ) -> None:
-        """Show an SB with its marks, or say that it is not on this side.
+        """Show an SB with its changes marked, or say that this side does not have it (empty name).
 
-        The version before is the same after each edit; its arrows are routed once.
+        Same arguments draw nothing anew: the older version stays routed while the drawing is
+        edited.
         """
         self.canvas.set_marks(Marks(changes=changes))
         shown = branch, places
@@ -70,11 +71,11 @@ class Side(QWidget):
         self.canvas.show_banner("" if branch else "This State Branch is not on this side")
 
     def light(self, address: Address | None) -> None:
-        """Select what a change is about."""
+        """Select the element of the chosen change; None selects nothing."""
         changes = self.canvas.marks.changes
         chosen = (address,) if address is not None else ()
         self.canvas.set_marks(Marks(selection=chosen, changes=changes))
 
     def has(self, address: Address | None) -> bool:
-        """Whether a state or an operation is drawn here."""
+        """Whether this side draws the state or operation."""
         return address is not None and self.canvas.rect_of(address) is not None

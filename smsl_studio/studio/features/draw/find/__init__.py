@@ -1,1 +1,1 @@
-"""Find anything by typing: places, findings, files and commands in one ranked list."""
+"""The palette: places, findings, files and commands in one ranked list, found by typing."""

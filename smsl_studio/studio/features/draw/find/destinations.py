@@ -1,4 +1,4 @@
-"""Ways to what is no element of the canvas: a fact, a hazard, another file."""
+"""How search shows targets that are not on the canvas: a fact, a hazard, another file."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from smsl_studio.studio.features.draw.panels.properties import Properties
 
 
 class Panels(Protocol):
-    """What brings a panel to the front by its name."""
+    """A part that can bring a panel to the front."""
 
     def show_tab(self, name: str) -> None:
-        """Bring the panel of this name to the front."""
+        """Bring the panel with this name to the front."""
 
 
 class Destinations:
-    """Shows facts and hazards in the properties, and opens files."""
+    """Shows facts and hazards in the properties panel, and opens files."""
 
     def __init__(self, panels: Panels, properties: Properties, files: Files) -> None:
         self._panels, self._properties, self._files = panels, properties, files
 
     def show_fact(self, branch: str, digit: int) -> None:
-        """Show what a fact means."""
+        """Show a fact in the properties panel."""
         self._panels.show_tab("Properties")
         self._properties.show_fact(branch, digit)
 
     def show_hazard(self, name: str) -> None:
-        """Show a hazard."""
+        """Show a hazard in the properties panel."""
         self._panels.show_tab("Properties")
         self._properties.show_hazard(name)
 
@@ -38,5 +38,5 @@ class Destinations:
 
     @property
     def recent_files(self) -> tuple[Path, ...]:
-        """The files opened or saved last."""
+        """The files that were opened or saved last."""
         return self._files.recent

@@ -1,4 +1,4 @@
-"""Everything that can be found, ranked together: places, findings, files, commands."""
+"""Ranks everything that can be found: places, findings, files and commands."""
 
 from __future__ import annotations
 
@@ -20,37 +20,37 @@ from smsl_studio.studio.features.draw.find.places import PlaceIndex, Target
 from smsl_studio.studio.features.draw.panels.findings import Findings
 
 MOST, EACH, KEPT = 40, 10, 6
-"""Rows of places, rows of each other kind, and how many choices are remembered."""
+"""The most rows of places and commands, of findings and files each, and of remembered choices."""
 ICONS = {"State Branch": "layers", "State": "dot", "Operation": "arrow", "Fact": "eye",
          "Hazard": "shield"}  # fmt: skip
 
 
 class FinderWindow(Protocol):
-    """What finding asks of the window."""
+    """The functions of the window that the search needs."""
 
     def show_fact(self, branch: str, digit: int) -> None:
-        """Show a fact of an SB in the properties."""
+        """Show a fact of an SB in the properties panel."""
 
     def show_hazard(self, name: str) -> None:
-        """Show a hazard in the properties."""
+        """Show a hazard in the properties panel."""
 
     def open_file(self, path: Path) -> None:
         """Open a file in this window."""
 
     @property
     def recent_files(self) -> tuple[Path, ...]:
-        """The files opened last, the newest first."""
+        """The files that were opened last, the newest first."""
 
 
 class Choice(NamedTuple):
-    """What a row does when it is chosen; ``key`` tells one from another among the recent ones."""
+    """What a row does when it is chosen; ``key`` identifies it among the recent choices."""
 
     key: str
     go: Callable[[], object]
 
 
 class Finder:
-    """Rows for what is typed; the best section stands first."""
+    """The rows for a typed text, in sections; the section with the best match stands first."""
 
     def __init__(
         self, session: Session, actions: Actions, findings: Findings, shown: FinderWindow
@@ -63,19 +63,22 @@ class Finder:
         self._told_stack = Haystack(())
 
     def refresh(self) -> None:
-        """The window was asked to find something: look at what is there now."""
+        """Take the current blueprint and actions, because the palette opens."""
         self._actions.refresh()
         self._places.show(self._session.blueprint)
 
     def choose(self, row: ListRow) -> None:
-        """Go there, and remember it."""
+        """Do what the row stands for, and remember it as recent."""
         choice: Choice = row.payload
         kept = [one for one in self._recent if one.payload.key != choice.key]
         self._recent = [row, *kept][:KEPT]
         choice.go()
 
     def rows(self, typed: str) -> list[ListRow]:
-        """What fits, in sections; what was chosen last and all commands where nothing is typed."""
+        """The rows that match, in sections.
+
+        For an empty text: the recent choices and all commands.
+        """
         if not typed.strip():
             recent = [row for row in self._recent if self._still(row.payload)]
             commands = [_command(action, self._go(action)) for action in self._in_menus()]
@@ -122,7 +125,7 @@ class Finder:
         return "Findings", _tier(hits), rows
 
     def _found_files(self, typed: str) -> tuple[str, int, list[ListRow]]:
-        """The files of this blueprint, which show their SBs, and those opened before."""
+        """The files of this blueprint, which show their SBs, and the files opened before."""
         session = self._session
         homes: dict[str, str] = {}
         for branch in session.blueprint.branches:
@@ -163,7 +166,7 @@ class Finder:
         return self._actions[action.id].trigger
 
     def _still(self, choice: Choice) -> bool:
-        """Whether a remembered choice can still be made."""
+        """Whether a remembered choice is still possible."""
         kind, _, key = choice.key.partition(" ")
         blueprint = self._session.blueprint
         if kind == "action":
@@ -179,7 +182,7 @@ class Finder:
 
 
 OWN = ("palette", "find")
-"""The actions that open this very list."""
+"""The actions that open the palette itself; they are not listed."""
 
 
 def _resolved(blueprint: Blueprint, address: str) -> Address | None:
@@ -204,6 +207,6 @@ def _command(action: Action, go: Callable[[], object]) -> ListRow:
 
 
 def _near(path: Path) -> str:
-    """The folder of a file, as far as one line has room."""
+    """The end of a file's folder, short enough for one line."""
     parts = path.parent.parts[-2:]
     return "/".join(parts)[-28:]

@@ -1,6 +1,7 @@
-"""Finding lines by what is typed: prefixes first, then words, then pieces, then letters in order.
+"""Finds lines for a typed text: names first, then prefixes, words, parts and scattered letters.
 
-All lines are one text, which C code searches: 59,049 states take a few milliseconds a keystroke.
+All lines are joined to one text, which ``str.find`` and ``re`` search in C: with 59,049 states this
+takes a few milliseconds a keystroke.
 """
 
 from __future__ import annotations
@@ -12,16 +13,19 @@ from itertools import accumulate
 from typing import NamedTuple
 
 EXACT, PREFIX, FIELD, WORD, PIECE, LETTERS = range(6)
-"""How well a line fits: the lower the better."""
+"""How well a line matches; lower is better."""
 SEPARATORS = "_- ./"
 MOST_HITS = 6_000
-"""So many places of a piece are looked at; with more, what is typed says too little to rank by."""
+"""At most this many occurrences are looked at; a text with more of them is too common to rank."""
 LONGEST = 100
 FIELDS = "\t"
 
 
 class Hit(NamedTuple):
-    """A line that fits; they sort by how well, then the shorter, then in their order."""
+    """A line that matches.
+
+    Hits sort by tier, then by the length of the name, then by line number.
+    """
 
     tier: int
     length: int
@@ -29,7 +33,7 @@ class Hit(NamedTuple):
 
 
 class Haystack:
-    """Lines of tab-separated fields, the name first; case does not count."""
+    """Lines of tab-separated fields, the name first. Upper and lower case are equal."""
 
     def __init__(self, lines: Sequence[str]) -> None:
         cleaned = [line.replace("\n", " ") for line in lines]
@@ -44,7 +48,10 @@ class Haystack:
         return len(self._starts) - 1
 
     def find(self, typed: str, most: int) -> list[Hit]:
-        """The best lines, in order; all of the words must stand in a line."""
+        """The best ``most`` lines, in order.
+
+        A line must hold all typed words, or all letters in order.
+        """
         words = _lowered(typed[:LONGEST].replace("\n", " ").replace(FIELDS, " ")).split()
         if not words:
             return []
@@ -76,7 +83,7 @@ class Haystack:
             yield self._line(at), WORD if self._begins_word(at) else PIECE
 
     def _all(self, words: list[str]) -> Iterator[tuple[int, int]]:
-        """The lines that have every word, looked for by the rarest one."""
+        """The lines that hold every word; the rarest word is searched first."""
         rarest = min(words, key=lambda word: (self._text.count(word), -len(word)))
         others = [word for word in words if word != rarest]
         seen = set()
@@ -92,7 +99,7 @@ class Haystack:
                 yield line, WORD if words_begin else PIECE
 
     def _letters(self, letters: str, most: int) -> Iterator[tuple[int, int]]:
-        """The lines whose name has all letters in this order."""
+        """The lines whose name holds all letters in this order."""
         parts = (f"[^{re.escape(one)}\n\t]*+{re.escape(one)}" for one in letters)
         for count, match in enumerate(re.finditer("\n" + "".join(parts), self._text)):
             if count >= most:
@@ -111,7 +118,8 @@ class Haystack:
         return bisect_right(self._starts, at) - 1
 
     def _begins_word(self, at: int) -> bool:
-        """Whether a word begins here: behind a sign, at a digit behind a letter, at a capital."""
+        """Whether a word begins here: after a sign, between letter and digit, or at a capital
+        letter."""
         before, here = self._written[at - 1], self._written[at]
         if not before.isalnum() or before.isdigit() != here.isdigit():
             return True
@@ -119,7 +127,7 @@ class Haystack:
 
 
 def _lowered(text: str) -> str:
-    """In lower case, letter for letter, so that places stay what they are."""
+    """The text in lower case with its length unchanged, so that positions stay valid."""
     lowered = text.lower()
     if len(lowered) == len(text):
         return lowered

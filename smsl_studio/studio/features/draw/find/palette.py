@@ -1,4 +1,4 @@
-"""The box that finds anything: type a few letters, go there, or run a command."""
+"""The search box: type a few letters, then go to a place or run a command."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HINT = "States, operations, facts, hazards, findings, files and commands are fou
 
 
 class Palette(QFrame):
-    """A field over a list; Enter runs what is marked, Escape closes."""
+    """A text field above a list. Enter runs the marked row, Escape closes."""
 
     def __init__(self, finder: Finder, tokens: Tokens, window: QWidget) -> None:
         super().__init__(window)
@@ -55,12 +55,12 @@ class Palette(QFrame):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._glass.setIcon(icon("search", tokens))
         self.list.set_tokens(tokens)
 
     def open(self, corner: QPoint) -> None:
-        """Open with the upper right corner at ``corner`` (in the window's coordinates)."""
+        """Open with the upper right corner at ``corner`` (pixels of the window)."""
         self._before = self.window().focusWidget()
         self._finder.refresh()
         self.field.clear()
@@ -71,15 +71,18 @@ class Palette(QFrame):
         self.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def close_palette(self) -> None:
-        """Close, and give the focus back to where it was."""
+        """Close, and return the keyboard focus to the widget that had it."""
         if self.isVisible():
             self.hide()
-            # A field that was open on the canvas has gone when it lost the focus.
+            # A field on the canvas closes when it loses the focus; it may be gone.
             if self._before is not None and isValid(self._before):
                 self._before.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Close when the field loses the keys, and take the keys that move in the list."""
+        """Close when the field loses the keyboard focus.
+
+        Pass the arrow keys and Enter to the list.
+        """
         if watched is self.field:
             if event.type() == QEvent.Type.FocusOut and self.isVisible():
                 self.hide()

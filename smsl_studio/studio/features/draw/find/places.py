@@ -1,4 +1,4 @@
-"""What a blueprint holds, as lines to be found: SBs, states, operations, facts, hazards."""
+"""The searchable lines of a blueprint: SBs, states, operations, facts and hazards."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from smsl_studio.studio.features.draw.find.haystack import EXACT, Haystack, Hit
 
 @dataclass(frozen=True)
 class Target:
-    """What was found: its kind in words, how it is called, where it is, and what is there.
+    """A place that was found: its kind, its name, where it is (in words), and how to get there.
 
-    ``there`` is an address, a fact (SB, digit) or the name of a hazard.
+    ``there`` is an address, a fact as (SB, digit) or the name of a hazard.
     """
 
     kind: str
@@ -27,27 +27,30 @@ class Target:
 
 @dataclass(frozen=True)
 class _BranchLines:
-    """The lines of one SB, and what each is; made once for an SB that no edit touches."""
+    """The lines of one SB, and what each of them stands for.
+
+    They are reused while the SB is unchanged.
+    """
 
     branch: StateBranch
     states: tuple[str, ...]
     state_lines: tuple[str, ...]
     operations: tuple[tuple[str, str, int], ...]
-    """(name, the first state that has it, how many have it)."""
+    """(name, first state that has it, number of states that have it)."""
     operation_lines: tuple[str, ...]
     fact_lines: tuple[str, ...]
 
 
 @dataclass
 class PlaceIndex:
-    """The index of one blueprint, kept until another one is shown."""
+    """The search index of one blueprint."""
 
     _blueprint: Blueprint | None = None
     _parts: dict[str, _BranchLines] = field(default_factory=dict)
     _stacks: list[tuple[Haystack, Callable[[int], Target]]] = field(default_factory=list)
 
     def show(self, blueprint: Blueprint) -> None:
-        """Index a blueprint; SBs that are the same as before are taken over."""
+        """Index a blueprint; the lines of unchanged SBs are reused."""
         if blueprint is self._blueprint:
             return
         self._blueprint = blueprint
@@ -60,7 +63,7 @@ class PlaceIndex:
         names = list(blueprint.branches)
 
         def hazard(at: int) -> Target:
-            """The line that leads to a hazard."""
+            """The target of a line of hazards."""
             return Target("Hazard", hazards[at].name, "hazard", hazards[at].name)
 
         self._stacks = [
@@ -75,7 +78,7 @@ class PlaceIndex:
         ]  # fmt: skip
 
     def find(self, typed: str, most: int) -> list[tuple[Hit, Target]]:
-        """The best places for what is typed, in order; an address goes to what stands there."""
+        """The best places for the typed text, in order. An address finds its own element first."""
         found = [(Hit(EXACT, -1, 0), target) for target in self._addressed(typed)]
         ranked = [
             (hit, kind, target_of)
@@ -91,7 +94,7 @@ class PlaceIndex:
         return former if former is not None and former.branch is branch else _part_of(branch)
 
     def _addressed(self, typed: str) -> Iterator[Target]:
-        """``State/Operation`` or ``SB/State/Operation``, which no list of names has."""
+        """The operations that match ``State/Operation`` or ``SB/State/Operation``."""
         blueprint, parts = self._blueprint, Address.split(typed.strip())
         if blueprint is None or len(parts) < 2 or not all(parts):
             return
@@ -135,7 +138,7 @@ def _part_of(branch: StateBranch) -> _BranchLines:
         tuple(lines),
         tuple((name, state, counts[name]) for name, state in first.items()),
         tuple(operation_lines),
-        # Its place stands behind a sign: the name of the SB alone is no way to look for its facts.
+        # A sign before the SB: its name alone must not find all its facts as a prefix.
         tuple(f"{branch.fact_name(digit)}\t#{branch.name}/{digit}" for digit in digits),
     )
 

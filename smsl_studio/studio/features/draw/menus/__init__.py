@@ -1,1 +1,1 @@
-"""The rows of the table of actions that concern the drawing, one file for each menu."""
+"""The rows of the action table for drawing, one file for each menu."""

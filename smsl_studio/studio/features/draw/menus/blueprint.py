@@ -16,7 +16,7 @@ def blueprint_actions(
     choose_sub_sb: Callable[[], object],
     shell: Shell,
 ) -> tuple[Action, ...]:
-    """The rows of the Blueprint menu that edit what is drawn."""
+    """The rows of the Blueprint menu that edit the drawing."""
 
     def drawn() -> bool:
         """Whether Draw mode is shown."""

@@ -1,4 +1,4 @@
-"""What of the Blueprint menu compares versions."""
+"""The rows of the Blueprint menu that compare versions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ def compare_actions(comparing: Comparison) -> tuple[Action, ...]:
     """The rows of the Blueprint menu that compare versions."""
 
     def saved() -> bool:
-        """Whether there is a saved version."""
+        """Whether the blueprint has a file."""
         return comparing.can_use_saved
 
     return (

@@ -28,10 +28,10 @@ def edit_actions(
         return shell.mode == "draw"
 
     def of_drawing(call: Callable[[], object]) -> Callable[[], None]:
-        """In Draw mode alone: nobody wants to change what he does not see."""
+        """Run ``call`` in Draw mode only, so that nobody changes what is not shown."""
 
         def act() -> None:
-            """Do it in Draw mode; in another mode say that the drawing is not shown."""
+            """Do it in Draw mode. In another mode, refuse it and say why."""
             if drawn():
                 call()
             else:

@@ -16,7 +16,7 @@ def file_actions(
     """The rows of the File menu."""
 
     def open_home() -> None:
-        """Open the file in which the SB that is shown stands."""
+        """Open the file that holds the SB that is shown."""
         files.open(Path(session.blueprint.home(session.branch).file))
 
     return (

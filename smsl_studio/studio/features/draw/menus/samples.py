@@ -1,4 +1,4 @@
-"""The samples, which the palette finds by name. They are in no menu of the table."""
+"""The sample files as actions. The palette finds them by name; no menu of the table holds them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from smsl_studio.studio.document.files.fresh import samples
 
 
 def sample_actions(files: Files) -> tuple[Action, ...]:
-    """One action for each sample; it opens a copy."""
+    """One action for each sample; it opens a copy of the sample."""
     return tuple(
         Action(f"sample_{path.name}", f"Open sample {path.name}", partial(files.open_copy, path),
                icon="file", tip=f"Open a copy of the sample {path.name}")

@@ -18,7 +18,7 @@ def view_actions(
         return shell.mode == "draw"
 
     def in_draw(name: str) -> Action:
-        """The row that shows or hides a dock, named by its side."""
+        """The row that shows or hides the docks of one side."""
         shown = {"left": docks.left_shown, "right": docks.right_shown,
                  "bottom": docks.bottom_shown}[name]  # fmt: skip
         call = {"left": docks.toggle_left, "right": docks.toggle_right,
@@ -35,7 +35,10 @@ def view_actions(
                       checked=lambda: windows.theme == name, section=4)  # fmt: skip
 
     def enter(name: str) -> None:
-        """The keys go to a panel; from there, back to the drawing."""
+        """Give the keyboard focus to a panel.
+
+        If the panel has it already, give it to the canvas.
+        """
         if not docks.enter_tab(name):
             canvas.setFocus()
 
