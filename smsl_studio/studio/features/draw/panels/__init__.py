@@ -1,1 +1,1 @@
-"""The panels around the canvas: each knows only the session and the tokens."""
+"""The panels around the canvas. Each knows only the session and the tokens."""

@@ -1,4 +1,4 @@
-"""The lines of what people are asked, which forms of operations and facts share."""
+"""The lines about asking people, shared by the forms of operations and facts."""
 
 from __future__ import annotations
 
@@ -9,11 +9,14 @@ from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLin
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm
 
 WITHIN = "120"
-"""Seconds in which a task must be answered where nothing is said."""
+"""The default time for an answer, in seconds, shown as the placeholder."""
 
 
 class AskingLines:
-    """Question, roles, time and escalation; hidden where nobody is asked and nothing is written."""
+    """Question, roles, time and escalation.
+
+    The lines are hidden if nobody is asked and nothing is written.
+    """
 
     def __init__(self, form: NoteForm, question: str, hint: str) -> None:
         self.heading = label("What people are asked", "heading")
@@ -35,7 +38,10 @@ class AskingLines:
         self._lines: dict[str, FormLine] = {word: form.line(word) for word in words}
 
     def show(self, asked: bool, written: frozenset[str]) -> None:
-        """What is written is shown also where nobody is asked, so that it can be taken away."""
+        """Show the lines if somebody is asked.
+
+        A written line is always shown, so that it can be removed.
+        """
         for word, line in self._lines.items():
             line.setVisible(asked or word in written)
         self.heading.setVisible(asked or bool(written & self._lines.keys()))

@@ -1,4 +1,4 @@
-"""The properties of one fact: what it is called, what its values mean, where it comes from."""
+"""The form of one fact: its name, the meaning of its values, and where its value comes from."""
 
 from __future__ import annotations
 
@@ -41,16 +41,16 @@ AGGREGATIONS = (
     ("A person says it", "human"),
 )
 TABLED = ("values", "on", "failure")
-"""Words that the table of values shows."""
+"""Keys of a fact note that the table of values shows."""
 SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age", "conflict_after")
-"""Words of a fact that is read; one that a sub-SB expands has none of them."""
+"""Keys of a sensed fact. A fact that a sub-SB expands uses none of them."""
 
 
 class FactForm(NoteForm):
     """Edits the entry of one digit in ``_facts``."""
 
     left = Signal()
-    """The form is closed: what is selected counts again."""
+    """The person closed the form; the panel shows the selection again."""
     sub_wanted = Signal(str)
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -79,7 +79,7 @@ class FactForm(NoteForm):
         return self._values
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.chip.set_tokens(tokens)
         self._values.set_tokens(tokens)
         self.close_button.set_tokens(tokens)
@@ -116,11 +116,11 @@ class FactForm(NoteForm):
         self.column.addWidget(self.odd)
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
-        """Keys without a line in the form, but for those that the table of values shows."""
+        """The keys that neither a line of this form nor the table of values shows."""
         return {k: v for k, v in super().unknown(misfits).items() if k not in TABLED}
 
     def show_fact(self, blueprint: Blueprint, name: str, digit: int) -> None:
-        """Show one fact as it is now."""
+        """Show a fact as it is now."""
         branch = blueprint[name]
         self._branch, self._digit, self._sub = name, digit, branch.subs.get(digit)
         key = str(digit)
@@ -138,7 +138,7 @@ class FactForm(NoteForm):
         self._show_source(blueprint, branch, note, written)
 
     def who(self) -> str:
-        """The fact as the history names it."""
+        """The fact in the words of an undo step."""
         return f"fact {self._digit} of {self._branch}"
 
     def _show_source(
@@ -146,7 +146,7 @@ class FactForm(NoteForm):
     ) -> None:
         sub = self._sub
         for word in SENSED:
-            # What stands there although it must not is shown, so that it can be taken away.
+            # A written key that has no effect is shown, so that it can be removed.
             self._lines[word].setVisible(sub is None or word in written)
         if sub is None:
             count = len(note.sensors)
@@ -188,7 +188,7 @@ class FactForm(NoteForm):
 
 
 def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -> str:
-    """What a sub-SB under a fact means, in a sentence."""
+    """A sentence that explains when the fact is on, if a sub-SB expands it."""
     if sub not in blueprint.branches:
         return f"{sub} is no State Branch of this blueprint."
     state = blueprint[sub].activating or "not drawn yet"

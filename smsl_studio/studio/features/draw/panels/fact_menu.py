@@ -1,4 +1,4 @@
-"""What deleting a fact can mean: a menu that says it, where somebody presses Del on a fact."""
+"""The menu of what can be deleted from a fact. Del on a fact in the outline opens it."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from smsl_studio.studio.document.session import Session
 
 
 def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMenu:
-    """The ways to take something of a fact away, each an undoable step.
+    """The ways to delete parts of a fact, each an undoable step.
 
-    The fact itself is a digit in the name of every state. It goes when the states are renamed, and
-    the menu says so.
+    The fact itself is a digit in the name of every state. It goes when the states are renamed; the
+    last line of the menu says so.
     """
     blueprint = session.blueprint
     shown = blueprint[branch]

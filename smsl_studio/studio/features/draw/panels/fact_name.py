@@ -1,4 +1,4 @@
-"""How the name of a fact is changed, in the outline and in the branch header alike."""
+"""The edit that renames a fact, used by the outline and the branch header."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from smsl_studio.blueprint.model import Blueprint
 def fact_name_step(
     branch: str, digit: int, text: str
 ) -> tuple[str, Callable[[Blueprint], Blueprint]]:
-    """The words of the step that gives a fact this name, and the step itself.
+    """The words of the step that renames a fact, and its change of the blueprint.
 
-    The name that is shown where none is written ("Fact 1") is not written, nor is an empty one.
+    An empty text, or the default name (such as “Fact 1”), removes the name.
     """
     name = "" if text == f"Fact {digit + 1}" else text
     words = f"Name fact {digit} “{name}”" if name else f"Leave fact {digit} without a name"

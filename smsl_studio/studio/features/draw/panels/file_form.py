@@ -1,4 +1,4 @@
-"""What stands in a file beside its SBs: the files it imports, and what Studio has no field for."""
+"""The form of a file: the files it imports, and the fields for which Studio has no form."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ MOST = 64
 
 
 class FileForm(Panel):
-    """Edits ``_imports`` of the file in which the SB that is shown stands.
+    """Edits ``_imports`` of the file that holds the SB that is shown.
 
-    ``ask_file`` asks a person for a file near a folder; None where they chose none.
+    ``ask_file`` asks for a file, starting in a folder; None means cancelled.
     """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -58,13 +58,13 @@ class FileForm(Panel):
         self.show_file()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for _, _, gone in self.rows:
             gone.set_tokens(tokens)
 
     def show_file(self) -> None:
-        """Show what the file says as it is now."""
+        """Show the imports and other fields of the file as they are now."""
         home = self._home
         self._name.setText(os.path.basename(home.file))  # noqa: PTH119
         self._name.setToolTip(tip_text(home.file))
@@ -98,7 +98,7 @@ class FileForm(Panel):
             return
         try:
             name = Path(os.path.relpath(chosen, folder)).as_posix()
-        except ValueError:  # another drive has no path from here
+        except ValueError:  # another drive has no relative path
             name = chosen.as_posix()
         self._write([*self._written(), name], f"Import {name}")
 

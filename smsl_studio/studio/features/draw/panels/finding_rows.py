@@ -1,4 +1,4 @@
-"""The rows of the findings list: errors take two lines with their place, the rest one."""
+"""Paints the rows of the findings list: two lines for an error, one for other findings."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class _Model(QAbstractListModel):
         self.findings: tuple[Finding, ...] = ()
 
     def show(self, findings: tuple[Finding, ...]) -> None:
-        """Show other findings in place of all."""
+        """Replace all findings."""
         self.beginResetModel()
         self.findings = findings
         self.endResetModel()
@@ -51,7 +51,7 @@ class _Model(QAbstractListModel):
         return 0 if parent.isValid() else len(self.findings)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The finding itself, its words, what is read out, or its tip with place and fix."""
+        """The finding, its text, the text for assistive tools, or the tip with place and fix."""
         finding = self.findings[index.row()]
         if role == Qt.ItemDataRole.UserRole:
             return finding
@@ -67,7 +67,7 @@ class _Model(QAbstractListModel):
 
 
 class FindingsView(QListView):
-    """The list; ``fix_wanted`` carries the finding whose button was pressed."""
+    """The list of findings. ``fix_wanted`` carries the finding whose button was pressed."""
 
     fix_wanted = Signal(object)
 
@@ -84,12 +84,12 @@ class FindingsView(QListView):
         self.delegate.pressed.connect(self.fix_wanted)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.delegate.tokens = tokens
         self.viewport().update()
 
     def show_findings(self, findings: Sequence[Finding]) -> None:
-        """Replace the list; a finding that is still there stays the current one."""
+        """Replace the list. The current finding stays current, if it is still there."""
         at = self.currentIndex().row()
         current = self._model.findings[at] if at >= 0 else None
         self._model.show(tuple(findings))
@@ -99,13 +99,13 @@ class FindingsView(QListView):
                     self.setCurrentIndex(self._model.index(row))
 
     def button_rect(self, row: int) -> QRect:
-        """Where the fix button of a row is painted, in viewport coordinates."""
+        """The box of a row's fix button, in pixels of the viewport."""
         index = self._model.index(row)
         return self.delegate.button(QRectF(self.visualRect(index)), self._model.findings[row])
 
 
 class FindingDelegate(QStyledItemDelegate):
-    """Paints a finding; its button is hit-tested here."""
+    """Paints a finding with its fix button. ``pressed`` carries the finding."""
 
     pressed = Signal(object)
 
@@ -119,7 +119,7 @@ class FindingDelegate(QStyledItemDelegate):
         return QSize(10, HIGH if finding.severity is Severity.ERROR else LOW)
 
     def button(self, rect: QRectF, finding: Finding) -> QRect:
-        """The button's box in a row; empty where there is no fix."""
+        """The box of the button in a row; empty if the finding has no fix."""
         if finding.fix is None:
             return QRect()
         wide = QFontMetricsF(text_font(12, 500)).horizontalAdvance(finding.fix.words) + 22
@@ -131,7 +131,7 @@ class FindingDelegate(QStyledItemDelegate):
     def editorEvent(
         self, event: QEvent, model: Any, option: QStyleOptionViewItem, index: Index
     ) -> bool:
-        """Tell a click on the button of a finding."""
+        """Emit ``pressed`` on a click on the button of a finding."""
         if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonRelease:
             finding: Finding = index.data(Qt.ItemDataRole.UserRole)
             box = self.button(QRectF(option.rect), finding)
@@ -143,7 +143,7 @@ class FindingDelegate(QStyledItemDelegate):
         return super().editorEvent(event, model, option, index)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint one finding with its mark and button."""
+        """Paint a finding with its icon and button."""
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
         tokens, rect = self.tokens, QRectF(option.rect)
         state = option.state
@@ -209,13 +209,13 @@ class FindingDelegate(QStyledItemDelegate):
 
 
 def sentence(finding: Finding) -> str:
-    """What is, and what to do, as sentences."""
+    """The message and the advice of a finding, as sentences."""
     advice = f" {capital(finding.advice)}" if finding.advice else ""
     return f"{capital(finding.message)}{advice}"
 
 
 def place_of(finding: Finding) -> str:
-    """``hanoi.json:73:13``: the place with the file's own name only."""
+    """``hanoi.json:73:13``: file name without folder, line and column."""
     place = finding.place
     return f"{PurePath(place.file).name}:{place.line}:{place.column}"
 

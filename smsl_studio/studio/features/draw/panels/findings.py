@@ -1,4 +1,4 @@
-"""Findings: what inspection has to say, in order; a click jumps there, a button repairs it."""
+"""The list of findings. A click goes to the element, a button applies the fix."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from smsl_studio.studio.features.draw.panels.fix_list import FixList
 from smsl_studio.studio.features.draw.panels.frame import Panel
 
 MOST = 6
-"""So many faults of a text are told here; the source marks all of them."""
+"""The panel lists this many faults of a broken text; the source marks all of them."""
 
 NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
 
 class Findings(Panel):
-    """The list; ``tools`` is what stands at the right of its tab: what it comes to, fix all."""
+    """The list of findings. ``tools`` stands at the right of its tab: the summary and “Fix all”."""
 
     count_changed = Signal(int)
 
@@ -67,16 +67,16 @@ class Findings(Panel):
         self._beside, self._progress = Beside(self), _Progress()
         self._progress.mended.connect(self._show_mended)
         self._mending: Blueprint | None = None
-        """What "Fix all" is worked out for, while it is."""
+        """The blueprint for which a worker thread computes “Fix all”, or None."""
         session.blueprint_changed.connect(lambda *_: self._drop_mending())
         self.set_checking()
 
     def stop(self) -> None:
-        """The window is going away."""
+        """End all work, because the window closes."""
         self._beside.stop()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.list.set_tokens(tokens)
 
@@ -86,7 +86,7 @@ class Findings(Panel):
         return self._findings
 
     def set_checking(self) -> None:
-        """The blueprint has changed: what stands here is being checked again."""
+        """Say that the inspection is running, because the blueprint has changed."""
         if self._broken is not None:
             return
         self.summary.setText("Checking")
@@ -94,7 +94,7 @@ class Findings(Panel):
             self.empty.setText("Not checked yet. The findings come in a moment.")
 
     def forget(self) -> None:
-        """Another file was opened: what was found in the last one says nothing about it."""
+        """Remove the findings, because another file was opened."""
         self._findings = ()
         self.list.show_findings(())
         self.fix_all_button.hide()
@@ -103,7 +103,7 @@ class Findings(Panel):
         self.set_checking()
 
     def set_broken(self, broken: Broken | None) -> None:
-        """The text does not read, or reads again: its faults stand in place of findings."""
+        """List the faults of a text that cannot be read. None lists the findings again."""
         self._broken = broken
         if broken is None:
             self.set_findings(self._findings)
@@ -116,7 +116,7 @@ class Findings(Panel):
         self.count_changed.emit(len(broken.error.faults))
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Show the findings of the blueprint as it is now."""
+        """Show the findings of the blueprint as it is now, errors first."""
         self._findings = tuple(sorted(findings, key=_gravest_first))
         if self._broken is not None:
             return
@@ -134,7 +134,7 @@ class Findings(Panel):
         self.count_changed.emit(len(self._findings))
 
     def next_finding(self) -> None:
-        """Go to the finding after the current one, round and round."""
+        """Go to the next finding; after the last one, to the first."""
         if self._findings:
             at = self.list.currentIndex().row()
             index = self.list.model().index((at + 1) % len(self._findings), 0)
@@ -142,8 +142,10 @@ class Findings(Panel):
             self._jump(index)
 
     def fix_current(self) -> None:
-        """Apply the fix of the current finding. Where none is current, apply the first that is
-        certain; a fix that deletes or guesses is shown first, and applied by the next press.
+        """Apply the fix of the current finding, or else the first fix that is certain.
+
+        A fix that deletes or guesses is only shown if its finding is not current; the next call
+        applies it.
         """
         at = self.list.currentIndex().row()
         current = self._findings[at] if 0 <= at < len(self._findings) else None
@@ -160,10 +162,10 @@ class Findings(Panel):
             self._jump(index)
 
     def fix_all(self) -> None:
-        """List the fixes of errors that are certain, and make them where the person agrees.
+        """List the certain fixes of errors in a dialog, which makes them if the person agrees.
 
-        They are worked out beside the window, because each is that of the drawing which the last
-        one left; until then the button calls it off.
+        A worker thread computes them one after the other, each on the blueprint that the last one
+        left. Until it is done, the same button cancels it.
         """
         if self._mending is not None:
             self._drop_mending()
@@ -204,11 +206,11 @@ class Findings(Panel):
             FixList(self._session, repair, left, self._tokens, self.window()).open()
 
     def can_fix(self) -> bool:
-        """Whether a finding has a fix."""
+        """Whether any finding has a fix."""
         return any(finding.fix is not None for finding in self._findings)
 
     def fix(self, finding: Finding) -> None:
-        """Apply the fix of one finding as one undoable edit."""
+        """Apply the fix of a finding as one undoable edit."""
         fix = finding.fix
         if fix is not None and self._session.edit(fix.words, partial(mend, finding=finding)):
             self._session.show_branch(finding.address.branch)
@@ -219,14 +221,16 @@ class Findings(Panel):
 
 
 class _Progress(QObject):
-    """Tells here how far the work beside the window is. It has no parent: that work may end after
-    the panel has."""
+    """Brings the progress of the worker thread to this thread, as a number of fixes.
+
+    It has no parent, because the worker may end after the panel is gone.
+    """
 
     mended = Signal(int)
 
 
 def _faults_told(broken: Broken) -> str:
-    """The faults of a text, line by line."""
+    """The faults of a broken text, one line each."""
     faults = broken.error.faults
     lines = [f"{faults_of(broken)}. What is drawn has its findings listed when it reads again."]
     for fault in faults[:MOST]:

@@ -1,4 +1,4 @@
-"""What "Fix all" will do, listed before it is done."""
+"""The dialog that lists what “Fix all” will do, before it is done."""
 
 from __future__ import annotations
 
@@ -16,8 +16,11 @@ from smsl_studio.studio.document.session import Session
 
 
 class FixList(QDialog):
-    """The fixes that are certain, in the order in which they are made; one button makes them all
-    as one step. ``left`` errors have fixes that delete or guess, and stay for a person.
+    """The certain fixes in the order in which they are made.
+
+    One button makes all of them as one step.
+
+    ``left`` counts the errors whose fixes delete or guess; a person has to make those.
     """
 
     def __init__(
@@ -61,7 +64,7 @@ class FixList(QDialog):
         column.addWidget(self.left)
         column.addLayout(row(None, cancel, self.apply))
         open_at(self, 560, 320)
-        # What is listed is made for this drawing alone.
+        # The list holds for this blueprint only.
         session.blueprint_changed.connect(self.reject)
 
     def _apply(self) -> None:
@@ -71,7 +74,9 @@ class FixList(QDialog):
         self._session.edit(words, self._mended)
 
     def _mended(self, blueprint: Blueprint) -> Blueprint:
-        """What was listed; a field that was left just now may have changed the drawing once more,
-        and then the fixes are made for that."""
+        """The blueprint with the listed fixes.
+
+        If a field that lost the focus has changed the blueprint, the fixes are computed anew.
+        """
         same = blueprint is self._of
         return self._repair.blueprint if same else mend_errors(blueprint).blueprint

@@ -1,4 +1,4 @@
-"""What every panel is made of: a surface, and a heading row."""
+"""The parts of every panel: a surface and a heading."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Panel(QWidget):
 
 
 class Heading(QWidget):
-    """The title of a panel at the left, a quiet word at the right."""
+    """The title of a panel at the left, a small text at the right."""
 
     def __init__(self, title: str, right: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)

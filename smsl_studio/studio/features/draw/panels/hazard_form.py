@@ -1,4 +1,4 @@
-"""The hazards of a file: facts that must never hold together."""
+"""The form of a file's hazards: facts that must never hold together."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ NONE = "None. A hazard names facts that must never hold together, in any configu
 
 @dataclass
 class HazardCard:
-    """The widgets of one hazard; ``at`` is its place in the list, -1 while it is not written."""
+    """The widgets of one hazard.
+
+    ``at`` is its index in ``_hazards``; -1 while it is not written.
+    """
 
     at: int
     frame: QWidget
@@ -34,7 +37,7 @@ class HazardCard:
 
 
 class HazardForm(Panel):
-    """Edits ``_hazards`` of the file in which the SB that is shown stands."""
+    """Edits ``_hazards`` of the file that holds the SB that is shown."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Hazards", parent)
@@ -62,14 +65,14 @@ class HazardForm(Panel):
         self.show_hazards()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for card in self.cards:
             card.facts.set_tokens(tokens)
             card.gone.set_tokens(tokens)
 
     def show_hazards(self) -> None:
-        """Show the hazards as they are now; one that is being written stays."""
+        """Show the hazards as they are now, in cards."""
         written = self._written()
         fitting = [at for at, item in enumerate(written) if _fits(item)][:MOST]
         while len(self.cards) > len(fitting):
@@ -91,14 +94,14 @@ class HazardForm(Panel):
         self.refusal.say("")
 
     def reveal(self, name: str) -> None:
-        """Put the focus on a hazard."""
+        """Give the keyboard focus to a hazard."""
         for card in self.cards:
             if card.name.text() == name:
                 card.name.setFocus()
                 return
 
     def _new(self) -> None:
-        """A card that is written when it has a name and a fact."""
+        """Add a card. The hazard is written as soon as it has a name and a fact."""
         if not self.cards or self.cards[-1].at >= 0:
             card = self._card()
             card.facts.show_facts(self._session.blueprint, {})
@@ -181,7 +184,7 @@ class HazardForm(Panel):
 
 
 def _fits(item: Any) -> bool:
-    """Whether a hazard is what one is: a name and facts, all of them texts."""
+    """Whether a value is a hazard: a name and facts, all of them texts."""
     if not isinstance(item, dict) or not isinstance(item.get("name"), str):
         return False
     facts = item.get("facts")

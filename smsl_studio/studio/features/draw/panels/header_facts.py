@@ -1,4 +1,4 @@
-"""The facts of the SB that is shown, in rows: digit, plain name, the sub-SB that expands it."""
+"""The facts of the SB that is shown, one row each: digit, plain name, sub-SB."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.draw.panels.tag import Tag
 
 MOST = 64
-"""So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
+"""At most this many facts have a row; a typing error in NUM_FACTS must not add thousands."""
 NEW = ""
-"""In place of a name in the list of sub-SBs: one that is made for it."""
+"""Stands for “New” in the list of sub-SBs: a new SB shall be made."""
 
 
 @dataclass
@@ -29,19 +29,24 @@ class HeaderFactRow:
     name: Field
     sub: Combo
     names: tuple[str, ...] = ()
-    """The SBs that may be chosen: thousands take a while to be filled in anew."""
+    """The SBs in the list, kept to see whether it must be filled again (slow with thousands)."""
 
     def choice(self, at: int) -> str | None:
-        """What the list says in this line: no sub-SB, one of the SBs, or a new one."""
+        """What the line ``at`` of the list means: None (no sub-SB), the name of an SB, or
+        ``NEW``."""
         return (None, *self.names, NEW)[at]
 
 
 class HeaderFacts(QWidget):
-    """Tells what is meant: a name, a sub-SB, or a click on the digit."""
+    """The rows of the facts. It changes nothing itself.
+
+    ``named``: the person typed a name (digit, name). ``wanted``: the person clicked the chip of
+    this digit.
+    """
 
     named = Signal(int, str)
     sub_chosen = Signal(int, object)
-    """(digit, SB): None for no sub-SB, ``NEW`` for one that is to be made."""
+    """(digit, SB): the person chose this sub-SB; None for none, ``NEW`` for a new one."""
     wanted = Signal(int)
 
     def __init__(self, tokens: Tokens) -> None:
@@ -57,13 +62,13 @@ class HeaderFacts(QWidget):
         self._grid.addWidget(label("Sub-SB", "small"), 0, 2)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for fact in self.rows:
             fact.chip.set_tokens(tokens)
 
     def show_facts(self, blueprint: Blueprint, branch: StateBranch) -> None:
-        """A row for each fact the SB has, or that its header says it has."""
+        """Show a row for each fact (see ``fact_count``)."""
         count = min(fact_count(branch), MOST)
         while len(self.rows) > count:
             gone = self.rows.pop()
@@ -120,5 +125,5 @@ class HeaderFacts(QWidget):
 
 
 def fact_count(branch: StateBranch) -> int:
-    """How many facts the SB has, or its header says it has while it has no states."""
+    """How many facts the SB has; while it has no states, NUM_FACTS of its header."""
     return branch.num_facts if branch.table else (branch.header.num_facts or 0)

@@ -1,4 +1,4 @@
-"""The header of the SB that is shown: INITIAL, ACTIVATING, NUM_FACTS, a sub-SB for each fact."""
+"""The form of an SB's header: INITIAL, ACTIVATING, NUM_FACTS, NUM_STATES and the sub-SBs."""
 
 from __future__ import annotations
 
@@ -36,14 +36,17 @@ from smsl_studio.studio.features.draw.panels.kept import KeptValues, kept_fields
 
 KNOWN = ("_facts", "_states", "_operations", "_layout")
 SENTENCES = 24
-"""So many sub-SBs are explained; the others stand in the view of the source."""
+"""At most this many sub-SBs are explained in a sentence."""
 
 
 class HeaderForm(Panel):
-    """Each change is one undoable edit; what is refused is said beside the field."""
+    """Edits the header of the SB that is shown.
+
+    Each change is one undoable edit. A refusal is shown at the field.
+    """
 
     fact_wanted = Signal(str, int)
-    """(SB, digit): the chip of a fact was clicked."""
+    """(SB, digit): the person clicked the chip of this fact."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Branch header", parent)
@@ -86,7 +89,7 @@ class HeaderForm(Panel):
         self.show_header()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._facts.set_tokens(tokens)
 
     @property
@@ -118,7 +121,7 @@ class HeaderForm(Panel):
         )
 
     def _show_home(self, blueprint: Blueprint, name: str) -> None:
-        """From which file the SB comes, where there are several."""
+        """Show the file that holds the SB, if there are several files."""
         home = blueprint.home(name).file
         self.home.setVisible(len(blueprint.documents) > 1)
         self.home.setText(f"In {os.path.basename(home)}. Edits go there.")  # noqa: PTH119
@@ -180,7 +183,10 @@ class HeaderForm(Panel):
         made = fresh_branch_name(self._session.blueprint) if new else sub
 
         def change(blueprint: Blueprint) -> Blueprint:
-            """The blueprint with another sub-SB for the fact, or none; a new one comes first."""
+            """The blueprint with the other sub-SB (or none) at the fact.
+
+            A new SB is added first.
+            """
             if new and made:
                 blueprint = editing.add_branch(blueprint, made)
             if before is not None:
@@ -217,7 +223,7 @@ def _width_words(branch: StateBranch) -> str:
 
 
 def _explanation(blueprint: Blueprint, branch: StateBranch) -> str:
-    """What a sub-SB under a fact means, in a sentence for each of the first of them."""
+    """A sentence for each of the first sub-SBs: when it turns its fact on."""
     count = fact_count(branch)
     said = [f"The first {MOST} of {count:,} facts."] if count > MOST else []
     subs = islice(branch.subs.items(), SENTENCES)

@@ -1,4 +1,4 @@
-"""History: every step by name; a click goes there."""
+"""The list of undo steps. A click goes back or forward to a step."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.studio.document.session import Session
 
 
 class History(QUndoView):
-    """The steps since the file was opened, the present one marked."""
+    """The steps since the file was opened; the present one is marked."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(session.history, parent)
@@ -19,4 +19,4 @@ class History(QUndoView):
         self.setToolTip("Click a step to go there")
 
     def keyboardSearch(self, search: str, /) -> None:
-        """Letters choose no step: every step between here and there would be undone."""
+        """Do nothing: typed letters must not undo or redo many steps."""

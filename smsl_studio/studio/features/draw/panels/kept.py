@@ -1,4 +1,4 @@
-"""What a file says that Studio has no field for: shown as it is, and kept."""
+"""Shows the fields of a file that Studio has no form for. They stay in the file unchanged."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from smsl_studio.studio.base.words import first_lines
 
 LONGEST, MOST = 60, 24
 BREAK = "&#8203;"
-"""A place in markup where a line may break, which nobody sees."""
+"""An invisible place in markup where a line may break."""
 
 
 class KeptValues(QWidget):
-    """Keys and values under a heading, read-only; no room is taken where there are none."""
+    """Keys and values under a heading, read-only. It is hidden if there are none."""
 
     def __init__(self, title: str) -> None:
         super().__init__()
@@ -34,14 +34,14 @@ class KeptValues(QWidget):
         column.addWidget(self.words)
 
     def show_values(self, values: Mapping[str, Any]) -> None:
-        """Show these keys and their values."""
+        """Show these keys and values."""
         shown = [_line(key, value) for key, value in islice(values.items(), MOST)]
         self.words.setText(first_lines(shown, MOST, len(values)).replace("\n", "<br>"))
         self.setVisible(bool(values))
 
 
 def kept_fields(fields: Mapping[str, Any], known: Collection[str]) -> dict[str, Any]:
-    """The ``_`` fields that Studio does not know."""
+    """The fields whose keys are not in ``known``."""
     return {key: value for key, value in fields.items() if key not in known}
 
 
@@ -49,7 +49,7 @@ def _line(key: str, value: Any) -> str:
     text = value if isinstance(value, str) else _json(value)
     line = f"{key}: {text}".replace("\n", " ")
     line = line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
-    # A word that nothing breaks would make the panel wider than it is.
+    # A word that cannot be broken would make the panel wider.
     return BREAK.join(markup(line[at : at + 24]) for at in range(0, len(line), 24))
 
 

@@ -1,4 +1,4 @@
-"""Library: the operations this blueprint uses, and those that plugins offer."""
+"""The list of the operations that the blueprint uses, and those that plugins offer."""
 
 from __future__ import annotations
 
@@ -23,22 +23,25 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.frame import Heading, Panel
 
 MOST = 2_000
-"""So many operations of the blueprint have a row; the filter finds the others."""
+"""At most this many operations of the blueprint have a row; the filter finds the others."""
 NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
 
 
 @dataclass(frozen=True)
 class LibraryEntry:
-    """An operation that a plugin offers: the name or pattern it answers to, and who offers it."""
+    """An operation that a plugin offers: its name or pattern, and the plugin."""
 
     pattern: str
     plugin: str
     names: tuple[str, ...] = ()
-    """The operations of the blueprint that it is bound to."""
+    """The operations of the blueprint whose names match."""
 
 
 class Library(Panel):
-    """Operations by name, how often each is used, and who acts. A click selects its edges."""
+    """Operations by name: how often each is used, and who acts.
+
+    A click selects the edges of one SB.
+    """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Library", parent)
@@ -73,20 +76,20 @@ class Library(Panel):
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self._glass.setIcon(icon("search", tokens))
         self.list.set_tokens(tokens)
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Mark the operations that errors and warnings are about."""
+        """Mark the operations that have errors or warnings."""
         marks = _marks(findings)
         if marks != self._severities:
             self._severities = marks
             self._show()
 
     def set_offers(self, offers: Sequence[LibraryEntry]) -> None:
-        """What the plugins offer."""
+        """Show what the plugins offer."""
         if tuple(offers) != self._offers:
             self._offers = tuple(offers)
             self._show()
@@ -96,7 +99,7 @@ class Library(Panel):
         if isinstance(row.payload, str):
             edges = _edges(self._session.blueprint, self._session.branch, row.payload)
             if edges:
-                # In another SB than the shown one they would be selected, and deleted, unseen.
+                # Selected edges of a hidden SB could be deleted unseen, so show that SB.
                 self._session.show_branch(edges[0].branch)
             self._session.select(edges)
 
@@ -169,7 +172,7 @@ def _by_name(name: str) -> tuple[str, str]:
 
 
 def _first_notes(blueprint: Blueprint) -> dict[str, OperationNote]:
-    """What is written of each operation where it is spoken of first."""
+    """The first note of each operation name, in the order of the SBs."""
     found: dict[str, OperationNote] = {}
     for branch in blueprint:
         for name, note in branch.notes.operations.items():

@@ -1,4 +1,4 @@
-"""What the forms of annotations share: lines for the words of entries, and one edit for each."""
+"""The base of the forms for annotations: lines for the keys of entries, one edit a change."""
 
 from __future__ import annotations
 
@@ -20,11 +20,12 @@ LineT = TypeVar("LineT", bound=FormLine)
 
 @dataclass(frozen=True)
 class NoteEntry:
-    """One entry of a table of annotations, written or not.
+    """An entry of a table of annotations (``_states``, ``_operations``, ``_facts``), written or
+    not.
 
-    ``note`` is what its words mean, ``standard`` what holds for words that are not written; those
-    ``inherited`` come from ``origin``, the others are defaults. ``misfits`` are words whose value
-    fits no kind, with the reason.
+    ``note`` is the parsed entry, ``standard`` the values that hold for keys that are not written.
+    The keys in ``inherited`` take their standard from ``origin``, the others from the defaults.
+    ``misfits`` holds the keys whose value cannot be read, with the reason.
     """
 
     branch: str
@@ -37,14 +38,18 @@ class NoteEntry:
     misfits: Mapping[str, str] = field(default_factory=dict)
 
     def shown(self, word: str) -> ShownValue:
-        """What a line shows of a word: what is written, what holds otherwise, and where from."""
+        """The content of a key's line: the written value, the value that holds otherwise, and
+        its origin."""
         written = getattr(self.note, word) if word in self.written else None
         origin = self.origin if word in self.inherited else ""
         return ShownValue(written, getattr(self.standard, word), origin)
 
 
 class NoteForm(Panel):
-    """A panel with lines for words of ``table``; several entries are edited together."""
+    """A panel with a line for each key of the entries in ``table``.
+
+    Several entries are edited together.
+    """
 
     def __init__(
         self, name: str, table: str, session: Session, parent: QWidget | None = None
@@ -58,28 +63,28 @@ class NoteForm(Panel):
         self.column.setSpacing(6)
 
     def add(self, word: str, line: LineT) -> LineT:
-        """A line for a word of the entries."""
+        """Add the line of a key."""
         line.given.connect(lambda value: self.give(word, value))
         self._lines[word] = line
         self.column.addWidget(line)
         return line
 
     def line(self, word: str) -> FormLine:
-        """The line of a word."""
+        """The line of a key."""
         return self._lines[word]
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
-        """Those of the misfits for which this form has no line."""
+        """The misfits for which this form has no line."""
         return {word: reason for word, reason in misfits.items() if word not in self._lines}
 
     def who(self) -> str:
-        """Whom an edit is about, as its step says; subclasses know."""
+        """What the form edits, in the words of an undo step. Subclasses implement it."""
         raise NotImplementedError
 
     def show_entries(self, entries: Sequence[NoteEntry]) -> None:
         """Show these entries in all lines."""
         self._entries = tuple(entries)
-        # Thousands of edges of one name share one note, which is looked at once.
+        # Thousands of edges with one name share one note; look at it once.
         few = list({(id(e.note), id(e.standard)): e for e in entries}.values())
         for word, line in self._lines.items():
             line.show_values(_each([entry.shown(word) for entry in few]))
@@ -94,7 +99,10 @@ class NoteForm(Panel):
         self.odd.say(f"Not understood, and kept: {words}." if words else "")
 
     def give(self, word: str, value: Any) -> bool:
-        """Write a word of all entries as one step; a default is not written."""
+        """Write the value of a key in all entries, as one step. A default is removed instead.
+
+        Returns whether the edit was made.
+        """
         line = self._lines[word]
         write: Mapping[str, Any] = {word: value}
         leave: Mapping[str, Any] = {word: None}
@@ -116,12 +124,12 @@ class NoteForm(Panel):
     def edit(
         self, step: str, change: Callable[[Blueprint], Blueprint], refuse: Callable[[str], None]
     ) -> bool:
-        """One step; ``refuse`` says, where it is typed, why it was not taken (or nothing)."""
+        """Make an edit as one step. ``refuse`` gets the reason for a refusal, or the empty text."""
         return try_edit(self._session, step, change, refuse)
 
 
 def misfits_of(branch: StateBranch, table: str) -> dict[str, dict[str, str]]:
-    """For each entry of a table the words that fit no kind, with the reason."""
+    """For each entry of a table: the keys whose value cannot be read, with the reason."""
     found: dict[str, dict[str, str]] = {}
     for path, sentence in branch.notes.faults:
         if len(path) == 2 and path[0] == table:
@@ -131,14 +139,14 @@ def misfits_of(branch: StateBranch, table: str) -> dict[str, dict[str, str]]:
 
 
 def written_words(branch: StateBranch, table: str, key: str) -> frozenset[str]:
-    """The words that stand in an entry."""
+    """The keys that are written in an entry."""
     entries = branch.fields.get(table)
     entry = entries.get(key) if isinstance(entries, dict) else None
     return frozenset(entry) if isinstance(entry, dict) else frozenset()
 
 
 def _is(value: Any, entry: NoteEntry, word: str) -> bool:
-    """Whether a value is what holds without being written."""
+    """Whether a value is the one that holds if nothing is written."""
     standard = getattr(entry.standard, word)
     if isinstance(standard, tuple):
         return bool(value is None or tuple(value) == standard)
@@ -146,7 +154,7 @@ def _is(value: Any, entry: NoteEntry, word: str) -> bool:
 
 
 def _each(shown: Sequence[ShownValue]) -> list[ShownValue]:
-    """The different ones, in order: thousands of edges show but a few values."""
+    """The different values in order, at most 9: thousands of edges share a few values."""
     found: list[ShownValue] = []
     for one in shown:
         if one not in found:

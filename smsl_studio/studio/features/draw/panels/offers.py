@@ -1,4 +1,4 @@
-"""What the installed plugins offer to a blueprint, as the library panel shows it."""
+"""What the installed plugins offer to a blueprint, for the library panel and the source."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from smsl_studio.studio.features.draw.panels.library import LibraryEntry
 
 
 def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
-    """Every operation that plugins offer, with the names of the blueprint it would carry out."""
+    """Every operation that plugins offer, with the names of the blueprint that it matches."""
     names = sorted(
         {name for branch in blueprint for table in branch.table.values() for name in table}
     )
@@ -22,7 +22,7 @@ def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
 
 
 def operation_names(loaded: Loaded) -> tuple[str, ...]:
-    """The operations that plugins offer by their name; patterns are left out."""
+    """The names of the operations that plugins offer; patterns are left out."""
     entries = (entry for plugin in loaded.plugins for entry in plugin.library.operations)
     names = (entry.pattern.text if entry.pattern else entry.name for entry in entries)
     return tuple(sorted({name for name in names if "{" not in name}))

@@ -1,4 +1,4 @@
-"""The entries of ``_operations`` that speak of edges: of their names, or of the edges alone."""
+"""The entries of ``_operations`` for edges: for all edges of a name, or for one edge alone."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SHORT = 8
 
 
 def entries_of(blueprint: Blueprint, edges: Sequence[Address], only_here: bool) -> list[NoteEntry]:
-    """The entry of every edge, or of every name they have; each once."""
+    """The entry of every edge (``only_here``) or of every operation name, each once."""
     found: dict[tuple[str, str], NoteEntry] = {}
     odd = {name: misfits_of(blueprint[name], TABLE) for name in {at.branch for at in edges}}
     for edge in edges:
@@ -27,7 +27,7 @@ def entries_of(blueprint: Blueprint, edges: Sequence[Address], only_here: bool) 
 
 
 def noted_edges(blueprint: Blueprint, edges: Sequence[Address]) -> list[Address]:
-    """Those edges that have an entry of their own."""
+    """The edges that have an entry of their own."""
     return [
         edge
         for edge in edges
@@ -47,7 +47,7 @@ def _entry(
         return NoteEntry(edge.branch, key, note, PLAIN, written, misfits=misfits)
     name = note_key(edge.operation)
     common, said = operations.get(name, PLAIN), branch.notes.written.get(name, NONE)
-    # A long name would leave no room for the value beside which it stands.
+    # A long name would leave no room for the value next to it.
     origin = f"all {edge.operation}" if len(edge.operation) <= SHORT else "all edges"
     return NoteEntry(edge.branch, key, note, common, written, origin, said, misfits)
 

@@ -1,4 +1,4 @@
-"""The properties of operations: one edge, or what several edges share."""
+"""The form of one edge, or of what several edges share."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ ACTORS = (("Human", "human"), ("Shared", "shared"), ("Robot", "robot"))
 RISKS = (("Low", "low"), ("Medium", "medium"), ("High", "high"))
 STOPS = (("Abort at once", "abort"), ("Hold where it is", "hold"), ("Finish first", "finish"))
 MOST = 500
-"""Of more selected edges the first ones tell whether people are asked."""
+"""At most this many selected edges are checked for whether people are asked."""
 SUBS = (("Drive it first", "drive"), ("Load", "load"))
 
 
 class OperationForm(NoteForm):
     """Edits one edge, or the details that several selected edges share.
 
-    Details (title, cost, who acts ...) belong to the operation wherever it stands, unless they
-    are written for this edge alone: the choice under the heading says which is edited, and each
-    line says where its value comes from.
+    Details (title, cost, who acts ...) hold for every edge with the same name, unless they are
+    written for one edge. The choice under the heading says which of the two is edited. Each line
+    shows where its value comes from.
     """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -134,11 +134,11 @@ class OperationForm(NoteForm):
         self.column.addWidget(self.alone)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.requires.facts.set_tokens(tokens)
 
     def set_plugins(self, loaded: Loaded) -> None:
-        """The functions that an operation can be bound to."""
+        """Take the functions that an operation can be bound to."""
         self.binding.set_plugins(loaded)
         self.alone.set_plugins(loaded)
 
@@ -162,7 +162,7 @@ class OperationForm(NoteForm):
         self._show_details()
 
     def who(self) -> str:
-        """The edges or the operation as the history names them."""
+        """The edges or the operation in the words of an undo step."""
         names = sorted({edge.operation for edge in self._edges})
         if len(self._edges) == 1 and self._only_here:
             return f"{self._edges[0].state}/{names[0]}"
@@ -197,7 +197,7 @@ class OperationForm(NoteForm):
             sub_mark(branch, branch.operation(edge.state, edge.operation)) for branch, edge in pairs
         )
         loops = all(branch.table[at.state][at.operation] == at.state for branch, at in pairs)
-        # What is written is shown also where it means nothing, so that it can be taken away.
+        # A written key that has no effect is shown, so that it can be removed.
         for word, fits in (("subs", turns), ("repeatable", loops)):
             written = any(word in entry.written for entry in self._entries)
             self._lines[word].setVisible(fits or written)
@@ -205,7 +205,10 @@ class OperationForm(NoteForm):
         self._show_asking(blueprint)
 
     def _show_asking(self, blueprint: Blueprint) -> None:
-        """Who is asked anything about these operations, by any level there is."""
+        """Show the lines about asking people, if anybody is asked about these operations.
+
+        Actors, confirmations and the levels of the file decide.
+        """
         notes = {id(n): n for entry in self._entries for n in (entry.note, entry.standard)}
         asked = any(note.confirm or note.actor in OF_ACTOR for note in notes.values())
         if not asked and blueprint.levels:
@@ -218,7 +221,10 @@ class OperationForm(NoteForm):
         return bool(self.where.currentData())
 
     def _offer_where(self, blueprint: Blueprint) -> None:
-        """Every edge of the name, or these edges only; what is written already decides."""
+        """Offer to edit every edge of the name or these edges only.
+
+        If an edge has an entry of its own, the second is chosen.
+        """
         names = {edge.operation for edge in self._edges}
         self.where.clear()
         every = f"All {next(iter(names))}" if len(names) == 1 else "All edges of these names"
@@ -258,7 +264,7 @@ class OperationForm(NoteForm):
 
 
 def _own_words(blueprint: Blueprint, edges: Sequence[Address]) -> str:
-    """Which of the edges have values of their own, which win over these."""
+    """A sentence about the edges that have values of their own; empty if none has."""
     own = noted_edges(blueprint, edges)
     if not own:
         return ""

@@ -1,4 +1,4 @@
-"""Outline: the State Branches by level, their facts as chips, sub-SBs below their fact."""
+"""The outline: the State Branches by level, their facts, and each sub-SB below its fact."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from smsl_studio.studio.features.draw.panels.outline_lines import worst_of
 from smsl_studio.studio.features.draw.panels.outline_tree import OutlineTree, line_of
 
 VERBS = {"Ctrl+X": "cut", "Ctrl+C": "copy", "Ctrl+V": "paste", "Ctrl+D": "duplicate"}
-"""What is done to a whole SB by the clipboard's keys."""
+"""The keys of the clipboard, which act on a whole SB."""
 
 KEYS = {"F2": "rename", "Del": "delete", **VERBS}
-"""Every key of the outline, and the action it means while something on the canvas is selected."""
+"""Every key of the outline, and the id of the action for it if elements are selected."""
 
 NO_BRANCH = EditRefused(
     "an import that failed is no State Branch",
     advice="Correct or delete its name under _imports in the source.",
 )
-"""What is said to the keys that mean a whole SB."""
+"""The refusal if a key for SBs is pressed on a failed import."""
 
 DONE = {"cut": "cut", "copy": "copied", "paste": "pasted over", "duplicate": "duplicated"}
 
@@ -43,20 +43,20 @@ DONE = {"cut": "cut", "copy": "copied", "paste": "pasted over", "duplicate": "du
 class Outline(Panel):
     """The tree of SBs. A click or an arrow key shows an SB or a fact.
 
-    Keys act on what the session says is selected: on states and operations (told by
-    ``action_wanted``), on a fact, and only where neither is selected on the SB of the marked line.
+    Keys act on the selected states and operations (see ``action_wanted``) if there are any, else on
+    the selected fact, else on the SB of the current line.
     """
 
     action_wanted = Signal(str)
-    """The id of an action that a key means for what is selected on the canvas."""
+    """str: a key was pressed while elements are selected; the id of its action."""
     branch_deleted = Signal(str, int)
-    """(SB, how many states it had): it was deleted as a whole."""
+    """(SB, how many states it had): the person deleted this SB."""
     fact_wanted = Signal(str, int)
-    """(SB, digit): a fact was clicked, and its properties are wanted."""
+    """(SB, digit): the person clicked this fact and wants its properties."""
     verb_wanted = Signal(str, str)
-    """(copy, cut, paste or duplicate; SB): a whole SB is meant."""
+    """(“copy”, “cut”, “paste” or “duplicate”, SB): the person asked for it on a whole SB."""
     file_wanted = Signal(str)
-    """The file in which an imported SB stands is to be opened."""
+    """str: the person asked to open this file, which holds an imported SB."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Outline", parent)
@@ -101,30 +101,30 @@ class Outline(Panel):
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.add_button.setIcon(icon("plus", tokens, 14))
         self.tree.set_tokens(tokens)
 
     def set_run(self, active: Mapping[str, str], running: str) -> None:
-        """Show the active state of every SB, and let the one glow in which an operation runs."""
+        """Show the active state of every SB, and highlight the SB in which an operation runs."""
         self.tree.set_run(active, running)
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Mark every SB with the gravest of its findings."""
+        """Mark every SB with the worst severity of its findings."""
         self.tree.show_marks(worst_of(findings))
 
-    # The verbs of the tree, on the SB that is shown.
+    # The verbs of the tree.
 
     def add_branch(self) -> None:
-        """Add an empty SB and start naming it."""
+        """Add an empty SB and edit its name."""
         name = fresh_branch_name(self._session.blueprint)
         if self._session.edit(f"Add State Branch {name}", lambda bp: editing.add_branch(bp, name)):
             self._session.show_branch(name)
             self.rename_branch()
 
     def rename_branch(self) -> None:
-        """Edit the name of the current SB in place."""
+        """Edit the name of the current SB in its line."""
         self._name(self.tree.index_of(self._current_branch()))
 
     def _name(self, index: QModelIndex) -> None:
@@ -134,7 +134,7 @@ class Outline(Panel):
             self.tree.edit(index)
 
     def delete_branch(self) -> None:
-        """Delete the whole SB of the marked line; ``branch_deleted`` tells it."""
+        """Delete the SB of the current line and emit ``branch_deleted``."""
         name = self._current_branch()
         branch = self._session.blueprint.branches.get(name)
         if branch is None:
@@ -160,7 +160,10 @@ class Outline(Panel):
             self._ask(verb)
 
     def _press_on_fact(self, verb: str, branch: str, digit: int) -> None:
-        """A fact is a digit of every state, so it can be neither cut out nor deleted alone."""
+        """Act on a fact.
+
+        It can be neither cut nor deleted alone, because it is a digit of every state.
+        """
         index = self.tree.currentIndex()
         if verb == "rename":
             self._name(index)
@@ -190,7 +193,7 @@ class Outline(Panel):
     def _clicked(self, index: QModelIndex) -> None:
         line = line_of(index)
         if line.fault:
-            # It stays the marked line: Del must not mean an SB that nobody chose.
+            # The fault stays the current line: Del must not delete an SB that nobody chose.
             self._session.select(())
             self.tree.mark(index)
             return
@@ -202,13 +205,13 @@ class Outline(Panel):
         self._mark()
 
     def _moved(self, index: QModelIndex) -> None:
-        """An arrow key went to another line: the canvas and the properties follow."""
+        """Follow an arrow key to another line, on the canvas and in the properties."""
         if index.isValid() and self.tree.hasFocus():
             self._clicked(index)
 
     def _renamed(self, branch: str, digit: int | None, new: str) -> None:
-        # Now, not in a moment: it may be saved or closed by then. The tree, to which the
-        # editor still belongs, takes the new name when the editor has gone.
+        # Edit at once, because the file may be saved or closed next. The tree shows the new name
+        # when the field has closed (see ``closeEditor``).
         if digit is None and new != branch:
             words = f"Rename {branch} to {new}"
             self._session.edit(words, lambda bp: editing.rename(bp, Address(branch), new))
@@ -222,7 +225,7 @@ class Outline(Panel):
         menu = QMenu(self)
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
         if self._session.fact is not None:
-            # What the keys mean on this line, and not what they would mean on its SB.
+            # As the keys do on this line: on the fact, not on its SB.
             name = as_it_is(line_of(self.tree.currentIndex()).text)
             rename, delete = partial(self._press, "F2"), partial(self._press, "Del")
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", rename)
@@ -256,7 +259,7 @@ class Outline(Panel):
         self._mark()
 
     def _mark(self) -> None:
-        """Put the current row on the fact that is selected, else on the SB that is shown."""
+        """Make the line of the selected fact or of the shown SB the current one."""
         branch, digit = self._session.fact or (self._session.branch, None)
         index = self.tree.currentIndex()
         if not index.isValid() or not _is_at(index, branch, digit):

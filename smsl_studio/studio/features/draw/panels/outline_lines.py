@@ -1,4 +1,4 @@
-"""What one line of the outline says: an SB, one of its facts, or an import that failed."""
+"""The content of a line of the outline: an SB, one of its facts, or an import that failed."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from smsl_studio.studio.base.words import capital
 
 @dataclass(frozen=True)
 class OutlineLine:
-    """One line: an SB (``digit`` is None) or one of its facts.
+    """A line of the outline: an SB (``digit`` is None) or one of its facts.
 
-    ``right`` is the SB's level, or the values of a fact that has more than 0 and 1. ``file`` is
-    where an SB stands that is imported. A line with a ``fault`` is an import that failed, and no
-    SB; ``right`` says why in a word.
+    ``right`` is the level of an SB, or the values of a fact if they are not just 0 and 1. ``file``
+    is the file of an imported SB. A line with a ``fault`` is an import that failed; its ``right``
+    says why in a word.
     """
 
     branch: str
@@ -31,12 +31,12 @@ class OutlineLine:
 
     @property
     def home(self) -> str:
-        """The name of the file an imported SB stands in; empty for the blueprint's own."""
+        """The file name of an imported SB without its folder; empty for the blueprint's own SBs."""
         return PurePath(self.file).name
 
     @property
     def tip(self) -> str:
-        """The tip: the SB with level and file, the fact with its values, or the fault."""
+        """The tooltip: the SB with level and file, the fact with its values, or the fault."""
         if self.fault:
             return self.fault
         if self.digit is None:
@@ -47,14 +47,14 @@ class OutlineLine:
 
 
 def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> OutlineLine:
-    """The line of an SB, with the gravest of its findings (see ``worst_of``)."""
+    """The line of an SB, with the worst severity of its findings (see ``worst_of``)."""
     home = blueprint.imported.get(name)
     file = home.file if home is not None else ""
     return OutlineLine(name, None, name, str(level), severity=severity, file=file)
 
 
 def fact_line(blueprint: Blueprint, name: str, digit: int) -> OutlineLine:
-    """The line of one fact of an SB."""
+    """The line of a fact."""
     branch = blueprint.branches[name]
     values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
     right = "" if set(values) <= {"0", "1"} else " ".join(values)
@@ -71,7 +71,7 @@ def fault_line(fault: ImportFault) -> OutlineLine:
 
 
 def worst_of(findings: Sequence[Finding]) -> dict[str, str]:
-    """The gravest mark of every SB: errors before warnings; notes are no mark in a tree."""
+    """The worst severity letter of every SB, E before W; notes are not marked in the outline."""
     found: dict[str, str] = {}
     for finding in findings:
         letter = finding.severity.value

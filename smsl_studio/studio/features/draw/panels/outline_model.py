@@ -1,7 +1,7 @@
-"""The outline as a Qt model: each line is made when Qt asks for it.
+"""The outline as a Qt model. Lines are made when Qt asks for them.
 
-A blueprint that was edited takes the place of the one before: the lines that are the same stay,
-and with them what stands open, what is selected and how far the tree was scrolled.
+After an edit, the lines that did not change stay in the model. So expanded lines, the selection and
+the scroll position stay, too.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from smsl_studio.studio.features.draw.panels.outline_nodes import Key, OutlineNo
 Index = QModelIndex | QPersistentModelIndex
 NOWHERE = QModelIndex()
 FEW = 50
-"""Of so many SBs that were changed each line is told alone."""
+"""If more SBs have changed, Qt is told that everything changed."""
 _TEXTS = (int(Qt.ItemDataRole.DisplayRole), int(Qt.ItemDataRole.EditRole))
 _TIP, _LINE = int(Qt.ItemDataRole.ToolTipRole), int(Qt.ItemDataRole.UserRole)
 _PLAIN = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
@@ -34,33 +34,33 @@ _NAMED = _PLAIN | Qt.ItemFlag.ItemIsEditable
 
 
 class OutlineModel(QAbstractItemModel):
-    """The SBs, their facts and sub-SBs as a tree for Qt; a name is edited in place."""
+    """The SBs, their facts and sub-SBs as a tree for Qt. Names can be edited."""
 
     named = Signal(str, object, str)
-    """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
+    """(SB, digit or None, name): the person typed this name for the SB or the fact."""
 
     def __init__(self, blueprint: Blueprint, parent: QObject) -> None:
         super().__init__(parent)
         self.nodes = OutlineNodes(blueprint)
         self.worst: Mapping[str, str] = {}
-        """The gravest finding of each SB (see ``worst_of``)."""
+        """The worst severity letter of each SB (see ``worst_of``)."""
 
     # What Qt asks.
 
     def index(self, row: int, column: int, /, parent: Index = NOWHERE) -> QModelIndex:
-        """The index of a line below another; an invalid one where there is none."""
+        """The index of a line below another; invalid if there is none."""
         below = self.nodes.below(self.node(parent))
         if column == 0 and 0 <= row < len(below):
             return self.createIndex(row, 0, below[row].number)
         return QModelIndex()
 
     def parent(self, child: Index = NOWHERE, /) -> QModelIndex:  # type: ignore[override]
-        """The index of the line above; an invalid one for a line at the top."""
+        """The index of the line above; invalid for a line at the top."""
         above = self.node(child).above
         return self.index_of(above) if above is not None else QModelIndex()
 
     def rowCount(self, /, parent: Index = NOWHERE) -> int:
-        """How many lines stand below a line."""
+        """How many lines are below a line."""
         return len(self.nodes.below(self.node(parent)))
 
     def columnCount(self, /, parent: Index = NOWHERE) -> int:
@@ -68,16 +68,16 @@ class OutlineModel(QAbstractItemModel):
         return 1
 
     def hasChildren(self, /, parent: Index = NOWHERE) -> bool:
-        """Whether lines stand below; answers without making them."""
+        """Whether lines are below this one; it does not make them."""
         return self.nodes.leads_down(self.node(parent))
 
     def flags(self, index: Index, /) -> Qt.ItemFlag:
-        """Names can be edited, except that of an import that failed."""
-        # An import that failed stands below no SB.
+        """Names can be edited, except the name of a failed import."""
+        # A failed import has no SB in its key.
         return _NAMED if self.node(index).key[0] else _PLAIN
 
     def data(self, index: Index, /, role: int = _TEXTS[0]) -> Any:
-        """The text, the tip, or the ``OutlineLine`` itself."""
+        """The text, the tooltip or the ``OutlineLine`` of a line."""
         if role in _TEXTS:
             return self.line(self.node(index)).text
         if role == _TIP:
@@ -85,37 +85,38 @@ class OutlineModel(QAbstractItemModel):
         return self.line(self.node(index)) if role == _LINE else None
 
     def setData(self, index: Index, value: Any, /, role: int = _TEXTS[1]) -> bool:
-        """A name was typed; the line says it when the blueprint does."""
+        """Emit ``named`` for a typed name. The line changes when the blueprint has the name."""
         self.named.emit(*self.node(index).key, str(value).strip())
         return True
 
-    # Lines and where they stand.
+    # Lines and indexes.
 
     def node(self, index: Index) -> OutlineNode:
-        """The node of an index; the invisible one above all others where it is none."""
+        """The node of an index; the invisible root for an invalid one."""
         found = self.nodes.node(index.internalId()) if index.isValid() else None
         return found if found is not None else self.nodes.root
 
     def index_of(self, node: OutlineNode) -> QModelIndex:
-        """Where Qt finds a node."""
+        """The index of a node."""
         return self.createIndex(node.row, 0, node.number) if node.above else QModelIndex()
 
     def line(self, node: OutlineNode) -> OutlineLine:
-        """What a node says."""
+        """The content of a node."""
         return self.nodes.line(node, self.worst)
 
     # Another blueprint.
 
     def begin(self, blueprint: Blueprint) -> None:
-        """Show a blueprint that has nothing to do with the one before."""
+        """Show the blueprint of another file; nothing of the old one is kept."""
         self.beginResetModel()
         self.nodes = OutlineNodes(blueprint)
         self.endResetModel()
 
     def show(self, blueprint: Blueprint) -> list[OutlineNode]:
-        """Show a blueprint in place of the one before; the nodes that are new, or lead down now.
+        """Show the blueprint after an edit. Returns the nodes that have to be expanded.
 
-        Below a node that is new others are, which nobody has asked for yet.
+        These are new nodes, and nodes that have children for the first time. The children of a new
+        node are not made yet.
         """
         before = self.nodes.blueprint
         changed = _changed(before, blueprint)
@@ -123,7 +124,7 @@ class OutlineModel(QAbstractItemModel):
         others = before.branches.keys() != blueprint.branches.keys()
         fresh: list[OutlineNode] = []
         for node in list(self.nodes.asked.values()):
-            # Whoever stood below what is gone is gone with it.
+            # The children of a removed node are removed with it.
             mine = node.above is None or others or node.key[0] in changed
             if mine and self.nodes.asked.get(node.number) is node:
                 fresh += self._renew(node)
@@ -131,7 +132,10 @@ class OutlineModel(QAbstractItemModel):
         return fresh
 
     def _renew(self, node: OutlineNode) -> list[OutlineNode]:
-        """Let what is to stand below a node stand there."""
+        """Make the children of a node match the blueprint.
+
+        Returns the nodes that have to be expanded.
+        """
         below, keys = self.nodes.below(node), self.nodes.keys(node)
         old = [one.key for one in below]
         if old == keys:
@@ -158,7 +162,7 @@ class OutlineModel(QAbstractItemModel):
         return made if old or node.above is None else [node]
 
     def _stands(self, key: Key) -> bool:
-        """Whether the SB of a key is still there; where it is not it may have another name."""
+        """Whether the SB of a key still exists; if not, it may have been renamed."""
         return not key[0] or key[0] in self.nodes.blueprint.branches
 
     def _put(self, node: OutlineNode, first: int, gone: int, come: list[OutlineNode]) -> None:
@@ -168,7 +172,7 @@ class OutlineModel(QAbstractItemModel):
             below[row].row = row
 
     def _tell(self, before: Blueprint, changed: set[str]) -> None:
-        """Say that lines say something else now, or lead down for the first time."""
+        """Tell Qt which lines have another content, or have children for the first time."""
         after = self.nodes.blueprint
         if len(changed) > FEW or any(
             _leads(before.branches.get(name)) != _leads(after.branches.get(name))
@@ -186,12 +190,12 @@ class OutlineModel(QAbstractItemModel):
 
 
 def _leads(branch: StateBranch | None) -> object:
-    """What decides under which of an SB's lines there is something."""
+    """The values that decide which lines of an SB have children."""
     return None if branch is None else (bool(branch.table), branch.header.sub_sbs)
 
 
 def _alike(some: list[Key], others: list[Key]) -> int:
-    """How many keys both begin with."""
+    """The length of the common beginning of two lists."""
     count = 0
     for one, other in zip(some, others, strict=False):
         if one != other:
@@ -201,7 +205,7 @@ def _alike(some: list[Key], others: list[Key]) -> int:
 
 
 def _changed(before: Blueprint, after: Blueprint) -> set[str]:
-    """The SBs that are not the very same as before; an edit takes over what it does not touch."""
+    """The SBs that an edit changed. Unchanged SBs are the same object in both blueprints."""
     return {
         name
         for name in before.branches.keys() | after.branches.keys()

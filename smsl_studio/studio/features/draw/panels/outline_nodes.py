@@ -1,7 +1,7 @@
-"""Where the lines of the outline stand: SBs by level, their facts, sub-SBs below their fact.
+"""The tree of the outline: SBs by level, their facts, and each sub-SB below its fact.
 
-What stands below a line is worked out when somebody asks for it, and not before: through SBs that
-share their sub-SBs more ways may lead down than any machine could count.
+The children of a node are made when they are asked for. SBs that share sub-SBs can have far too
+many paths to make them all.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from smsl_studio.studio.features.draw.panels.outline_lines import (
 )
 
 DEEPEST = 40
-"""So many levels stand below each other; what is deeper begins at the margin again."""
+"""At most this many levels are nested. Deeper SBs begin at the top level again."""
 
 Key = tuple[str, int | None]
-"""An SB, or one of its facts by its digit. Imports that failed are ("", 0), ("", 1) and so on."""
+"""(SB, None) for an SB, (SB, digit) for a fact, ("", number) for an import that failed."""
 
 
 @dataclass(slots=True, eq=False)
 class OutlineNode:
-    """One line where it stands. ``below`` is None as long as nobody has asked for it.
+    """A node of the tree. ``below`` holds its children; None until somebody asks for them.
 
-    ``depth`` counts the SBs that stand above it.
+    ``depth`` counts the SBs above it.
     """
 
     number: int
@@ -40,7 +40,7 @@ class OutlineNode:
 
     @property
     def path(self) -> tuple[int, ...]:
-        """The rows that lead to it: what compares less stands further up."""
+        """The row numbers from the top to this node; a smaller path is further up."""
         rows: list[int] = []
         node: OutlineNode | None = self
         while node is not None and node.above is not None:
@@ -51,10 +51,11 @@ class OutlineNode:
 
 @dataclass
 class Survey:
-    """Which SBs stand at the margin, with their level; above each other one: its base and digit.
+    """The SBs at the top level (``margin``) with their level, and the base (SB, digit) of each
+    other SB.
 
-    At the margin stand the roots, and what only a cycle or an unknown base names, so that nothing
-    is hidden, and what would be too deep.
+    At the top level are the roots, the SBs that only a cycle or an unknown base refers to (so that
+    none is hidden), and the SBs that are nested too deeply.
     """
 
     margin: dict[str, int] = field(default_factory=dict)
@@ -62,7 +63,7 @@ class Survey:
 
 
 def surveyed(blueprint: Blueprint) -> Survey:
-    """The shortest way to every SB; no fact is looked at."""
+    """The shortest path to every SB. It does not look at facts."""
     found = Survey(dict.fromkeys(blueprint.roots, 0))
     deep: dict[str, int] = {}
     branches, depth = blueprint.branches, 0
@@ -88,56 +89,56 @@ def surveyed(blueprint: Blueprint) -> Survey:
 
 
 class OutlineNodes:
-    """The lines of one blueprint, made where they are asked for."""
+    """The nodes of one blueprint, made when they are asked for."""
 
     def __init__(self, blueprint: Blueprint) -> None:
         self.blueprint = blueprint
         self.survey = surveyed(blueprint)
         self.root = OutlineNode(0, ("", None), None, 0, -1)
         self.asked: dict[int, OutlineNode] = {}
-        """The nodes of which somebody has asked what stands below them, the upper ones first."""
+        """The nodes whose children were made, by number, parents first."""
         self._made: dict[int, OutlineNode] = {}
         self._standing: dict[Key, dict[int, OutlineNode]] = {}
         self._last = 0
 
     @property
     def top(self) -> list[OutlineNode]:
-        """The lines at the margin."""
+        """The nodes at the top level."""
         return self.below(self.root)
 
     @property
     def made(self) -> int:
-        """How many lines somebody has asked for."""
+        """How many nodes were made."""
         return len(self._made)
 
     def replace(self, blueprint: Blueprint) -> None:
-        """Take another blueprint; what stands already is left to whoever compares ``keys``."""
+        """Take another blueprint. The caller compares ``keys`` and corrects the nodes."""
         self.blueprint, self.survey = blueprint, surveyed(blueprint)
 
     def node(self, number: int) -> OutlineNode | None:
-        """The node of this number; None where it is gone."""
+        """The node with this number; None if it was dropped."""
         return self._made.get(number)
 
     def below(self, node: OutlineNode) -> list[OutlineNode]:
-        """What stands below a line."""
+        """The children of a node, made if they are missing."""
         if node.below is None:
             node.below = self.make(node, self.keys(node), 0)
             self.asked[node.number] = node
         return node.below
 
     def leads_down(self, node: OutlineNode) -> bool:
-        """Whether anything stands below a line; the facts are not counted for it."""
+        """Whether a node has children, found without counting facts."""
         if node.below is not None:
             return bool(node.below)
         name, digit = node.key
         if not name or digit is not None:
             return bool(self.keys(node))
-        # An SB that has states has a fact.
+        # An SB with states has at least one fact.
         branch = self.blueprint.branches.get(name)
         return branch is not None and bool(branch.table) and node.depth < DEEPEST
 
     def keys(self, node: OutlineNode) -> list[Key]:
-        """What is to stand below a line."""
+        """The keys of the children that a node should have now."""
         name, digit = node.key
         if node.above is None:
             faults = range(len(self.blueprint.import_faults))
@@ -154,7 +155,10 @@ class OutlineNodes:
         return [(sub, None)]
 
     def line(self, node: OutlineNode, worst: Mapping[str, str]) -> OutlineLine:
-        """What a line says; ``worst`` is the gravest finding of each SB (see ``worst_of``)."""
+        """The content of a node.
+
+        ``worst`` holds the worst severity letter by SB (see ``worst_of``).
+        """
         name, digit = node.key
         if not name and digit is not None:
             return fault_line(self.blueprint.import_faults[digit])
@@ -167,8 +171,8 @@ class OutlineNodes:
         return branch_line(self.blueprint, name, level, worst.get(name, ""))
 
     def make(self, above: OutlineNode, keys: Iterable[Key], row: int) -> list[OutlineNode]:
-        """Nodes of these keys that are to stand below a line from this row on."""
-        # The line of a fact stands no deeper than that of its SB; its sub-SB does.
+        """Make child nodes with these keys, from the row ``row`` on."""
+        # A fact has the depth of its SB; its sub-SB is one deeper.
         depth = above.depth + (above.key[1] is not None or above.above is None)
         made = []
         for at, key in enumerate(keys, row):
@@ -180,7 +184,7 @@ class OutlineNodes:
         return made
 
     def drop(self, nodes: Iterable[OutlineNode]) -> None:
-        """Forget nodes and all that stands below them."""
+        """Forget nodes and everything below them."""
         stack = list(nodes)
         while stack:
             node = stack.pop()
@@ -190,17 +194,20 @@ class OutlineNodes:
             stack += node.below or ()
 
     def rename(self, node: OutlineNode, key: Key) -> None:
-        """The SB of a node has another name now."""
+        """Give a node another key, because its SB was renamed."""
         self._leave(node)
         node.key = key
         self._standing.setdefault(key, {})[node.number] = node
 
     def standing(self, key: Key) -> list[OutlineNode]:
-        """The nodes that were made of an SB or a fact."""
+        """All nodes of an SB or a fact that were made."""
         return list(self._standing.get(key, {}).values())
 
     def first(self, key: Key) -> OutlineNode | None:
-        """The uppermost line of an SB or a fact; where none was made yet one that can be."""
+        """The uppermost node of an SB or a fact.
+
+        If none was made, one is made on the shortest path.
+        """
         found = self.standing(key)
         if found:
             return min(found, key=lambda node: node.path) if len(found) > 1 else found[0]

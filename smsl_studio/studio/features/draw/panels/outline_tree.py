@@ -1,4 +1,4 @@
-"""The tree widget of the outline, and how its lines are painted."""
+"""The tree widget of the outline, and the delegate that paints its lines."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ from smsl_studio.studio.features.draw.panels.outline_nodes import Key, OutlineNo
 
 ROW, INDENT = 28, 13
 NAMEABLE = 40
-"""Pixels from which on there is room for the name of a file behind that of an SB."""
+"""Free pixels after the name of an SB that are needed to show its file name."""
 FULL = 1_000
-"""So many lines stand open from the start; what is below others is opened as one wishes."""
+"""At most this many lines are expanded at the start."""
 Index = QModelIndex | QPersistentModelIndex
 
 
 class OutlineTree(QTreeView):
-    """The tree of the outline. It remembers what a person closed."""
+    """The tree of the outline. It remembers which lines a person has collapsed."""
 
     moved = Signal(QModelIndex)
-    """The current line is another one, and ``mark`` was not what made it so."""
+    """QModelIndex: the current line has changed, but not by ``mark``."""
     named = Signal(str, object, str)
-    """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
+    """(SB, digit or None, name): the person typed this name for the SB or the fact."""
 
     def __init__(self, tokens: Tokens, blueprint: Blueprint, parent: QWidget) -> None:
         super().__init__(parent)
@@ -73,12 +73,12 @@ class OutlineTree(QTreeView):
         self._open(self.lines.nodes.top, ())
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = self._delegate.tokens = tokens
         self.viewport().update()
 
     def set_run(self, active: Mapping[str, str], running: str) -> None:
-        """Mark the active state of each SB; ``running`` is the SB in which an operation runs."""
+        """Show the active state of each SB. ``running`` is the SB in which an operation runs."""
         if (active, running) != (self._delegate.active, self._delegate.running):
             self._delegate.active, self._delegate.running = dict(active), running
             self.viewport().update()
@@ -90,23 +90,23 @@ class OutlineTree(QTreeView):
 
     @property
     def naming(self) -> bool:
-        """Whether a name is being edited in place."""
+        """Whether a name is being edited."""
         return self.state() == QTreeView.State.EditingState
 
     def index_of(self, branch: str, digit: int | None = None) -> QModelIndex:
-        """The first line of an SB, or of one of its facts; it may stand below a closed one."""
+        """The first line of an SB or of one of its facts; a line above it may be collapsed."""
         node = self.lines.nodes.first((branch, digit)) if branch else None
         return self.lines.index_of(node) if node is not None else QModelIndex()
 
     def show_marks(self, worst: Mapping[str, str]) -> None:
-        """Mark every SB with the gravest of its findings."""
+        """Mark every SB with its worst severity letter."""
         self.lines.worst = worst
         self.viewport().update()
 
     def show_blueprint(self, blueprint: Blueprint, another: bool) -> None:
-        """Show a blueprint; of the same file, what was closed stays closed.
+        """Show a blueprint. ``another`` says that it is of another file.
 
-        ``another`` says that it is of another file, so that nothing of the one before is kept.
+        For the same file, collapsed lines stay collapsed.
         """
         self.blockSignals(True)
         if another:
@@ -119,7 +119,7 @@ class OutlineTree(QTreeView):
         self.viewport().update()
 
     def mark(self, index: Index) -> None:
-        """Make a line the current one, or none; ``moved`` does not tell it."""
+        """Make a line the current one (or none) without emitting ``moved``."""
         self._quiet = True
         if index.isValid():
             command = QItemSelectionModel.SelectionFlag.ClearAndSelect
@@ -129,13 +129,13 @@ class OutlineTree(QTreeView):
         self._quiet = False
 
     def _open(self, nodes: Sequence[OutlineNode], closed: Container[Key]) -> None:
-        """Open lines and what is below them, from the top, until there are very many.
+        """Expand lines and everything below them, from the top, up to ``FULL`` lines.
 
-        What is in ``closed`` stays so; what is below it is opened all the same.
+        Lines in ``closed`` stay collapsed, but lines below them are expanded.
         """
         known, room = self.lines.nodes, FULL
         if nodes:
-            # One layout for all, and not one for each line that is opened.
+            # One layout for all lines, not one for each expanded line.
             self.scheduleDelayedItemsLayout()
         for begun in nodes:
             room -= 1
@@ -152,13 +152,13 @@ class OutlineTree(QTreeView):
                         self.expand(self.lines.index_of(node))
 
     def currentChanged(self, current: Index, previous: Index) -> None:
-        """Tell that the current line is another one, unless ``mark`` made it so."""
+        """Emit ``moved``, unless ``mark`` changed the current line."""
         super().currentChanged(current, previous)
         if not self._quiet:
             self.moved.emit(current)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Of what ``*`` opens there may be far too much."""
+        """Limit what the key ``*`` expands, because it could be far too much."""
         if event.key() == Qt.Key.Key_Asterisk:
             node = self.lines.node(self.currentIndex())
             self._open([node] if node.above is not None else [], ())
@@ -166,18 +166,18 @@ class OutlineTree(QTreeView):
         super().keyPressEvent(event)
 
     def keyboardSearch(self, search: str, /) -> None:
-        """Letters choose no line: Del would act on another one than a person looks at.
+        """Do nothing: letters must not move the current line, because Del acts on it.
 
-        The palette finds SBs and facts by their letters.
+        The palette finds SBs and facts by letters.
         """
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
-        """Paint the ground left of a selected line; there are no lines of a tree."""
+        """Paint the background left of a selected line; tree lines are not drawn."""
         if self.selectionModel().isSelected(index):
             painter.fillRect(rect, self._tokens.accs)
 
     def drawRow(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the line, and a chevron where lines stand below."""
+        """Paint the line, and a chevron if it has children."""
         super().drawRow(painter, option, index)
         if self.model().hasChildren(index):
             row = self.visualRect(index)
@@ -186,7 +186,7 @@ class OutlineTree(QTreeView):
             draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A click on the chevron opens and closes; it stands where the branch's own row begins."""
+        """Expand or collapse on a click on the chevron at the left end of the line."""
         index = self.indexAt(event.position().toPoint())
         near = index.isValid() and self.model().hasChildren(index)
         if near and event.position().x() < self.visualRect(index).left() + 9:
@@ -240,7 +240,7 @@ class OutlineDelegate(QStyledItemDelegate):
             paint_text(
                 painter, badge.adjusted(6.5, 0, 0, 0), line.right, TextInk(tokens.tx2, 11, 500)
             )
-        # An import that failed has no level, and its mark stands there.
+        # A failed import has no level; its severity icon is drawn there.
         right = badge.right() - 1 if line.fault else badge.left() - 6
         if line.severity:
             box = QRectF(right - 15, mid - 7, 14, 14)
@@ -262,7 +262,7 @@ class OutlineDelegate(QStyledItemDelegate):
             paint_text(painter, room.adjusted(used + 8, 0, 0, 0), behind, TextInk(tokens.tx2, 12))
 
     def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
-        """The active state of an SB as a chip, filled while it runs; how far the name may go."""
+        """Paint the active state of an SB as a chip. Returns the x where the name has to end."""
         tokens, live = self.tokens, branch == self.running
         font = mono_font(11, 500)
         metrics = QFontMetricsF(font)
@@ -297,13 +297,13 @@ class OutlineDelegate(QStyledItemDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Put the field over the name, right of the mark."""
+        """Put the field over the name, right of the icon."""
         rect: QRect = option.rect
         left = 33 if line_of(index).digit is None else 36
         editor.setGeometry(rect.adjusted(left, 0, -4, 0))
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
-        """A flat field that says to assistive tools what it names."""
+        """A flat field whose accessible name says what is being named."""
         editor = QLineEdit(parent)
         editor.setProperty("role", "flat")
         digit = line_of(index).digit
@@ -314,6 +314,6 @@ class OutlineDelegate(QStyledItemDelegate):
 
 
 def line_of(index: Index) -> OutlineLine:
-    """The line that stands at an index."""
+    """The line at an index."""
     found: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
     return found

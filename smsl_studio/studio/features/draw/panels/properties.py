@@ -1,4 +1,4 @@
-"""Properties of the selection or of a fact, over the header of the SB that is shown."""
+"""The properties panel: the selection or a fact, above the header of the SB that is shown."""
 
 from __future__ import annotations
 
@@ -23,8 +23,9 @@ from smsl_studio.studio.features.draw.panels.state_form import StateForm
 
 
 class Properties(QScrollArea):
-    """One state, one operation, what several selected elements share, or a fact; then the branch
-    header, the hazards and what else stands in its file.
+    """A form for the selection or a fact, then the branch header, the hazards and the file.
+
+    The selection is one state, one operation, or what several elements share.
     """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -39,7 +40,7 @@ class Properties(QScrollArea):
         self.state = StateForm(session, tokens)
         self.operation = OperationForm(session, tokens)
         self.several = _Several(session)
-        # It shows itself, and without a parent it would be a window of its own for a moment.
+        # It shows itself; without a parent it would be a window for a moment.
         self.header = HeaderForm(session, tokens, inner)
         self.hazards = HazardForm(session, tokens)
         self.file = FileForm(session, tokens)
@@ -63,21 +64,24 @@ class Properties(QScrollArea):
         self.fact.sub_wanted.connect(session.show_branch)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Give all forms the colours of another theme."""
+        """Use the colours of another theme."""
         for form in (self.fact, self.state, self.operation, self.header, self.hazards, self.file):
             form.set_tokens(tokens)
 
     def set_plugins(self, loaded: Loaded) -> None:
-        """The functions that operations can be bound to."""
+        """Take the functions that operations can be bound to."""
         self.operation.set_plugins(loaded)
 
     def show_fact(self, branch: str, digit: int) -> None:
-        """Show a fact in place of the selection, until something else is selected."""
+        """Show a fact instead of the selection, until something else is selected."""
         self._session.select_fact(branch, digit)
         self.verticalScrollBar().setValue(0)
 
     def show_hazard(self, name: str) -> None:
-        """Show a hazard of any of the files; the SB that is shown says which file's are listed."""
+        """Show a hazard of any file.
+
+        The first SB of that file is shown, so that its hazards are listed.
+        """
         blueprint = self._session.blueprint
         for branch in blueprint.branches:
             home = blueprint.home(branch)
@@ -93,7 +97,7 @@ class Properties(QScrollArea):
         fact = self._session.fact
         states = [a for a in selection if not a.operation]
         edges = [a for a in selection if a.operation]
-        # The text of a form is settled before it is seen, so that nothing jumps.
+        # Fill a form before it is shown, so that nothing jumps.
         if fact:
             self.fact.show_fact(blueprint, *fact)
         if states and not edges:
@@ -110,7 +114,7 @@ class Properties(QScrollArea):
 
 
 class _Several(Panel):
-    """How many elements are selected, and the verbs that fit all of them."""
+    """How many elements are selected, the facts the states share, and a button to delete them."""
 
     def __init__(self, session: Session) -> None:
         super().__init__("Selection")
@@ -128,11 +132,11 @@ class _Several(Panel):
         self.column.addLayout(row(self.delete, None))
 
     def show_selection(self, states: list[Address], edges: list[Address]) -> None:
-        """Count what is selected, and show the facts that the states share."""
+        """Count the selected elements, and show the facts that the states share."""
         words = [counted(len(states), "state")] if states else []
         words += [counted(len(edges), "operation")] if edges else []
         self._count.setText(f"{' and '.join(words)} selected")
-        # The form of several of one kind says it in its heading.
+        # If all are of one kind, the heading of their form shows the count.
         self._count.setVisible(len(words) > 1)
         self._facts.setText(_shared_facts(self._session.blueprint, states))
         self._facts.setVisible(bool(self._facts.text()))
@@ -146,7 +150,7 @@ class _Several(Panel):
 
 
 def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
-    """The facts on which all selected states agree, in words."""
+    """The facts with the same value in all selected states, in words."""
     if len(states) < 2 or len({a.branch for a in states}) != 1:
         return ""
     branch = blueprint[states[0].branch]

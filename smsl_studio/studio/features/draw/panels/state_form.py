@@ -1,4 +1,4 @@
-"""The properties of states: name, title, note, facts, whether it is safe, and where it leads."""
+"""The form of states: name, title, note, facts, whether it is safe, and its operations."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ PLAIN = StateNote()
 
 
 class StateForm(NoteForm):
-    """Edits one state, or what several share; a click on an operation selects it."""
+    """Edits one state, or what several share. A click on an operation selects it."""
 
     fact_wanted = Signal(str, int)
-    """(SB, digit): a fact was clicked."""
+    """(SB, digit): the person clicked this fact."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("State", "_states", session, parent)
@@ -88,7 +88,7 @@ class StateForm(NoteForm):
         self.column.addWidget(self._none)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.chips.set_tokens(tokens)
         self.operations.set_tokens(tokens)
 
@@ -123,7 +123,7 @@ class StateForm(NoteForm):
         self.operations.setFixedHeight(28 * min(len(rows), MOST_ROWS))
 
     def who(self) -> str:
-        """The state, or how many states, as the history names them."""
+        """The state or the number of states, in the words of an undo step."""
         states = self._states
         return states[0].state if len(states) == 1 else counted(len(states), "state")
 
@@ -174,5 +174,5 @@ def _target_words(branch: StateBranch, target: str) -> str:
 
 
 def _short(text: str, most: int) -> str:
-    """The text, its middle left out where it is longer than ``most`` characters."""
+    """The text; if it is longer than ``most`` characters, its middle is left out."""
     return text if len(text) <= most else f"{text[: most // 2]}…{text[-(most // 2 - 1) :]}"

@@ -1,4 +1,4 @@
-"""A single fact chip as a widget."""
+"""One fact chip as a widget."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 class Tag(QWidget):
-    """One chip: a digit's number with the bar of a sub-SB, or a value. A click is told."""
+    """One chip: a digit (with a bar if it has a sub-SB) or a value. ``clicked``: it was pressed."""
 
     clicked = Signal()
 
@@ -24,18 +24,18 @@ class Tag(QWidget):
         self.setFixedSize(20, 28)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def fit(self, text: str) -> None:
-        """Be as wide as a value of several characters needs, within reason."""
+        """Make the chip as wide as its text needs, at most 76 pixels."""
         wide = QFontMetrics(mono_font(12, 500)).horizontalAdvance(text) + 10
         self.setFixedSize(max(20, min(wide, 76)), 28)
         self.setToolTip(tip_text(text))
 
     def press_with_keys(self, name: str) -> None:
-        """Be a button: with the focus, and for keys as well."""
+        """Make the chip a button that takes the keyboard focus; ``name`` is its accessible name."""
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self._button = name
@@ -48,18 +48,18 @@ class Tag(QWidget):
         super().keyPressEvent(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Tell the click."""
+        """Emit ``clicked``."""
         self.clicked.emit()
 
     def show_tag(self, text: str, kind: str, sub: bool) -> None:
-        """Show another text, kind and bar of a sub-SB."""
+        """Show this text and kind of chip, with a bar if ``sub`` is true."""
         self._text, self._kind, self._sub = text, kind, sub
         words = self._button or (f"Fact {text}" if kind == VALUE else text)
         self.setAccessibleName(plain_text(words + (", with a sub-SB" if sub else "")))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the chip, with a frame while it has the keys."""
+        """Paint the chip, with a frame while it has the keyboard focus."""
         chip = QRectF(1, 5, self.width() - 2, 18)
         metrics = QFontMetrics(mono_font(12, 500))
         wide = max(18, self.width() - 6)

@@ -1,4 +1,4 @@
-"""Try one operation by itself: from its source state, in a world of its own, and how it went."""
+"""Tries one operation alone, from its source state in a world of its own, and shows the result."""
 
 from __future__ import annotations
 
@@ -25,8 +25,11 @@ TRY, CANCEL = "Try alone", "Cancel"
 
 
 class TryAlone(QWidget):
-    """A world, a button, and what came of it. The world is built anew for each try, in a process
-    of its own; the drawing, and a run that is there, are not touched."""
+    """The choice of a world, a button and the result of the try.
+
+    Each try builds the world anew in a process of its own. It touches neither the drawing nor a
+    run.
+    """
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,12 +58,12 @@ class TryAlone(QWidget):
         session.blueprint_changed.connect(lambda *_: self._forget())
 
     def set_plugins(self, loaded: Loaded) -> None:
-        """The worlds there are."""
+        """Take the worlds of the plugins."""
         self._loaded = loaded
         self._offer()
 
     def show_edges(self, edges: Sequence[Address]) -> None:
-        """Offer to try an edge; nothing is offered for several at once."""
+        """Offer to try an edge; hidden if several are selected."""
         edge = edges[0] if len(edges) == 1 else None
         self.setVisible(edge is not None)
         if edge != self._edge:
@@ -76,7 +79,7 @@ class TryAlone(QWidget):
             self.world.setCurrentText(self._wanted)
 
     def _choose(self, world: str) -> None:
-        """A world that a person chose stays chosen for other operations, where there is it."""
+        """Remember the world that the person chose, for other operations too."""
         self._wanted = world
 
     def _press(self) -> None:
@@ -115,7 +118,7 @@ class TryAlone(QWidget):
 
 
 def _worlds(loaded: Loaded, operation: str) -> tuple[str, ...]:
-    """The worlds, those first whose plugin answers to the operation's name."""
+    """The names of the worlds; first those of plugins that can carry out the operation."""
     serving = {
         name
         for plugin in loaded.plugins

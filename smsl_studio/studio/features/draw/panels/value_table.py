@@ -1,4 +1,4 @@
-"""The values of one fact: what each means, which is on, which mean failure."""
+"""The table of a fact's values: the meaning of each, which one is on, which mean failure."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ Role = QPalette.ColorRole
 
 
 class TickBox(QAbstractButton):
-    """A box with a tick, or a ring with a dot; ``default`` draws a choice nobody wrote."""
+    """A box with a tick, or a ring with a dot.
+
+    ``default`` paints a choice that is not written pale.
+    """
 
     def __init__(self, round_: bool = False) -> None:
         super().__init__()
@@ -36,7 +39,7 @@ class TickBox(QAbstractButton):
         return QSize(26, 26)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the box or the ring, and the tick or dot where it is on."""
+        """Paint the box or ring, with the tick or dot if it is checked."""
         palette, painter = self.palette(), QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         on, box = self.isChecked(), QRectF(5.5, 5.5, 15, 15)
@@ -66,14 +69,14 @@ class ValueRow:
 
 
 class ValueTable(QWidget):
-    """A row for each value; what a click or a word means is told, never done here."""
+    """A row for each value. It emits what the person wants and changes nothing itself."""
 
     meant = Signal(str, object)
-    """(value, its meaning; None: no words)."""
+    """(value, meaning): the person typed this meaning; None if the field is empty."""
     turned_on = Signal(object)
-    """The value that counts as on; None: by default."""
+    """str | None: the person chose this value as on; None for the default."""
     failed = Signal(object)
-    """The values that mean failure, or None."""
+    """list | None: the values that mean failure now; None if there are none."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -89,13 +92,13 @@ class ValueTable(QWidget):
             self._grid.addWidget(label(words, "small"), 0, column)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for one in self.rows.values():
             one.chip.set_tokens(tokens)
 
     def show_values(self, values: Sequence[str], note: FactNote, on: str) -> None:
-        """Show the alphabet of a fact; ``on`` is the value that counts as on, written or not."""
+        """Show the values of a fact. ``on`` is the value that counts as on, written or default."""
         shown = list(dict.fromkeys((*values, *note.values, *note.failure)))[:MOST]
         if list(self.rows) != shown:
             self._build(shown)
@@ -142,7 +145,7 @@ class ValueTable(QWidget):
             self.meant.emit(value, field.text().strip() or None)
 
     def _on(self, value: str, tick: TickBox) -> None:
-        # A click on the one that is on takes the choice back; what is on by default stays on.
+        # A click on the chosen value removes the choice; a default value stays on.
         chosen = tick.isChecked()
         tick.setChecked(chosen or tick.default)
         self.turned_on.emit(value if chosen else None)
