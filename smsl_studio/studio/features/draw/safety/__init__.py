@@ -1,1 +1,1 @@
-"""Unsaved work, and what other programs do to the files: nothing is lost without a question."""
+"""Unsaved work and files that other programs change: no text is lost without a question."""

@@ -1,4 +1,4 @@
-"""The bar across the window: another program has changed a file in which there is unsaved work."""
+"""The bar across the window for a file with unsaved work that another program has changed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from smsl_studio.studio.base.theme import Tokens
 
 
 class ChangeBar(QFrame):
-    """Names the file and asks which text to keep. It waits for the answer without a time limit."""
+    """Names the file and asks which text to keep. There is no time limit.
+
+    Its three signals tell which button was pressed: “Show difference”, “Take theirs”, “Keep mine”.
+    """
 
     difference_wanted, theirs_wanted, mine_wanted = Signal(), Signal(), Signal()
 
@@ -45,12 +48,12 @@ class ChangeBar(QFrame):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         ratio = self.devicePixelRatioF()
         self._mark.setPixmap(pixmap("warning", tokens.risk, tokens.risks, 16, ratio))
 
     def show_files(self, names: list[str]) -> None:
-        """Ask about the first of these files; nothing for none."""
+        """Ask about the first of these files; hide the bar if there are none."""
         self.setVisible(bool(names))
         if names:
             more = f" (and {len(names) - 1} more)" if len(names) > 1 else ""

@@ -1,7 +1,7 @@
-"""What other programs do to the files that are open: noticed, told, and never overwritten unseen.
+"""Notices what other programs do to the open files.
 
-A file without unsaved changes follows the disk as a step of the history. One with unsaved changes
-is asked about, and both texts stay until the person has decided.
+A file without unsaved changes is read again, as an undoable step. For a file with unsaved changes
+the person is asked; both texts are kept until then.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from smsl_studio.studio.features.draw.compare.versions import Version
 
     Compare = Callable[[Version], None]
-    """Shows the difference from another version to what is drawn."""
+    """Opens the compare view with another version."""
 
 AGAIN = 400
-"""Milliseconds after which one looks again at a text that does not read: it may be half written."""
+"""Milliseconds before a broken text is read again, because it may be written only in part."""
 Sign = tuple[int, int, int] | None
 
 
@@ -38,11 +38,11 @@ class OutsideChanges(QObject):
     """Watches every file of the session."""
 
     said = Signal(str)
-    """A file was taken over as it is now."""
+    """str: a file was read again; a sentence for a toast."""
     warned = Signal(str)
-    """A file is gone, or cannot be read any more."""
+    """str: a file is gone or is no text any more; a sentence for a warning."""
     refused = Signal(object)
-    """A StudioError: what the other program wrote cannot be shown."""
+    """StudioError: the text of the other program cannot be shown."""
 
     def __init__(
         self,
@@ -78,12 +78,13 @@ class OutsideChanges(QObject):
         return tuple(self._asked)
 
     def stop(self) -> None:
-        """The window closes."""
+        """End all work, because the window closes."""
         self._later.stop()
         self.watcher.stop()
 
     def look(self) -> None:
-        """Look at every file whose size, time or identity is another than last time."""
+        """Check every file, and handle those whose size, time or inode has changed since the
+        last call."""
         for file in self._watched:
             now = _sign(file)
             if now != self._signs[file]:
@@ -91,8 +92,8 @@ class OutsideChanges(QObject):
                 self._look_at(file)
 
     def take_theirs(self) -> None:
-        """Show what the other program wrote, as a step that can be undone."""
-        # What is being typed is a step of its own, so that undo brings it back.
+        """Take the text of the other program, as an undoable step."""
+        # Typed text becomes a step of its own first, so that undo brings it back.
         self._files.settling.emit()
         file = next(iter(self._asked), None)
         if file is not None and self._take(
@@ -102,7 +103,7 @@ class OutsideChanges(QObject):
             self._ask()
 
     def ask(self, file: str) -> None:
-        """Ask about a file of which another program has written what nobody here has seen."""
+        """Ask about a file whose text on the disk this window has never shown."""
         look = self._files.on_disk.look(file)
         if look.text is not None and look.text != self._files.texts.get(file):
             self._files.on_disk.saw(file, None)
@@ -110,18 +111,18 @@ class OutsideChanges(QObject):
             self._ask()
 
     def keep_mine(self) -> None:
-        """Go on with the own text, knowing that another one stands on the disk."""
+        """Keep the own text, although another one is on the disk."""
         file = next(iter(self._asked), None)
         if file is not None:
             look = self._asked.pop(file)
             self._files.on_disk.saw(file, look.text)
-            # Whatever was saved before is not what stands there now.
+            # The disk holds another text, so no step of the history is the saved one.
             self._session.history.resetClean()
             self._files.changed.emit()
             self._ask()
 
     def show_difference(self) -> None:
-        """Show the difference from their text to what is drawn."""
+        """Compare the text of the other program with the drawing."""
         look = next(iter(self._asked.values()), None)
         if look is None or look.text is None:
             return
@@ -138,7 +139,7 @@ class OutsideChanges(QObject):
             self._compare(Version(f"{name}, as it is on the disk", theirs))
 
     def _follow(self) -> None:
-        """Watch what belongs to the blueprint now, and what it looks for in vain."""
+        """Watch the files of the blueprint, and the missing files that it imports."""
         self._drop_answered()
         known = [file for file in self._files.texts if file in self._files.on_disk]
         missing = _missing(self._session.blueprint)
@@ -148,11 +149,11 @@ class OutsideChanges(QObject):
             self._signs.setdefault(name, _sign(name))
         self.watcher.watch(Path(os.path.abspath(name)) for name in self._watched)  # noqa: PTH100
         if back:
-            # Nobody has looked at these while they were imported no longer.
+            # These files were not watched while they were not imported.
             self.watcher.stir()
 
     def _drop_answered(self) -> None:
-        """What was saved over, with the person's consent, is no question any more."""
+        """Drop the question about a file that was saved since, which the person agreed to."""
         texts, on_disk = self._files.texts, self._files.on_disk
         for file, look in self._asked.items():
             if texts.get(file) == look.text:
@@ -165,7 +166,7 @@ class OutsideChanges(QObject):
             self._ask()
 
     def _forget(self) -> None:
-        """Another blueprint is shown."""
+        """Forget everything, because another blueprint was opened."""
         self._signs.clear()
         self._watched = ()
         self._doubted.clear()
@@ -200,7 +201,7 @@ class OutsideChanges(QObject):
             self._read(look, text)
 
     def _read(self, look: DiskLook, text: str) -> None:
-        """Follow the disk, unless what stands there is half done."""
+        """Take the text from the disk, unless it may be written only in part."""
         file, reading = look.file, read_text(self._session.blueprint, look.file, text)
         if isinstance(reading, Broken) and self._is_doubtful(file, text):
             self._doubted[file] = text
@@ -212,12 +213,15 @@ class OutsideChanges(QObject):
         self.said.emit(f"{name} was changed by another program. Shown is what it holds now.")
 
     def _held(self, file: str) -> bool:
-        """Whether another text does not read, so that no step can be made in this one."""
+        """Whether another file is broken, so that no step can be made for this one."""
         broken = self._session.broken
         return broken is not None and broken.file != file
 
     def _is_doubtful(self, file: str, text: str) -> bool:
-        """Whether a text that does not read did before, and was not seen twice."""
+        """Whether a broken text may be written only in part.
+
+        It is taken if the session is broken already or if the same text was seen twice.
+        """
         return self._session.broken is None and self._doubted.get(file) != text
 
     def _look_again(self) -> None:
@@ -226,7 +230,7 @@ class OutsideChanges(QObject):
             self._look_at(file)
 
     def _take(self, look: DiskLook, words: str, reading: Reading | None = None) -> bool:
-        """Make a step of what another program wrote; False where that cannot be done yet."""
+        """Take the text from the disk as a step. Returns False if that is not possible yet."""
         if look.text is None:
             return False
         if look.file in self._session.aside:
@@ -241,7 +245,7 @@ class OutsideChanges(QObject):
         return True
 
     def _settle(self) -> None:
-        """Where nothing is unsaved any more, the history is clean here."""
+        """Mark the history as clean if nothing is unsaved."""
         if not self._files.unsaved:
             self._session.history.setClean()
         self._files.changed.emit()
@@ -258,10 +262,10 @@ class OutsideChanges(QObject):
         )
 
     def _found(self, file: str) -> None:
-        """A file that was imported in vain is there now."""
+        """Import a file that was missing and exists now."""
         self._files.settling.emit()
         if self._session.broken is not None:
-            # Importing it would put the last text that read in the place of what is typed.
+            # An import now would replace the typed text with the last text that could be read.
             self._signs[file] = None
             return
         reading = imported_anew(self._session.blueprint)
@@ -281,7 +285,10 @@ class OutsideChanges(QObject):
 
 
 def _sign(file: str) -> Sign:
-    """What tells that a file is another one, without reading it; None where there is none."""
+    """Time, size and inode of a file, which tell a change without reading it.
+
+    None if it is missing.
+    """
     try:
         found = os.stat(file)  # noqa: PTH116
     except (OSError, ValueError):
@@ -297,7 +304,7 @@ def _not_drawn(name: str) -> EditRefused:
 
 
 def _missing(blueprint: Blueprint) -> list[str]:
-    """The files that are imported and could not be read."""
+    """The imported files that could not be read."""
     imports = blueprint.imports
     here = {os.path.realpath(document.file) for document in blueprint.documents}
     wanted = [failure.wanted for failure in imports.failures] if imports else []

@@ -1,4 +1,4 @@
-"""Working without fear: the journal, what an earlier window has left, what other programs do."""
+"""Protects unsaved work: the journal, recovery after a crash, and changes by other programs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Safety(QObject):
-    """Keeps the journal of one window, shows what another one kept, and watches the files."""
+    """Keeps the journal of one window, recovers the work of another one, and watches the files."""
 
     def __init__(
         self,
@@ -51,7 +51,7 @@ class Safety(QObject):
         parts.window.installEventFilter(self)
 
     def below(self, top: QWidget) -> QWidget:
-        """The top of the window, and below it the bar that asks about a changed file."""
+        """A widget with the top of the window, and the bar about changed files below it."""
         both = QWidget()
         column = QVBoxLayout(both)
         column.setContentsMargins(0, 0, 0, 0)
@@ -61,25 +61,26 @@ class Safety(QObject):
         return both
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.bar.set_tokens(tokens)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Who comes back to the window may have come from another program."""
+        """Check the files when the window becomes active: another program may have changed them."""
         if event.type() == QEvent.Type.WindowActivate:
             self.outside.look()
         return super().eventFilter(watched, event)
 
     @property
     def untouched(self) -> bool:
-        """Whether nothing was opened or drawn here, so that something else can take its place."""
+        """Whether nothing was opened or drawn here, so that another blueprint may replace it."""
         files, session = self._files, self._session
         return files.path is None and files.name == UNTITLED and not session.edited
 
     def recover(self, left: Left) -> bool:
-        """Show what a window has left behind; it is given up when this one keeps it.
+        """Show the work that another window has left behind.
 
-        False where the person called it off, because a save of its files was interrupted.
+        Its journal is deleted as soon as this window has kept everything. Returns False if the
+        person cancelled, because a save of its files was interrupted.
         """
         from smsl_studio.studio.document.journal.restoration import on_disk, restore
 
@@ -100,12 +101,12 @@ class Safety(QObject):
         return True
 
     def close(self) -> None:
-        """The window closes; its work is saved, or given up by the person."""
+        """End all work, because the window closes. Unsaved work was saved or given up before."""
         self.outside.stop()
         self.journal.close()
 
     def _put_aside(self, kept: KeptText) -> bool:
-        """Keep a text that belongs nowhere any more; whether that went well."""
+        """Write a text that cannot be shown any more to a file. Returns whether that worked."""
         from smsl_studio.studio.document.journal.restoration import keep_text
 
         name = Path(kept.file).name

@@ -1,8 +1,8 @@
-"""Watching files: tells that something may have happened to them, also where they are replaced.
+"""Watches files, also those that other programs replace.
 
-The system forgets a file that another one takes the place of, so the folders are watched as well,
-and those above them, because a folder is not told that it was moved itself. Every file is watched
-anew after each stir. What stirred, and whether it matters, is for others.
+The system stops watching a file when another one replaces it. So the folders are watched too, and
+the folders above them, because a moved folder is not reported itself. After each event all files
+are watched anew. The receiver has to find out what has changed.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from pathlib import Path
 from PySide6.QtCore import QElapsedTimer, QFileSystemWatcher, QObject, QTimer, Signal
 
 SETTLED = 150
-"""Milliseconds without a stir after which one looks: a program may write in several pieces."""
+"""Milliseconds without an event before ``stirred``: a program may write in several pieces."""
 LATEST = 1000
-"""Milliseconds after which one looks although it goes on: beside a file others may be busy."""
+"""Milliseconds after which ``stirred`` is emitted even if events go on."""
 
 
 class Watcher(QObject):
     """Watches a set of files that may change."""
 
     stirred = Signal()
-    """Something happened to a file or beside one, and a moment has passed since."""
+    """Something may have happened to a file, a short time ago."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -44,12 +44,12 @@ class Watcher(QObject):
             self._renew()
 
     def stop(self) -> None:
-        """Watch nothing any more."""
+        """End watching."""
         self._timer.stop()
         self.watch(())
 
     def stir(self) -> None:
-        """Tell in a moment, as if something had happened."""
+        """Emit ``stirred`` soon, as if something had happened."""
         if not self._timer.isActive():
             self._since.start()
         if self._since.elapsed() < LATEST:

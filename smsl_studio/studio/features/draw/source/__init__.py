@@ -1,5 +1,5 @@
-"""The two-way source pane: the exact text, typed in as in any editor, one with the graph.
+"""The source pane: the exact text of the files, edited as in any editor, in step with the graph.
 
-``pane`` is what the window shows. It puts ``editor`` (the text itself) together with the lines
-above and below it. Files that import no Qt hold what can be said without a widget.
+``pane`` is the widget that the window shows. It combines ``editor`` (the text) with the lines above
+and below it. The modules without Qt hold the logic that needs no widget.
 """

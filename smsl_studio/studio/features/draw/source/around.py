@@ -1,7 +1,7 @@
-"""What stands around a place in a text that may not be readable just now.
+"""What lies around a place in a text, even if the text cannot be read at the moment.
 
-Half-typed text has no spans. This looks from the place back to the brackets (in YAML also the
-indentation) it lies in, and says by which names one gets there and what could be written here.
+Half-typed text has no spans. So this looks from the place back to the open brackets (in YAML also
+the indentation), and tells the names on the path to it and what may be written there.
 """
 
 from __future__ import annotations
@@ -25,36 +25,36 @@ HEADER = "HEADER"
 _BRACKET = re.compile(r"[{}\[\]]")
 _CLOSING = re.compile(r"\s*[}\]],?\s*")
 _OPENING = re.compile(r'\s*"?[\w.-]+"?\s*:?\s*[{\[]\s*')
-"""Most lines with brackets are one of these, and need no closer look."""
+"""Most lines with brackets match one of these patterns, which is fast to test."""
 _HEADER = re.compile(r"\s*#[ \t]*([^:\s]*)(?:\s*:\s*(.*?))?\s*$")
 _INDENTED = re.compile(r"(\s*(?:- +)*)(.*)")
 
 
 @dataclass(frozen=True)
 class TextToken:
-    """A word or mark of one line, and where it begins."""
+    """A word or sign of one line, and the column where it begins."""
 
     text: str
     start: int
 
     @property
     def end(self) -> int:
-        """The column behind its last character."""
+        """The column after its last character."""
         return self.start + len(self.text)
 
     @property
     def name(self) -> str:
-        """What a name in quotes, or without, is."""
+        """The name without its quotes."""
         return unquoted(self.text)
 
 
 @dataclass(frozen=True)
 class Around:
-    """A place in a text: the names of what it lies in, and the word that stands there.
+    """A place in a text: the path of names it lies in, and the word that is written there.
 
-    ``key`` is the name whose value stands here; empty where the place is for a name itself.
-    ``start`` and ``end`` are the columns of the ``word``, its quotes included; ``typed`` is what
-    of it stands before the place.
+    ``key`` is the name whose value is written here; empty if the place is for a name itself.
+    ``start`` and ``end`` are the columns of the ``word`` with its quotes. ``typed`` is the part of
+    the word before the place.
     """
 
     path: tuple[str, ...]
@@ -69,7 +69,7 @@ class Around:
 def around(
     lines: Sequence[str], at: int, column: int, form: str, path: tuple[str, ...] | None = None
 ) -> Around:
-    """What stands around a column of a line; ``path``, where it is known already."""
+    """What lies around a column of a line. ``path`` saves time if the caller knows it."""
     found = tokens(lines[at], form)
     here = next((t for t in found if t.start < column <= t.end and _is_word(t)), None)
     here = here or next((t for t in found if t.start == column and _is_word(t)), None)
@@ -89,7 +89,7 @@ def around(
 
 
 def _in_header(header: re.Match[str], path: tuple[str, ...], column: int) -> Around:
-    """Around a place in a line that gives a header its value."""
+    """What lies around a place in a header line of native text."""
     key, value = header[1], header[2] or ""
     if header[2] is None or column < header.start(2):
         typed = key[: max(0, column - header.start(1))]
@@ -104,14 +104,14 @@ def _in_header(header: re.Match[str], path: tuple[str, ...], column: int) -> Aro
 
 
 def tokens(line: str, form: str) -> list[TextToken]:
-    """The words and marks of a line."""
+    """The words and signs of a line."""
     pattern = _TOKENS.get(form, _TOKENS["json"])
     found = pattern.finditer(line.rstrip("\r\n"))
     return [TextToken(match[0].rstrip(), match.start()) for match in found if match[0].strip()]
 
 
 def path_at(lines: Sequence[str], at: int, column: int, form: str) -> tuple[str, ...]:
-    """The names of what a place lies in, the outermost first."""
+    """The names of the path to a place, the outermost first."""
     if form == "smsl":
         return _native_path(lines, at, column)
     names, line = _names_before(lines, at, column, form)
@@ -121,14 +121,14 @@ def path_at(lines: Sequence[str], at: int, column: int, form: str) -> tuple[str,
 
 
 def key_at(line: str, column: int, form: str) -> TextToken | None:
-    """The name that what stands at a column of a line belongs to."""
+    """The name to which the text at a column of a line belongs."""
     found = tokens(line, form)
     keys = [one for one, mark in pairwise(found) if mark.text in (":", "->")]
     return next((key for key in reversed(keys) if key.start <= column), None)
 
 
 def unquoted(word: str) -> str:
-    """A name without its quotes, also where the last one is still to be typed."""
+    """A name without its quotes; the closing quote may be missing."""
     if word[:1] == "'":
         return word[1:].removesuffix("'").replace("''", "'")
     if word[:1] != '"':
@@ -145,7 +145,7 @@ def _is_word(token: TextToken) -> bool:
 
 
 def _names_before(lines: Sequence[str], at: int, column: int, form: str) -> tuple[list[str], int]:
-    """The names of the brackets a place lies in, the innermost first, and the line of the last."""
+    """The names of the brackets around a place, the innermost first, and the line of the last."""
     names, outermost = [], at
     for bracket, line in _open_brackets(lines, at, column, form):
         name, outermost = _name_before(lines, line, bracket.start, form)
@@ -178,7 +178,7 @@ def _open_brackets(
 
 
 def _name_before(lines: Sequence[str], at: int, column: int, form: str) -> tuple[str, int]:
-    """The name whose value a bracket opens, and its line; a blank name where it has none."""
+    """The name whose value a bracket opens, and its line; an empty name if it has none."""
     number, found = at, [one for one in tokens(lines[at], form) if one.end <= column]
     while not found and number and number > at - 3:
         number -= 1
@@ -199,7 +199,7 @@ def _native_path(lines: Sequence[str], at: int, column: int) -> tuple[str, ...]:
 
 
 def _native_name(lines: Sequence[str], first: int, last: int) -> str:
-    """The NAME among the headers behind the bracket that opens an SB."""
+    """The NAME in the header after the bracket that opens an SB."""
     for number in range(first, min(len(lines), max(last, first + 20) + 1)):
         header = _HEADER.search(lines[number].partition("{")[2] or lines[number])
         if header and header[1] == "NAME":
@@ -208,7 +208,7 @@ def _native_name(lines: Sequence[str], first: int, last: int) -> str:
 
 
 def _by_indentation(lines: Sequence[str], at: int, column: int | None) -> list[str]:
-    """The names of the blocks a line of YAML is indented in, the innermost first."""
+    """The names of the blocks in which a line of YAML is indented, the innermost first."""
     indent = _indent(lines[at]) if column is None else min(_indent(lines[at], column), column)
     names = []
     for number in range(at - 1, -1, -1):

@@ -1,7 +1,7 @@
 """Colours of a text: names of SBs and states in the accent, targets green, notes grey.
 
-A block is coloured when it is about to be seen, line by line and each on its own, so that neither
-a large file nor a keystroke in it has to wait.
+Each line is coloured on its own just before it is painted. So neither a large file nor a keystroke
+in it takes long.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from smsl_studio.studio.features.draw.source.around import TextToken, tokens
 from smsl_studio.studio.features.draw.source.shown_text import units
 
 Piece = tuple[int, int, str]
-"""Where a coloured piece of a line begins and ends, and the name of its colour."""
+"""(start column, end column, name of the colour in ``Tokens``)."""
 _JSON = re.compile(
     r'("(?:[^"\\]|\\.)*")(\s*:)?(\s*\{)?|(-?\d[\d.eE+-]*|\btrue\b|\bfalse\b|\bnull\b)'
 )
@@ -25,7 +25,7 @@ _HEADER = re.compile(r"\s*(#\s*[^:\s]+\s*:)")
 
 
 def pieces(line: str, form: str) -> Iterator[Piece]:
-    """The coloured pieces of one line; what is none has the colour of text."""
+    """The coloured pieces of a line; the rest has the colour of text."""
     if form == "json":
         yield from _json(line)
     elif form == "smsl":
@@ -83,31 +83,32 @@ def _yaml_key(token: TextToken, value: list[str]) -> Iterator[Piece]:
 
 
 class Colours:
-    """Keeps the blocks that are seen in the colours of the theme."""
+    """Colours the visible blocks with the colours of the theme."""
 
     def __init__(self, edit: QPlainTextEdit, colours: Tokens) -> None:
         self._edit, self._tokens = edit, colours
         self._form, self._wearing = "json", 1
 
     def set_tokens(self, colours: Tokens) -> None:
-        """Take the colours of another theme; blocks are coloured again as they are seen."""
+        """Use the colours of another theme; blocks are coloured again when they are painted."""
         self._tokens = colours
         self._wearing += 1
 
     def set_form(self, form: str) -> None:
-        """Colour as this written form asks for."""
+        """Use the rules of this written form (json, smsl or yaml)."""
         if form != self._form:
             self._form = form
             self._wearing += 1
 
     def forget(self, block: QTextBlock, last: int) -> None:
-        """The blocks from this one to the number ``last`` have changed."""
+        """Colour the blocks from this one to the number ``last`` again, because they have
+        changed."""
         while block.isValid() and block.blockNumber() <= last:
             block.setUserState(0)
             block = block.next()
 
     def dress(self, block: QTextBlock, count: int) -> None:
-        """Colour some blocks that are about to be seen."""
+        """Colour ``count`` visible blocks that are about to be painted."""
         while block.isValid() and count > 0:
             if block.isVisible():
                 count -= 1

@@ -1,4 +1,4 @@
-"""Completion: the names that fit where one types, and how each is written there."""
+"""Completion: the names that fit at the caret, and how each is written there."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.features.draw.source.around import HEADER, Around
 
 MOST = 200
-"""Offers that are shown at most."""
+"""At most this many names are offered."""
 HEADERS = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
 IN_FILE = ("_imports", "_hazards", "_levels")
 IN_BRANCH = (HEADER, "_facts", "_states", "_operations", "_layout")
@@ -24,14 +24,14 @@ _WORDS = {"true", "false", "yes", "no", "on", "off", "null", "y", "n"}
 
 @dataclass(frozen=True)
 class Completion:
-    """A name that may stand here, and a word on what it is."""
+    """A name that may be written here, and a word about what it is."""
 
     name: str
     detail: str = ""
 
 
 def offers(blueprint: Blueprint, library: Sequence[str], here: Around) -> list[Completion]:
-    """What may stand at a place, the best fit first; nothing where only free text may."""
+    """The names that fit at a place, the best first; empty if only free text fits."""
     typed = here.typed.casefold()
     found = dict.fromkeys(offer for offer in _all(blueprint, library, here))
     fits = [one for one in found if typed in one.name.casefold()]
@@ -40,7 +40,7 @@ def offers(blueprint: Blueprint, library: Sequence[str], here: Around) -> list[C
 
 
 def written(offer: Completion, here: Around, form: str, after: str) -> str:
-    """How an offer is written in a form; ``after`` is what follows on the line."""
+    """How an offer is written in a form. ``after`` is the rest of the line."""
     if form == "json":
         name = json.dumps(offer.name, ensure_ascii=False)
     elif form == "smsl":
@@ -76,7 +76,7 @@ def _all(blueprint: Blueprint, library: Sequence[str], here: Around) -> Iterator
 
 
 def _in_branch(branch: StateBranch | None) -> Iterator[Completion]:
-    """States that are led to and not there yet, then what else an SB may hold."""
+    """States that are targets but do not exist yet, then the other keys of an SB."""
     if branch is not None:
         targets = (target for table in branch.table.values() for target in table.values())
         missing = dict.fromkeys(target for target in targets if target not in branch.table)
@@ -101,7 +101,8 @@ def _in_header(
 def _in_note(
     branch: StateBranch | None, library: Sequence[str], here: Around
 ) -> Iterator[Completion]:
-    """In ``_states`` and its like: the names that notes are about, then what a note may say."""
+    """In ``_facts``, ``_states`` and ``_operations``: the names of the entries, then the keys of
+    an entry."""
     kind = _NOTES.get(here.path[1])
     if here.is_value or kind is None:
         return

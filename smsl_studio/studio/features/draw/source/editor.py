@@ -1,8 +1,8 @@
-"""Editor: the text of one file in a text widget, and exactly what stands in the file behind it.
+"""The editor: the text of one file in a text widget, and the exact text of the file behind it.
 
-Whoever types changes the widget, and the sheet follows; whoever changes the text from elsewhere
-(the canvas, a fix, a replacement) puts it into the sheet, and the widget shows what differs. So
-neither a keystroke nor an edit ever sets the whole text anew, and caret and scroll stay.
+Typing changes the widget, and the sheet follows. Edits from elsewhere (the canvas, a fix, a
+replacement) change the sheet, and the widget shows the difference. So neither a keystroke nor an
+edit sets the whole text anew, and caret and scroll position stay.
 """
 
 from __future__ import annotations
@@ -36,26 +36,27 @@ from smsl_studio.studio.features.draw.source.shown_text import from_units, units
 from smsl_studio.studio.features.draw.source.surface import TextSurface
 
 TOGETHER = 300
-"""Patches from which on they are made as one."""
+"""More patches than this are joined to one."""
 
 
 class Editor(TextSurface):
-    """The text itself. Lines and columns are those shown, from 0, counted in characters."""
+    """The text widget. Lines and columns are those shown, from 0, counted in characters."""
 
     starting = Signal()
-    """A command is about to change the text: what was typed before is a step of its own."""
+    """A command is about to change the text; text typed before becomes a step of its own."""
     typed = Signal(str)
-    """The text was changed by hand; the words for the step."""
+    """str: the person changed the text; the words of the undo step."""
     caret_moved = Signal()
     clicked = Signal(QPoint)
-    """A click that marked nothing; where."""
+    """QPoint: a click without a selection, in pixels of the viewport."""
     called = Signal(QPoint)
-    """A click with Ctrl held: where what stands there is defined."""
+    """QPoint: a click with Ctrl, which asks for the definition of the name there."""
     menu_wanted = Signal(QPoint, QPoint)
-    """The context menu: where in the text, and where on the screen."""
+    """(point in the viewport, point on the screen): the context menu is wanted."""
     entered = Signal()
+    """The text got the keyboard focus."""
     left = Signal()
-    """The focus came here, or goes elsewhere."""
+    """The text lost the keyboard focus."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
@@ -67,7 +68,7 @@ class Editor(TextSurface):
         self.cursorPositionChanged.connect(self.caret_moved)
 
     def set_writable(self, writable: bool) -> None:
-        """Whether one may type; the text can always be marked and copied."""
+        """Set whether the text can be edited; it can always be selected and copied."""
         flags = Qt.TextInteractionFlag.TextEditorInteraction
         if not writable:
             flags = (
@@ -90,7 +91,7 @@ class Editor(TextSurface):
         self._blocks = self.blockCount()
 
     def apply(self, patches: Sequence[Patch]) -> None:
-        """Replace parts of the text, the last one first; what is seen stays where it is."""
+        """Replace parts of the text, the last one first. The scroll position stays."""
         if len(patches) > TOGETHER:
             patches = [joined(self.sheet.text, patches)]
         top = self.firstVisibleBlock()
@@ -116,13 +117,13 @@ class Editor(TextSurface):
         self._own = False
 
     def begin_command(self) -> None:
-        """What follows is no part of what was typed before."""
+        """Emit ``starting``: the next change is not part of what was typed before."""
         self.starting.emit()
 
     def replace(
         self, start: int, end: int, part: str, words: str, caret: int | None = None
     ) -> None:
-        """Replace, as if typed, what stands between two offsets; then put the caret somewhere."""
+        """Replace the text between two offsets as if typed, and put the caret at an offset."""
         self.apply([(start, end, part)])
         if caret is not None:
             self.set_caret(caret)
@@ -158,7 +159,7 @@ class Editor(TextSurface):
 
     @property
     def marked(self) -> tuple[int, int]:
-        """The offsets in the exact text between which it is marked."""
+        """The start and end of the selection, as offsets in the exact text."""
         cursor, ends = self.textCursor(), []
         for at in (cursor.selectionStart(), cursor.selectionEnd()):
             block = self.document().findBlock(at)
@@ -172,7 +173,7 @@ class Editor(TextSurface):
         return block.blockNumber(), from_units(block.text(), cursor.positionInBlock())
 
     def cursor_at(self, start: int, end: int | None = None) -> QTextCursor:
-        """A text cursor at an offset of the exact text, or from one to another."""
+        """A text cursor at an offset of the exact text, or a selection up to another offset."""
         cursor = QTextCursor(self.document())
         cursor.setPosition(self._position(start))
         if end is not None:
@@ -180,25 +181,25 @@ class Editor(TextSurface):
         return cursor
 
     def set_caret(self, start: int, end: int | None = None) -> None:
-        """Put the caret at an offset, or mark up to another one; folds give way."""
+        """Put the caret at an offset, or select up to another one; folds there are opened."""
         for offset in (start, start if end is None else end):
             self.folds.reveal(self.sheet.where(offset)[0])
         self.setTextCursor(self.cursor_at(start, end))
 
     def reveal(self, line: int) -> None:
-        """Put the caret at the beginning of a line, and show it."""
+        """Put the caret at the beginning of a line, and scroll to it."""
         self.folds.reveal(line)
         self.setTextCursor(QTextCursor(self.document().findBlockByNumber(line)))
         self.bring_into_view(line)
 
     def bring_into_view(self, line: int) -> None:
-        """Scroll, if a line is not well in view, so that it is in the middle."""
+        """Centre a line, if it is not well inside the view."""
         rows = [row for row, _, _ in self.rows()]
         if line not in rows[2 if rows[:1] != [0] else 0 : -2]:
             self.centerCursor()
 
     def place_at(self, at: QPoint) -> tuple[int, int] | None:
-        """The line and column under a point; None where no text is."""
+        """The line and column under a point of the viewport; None if there is no text."""
         cursor = self.cursorForPosition(at)
         beyond = at.x() > self.cursorRect(cursor).right() + self.fontMetrics().averageCharWidth()
         below = self.row_at(at.y()) is None
@@ -212,7 +213,7 @@ class Editor(TextSurface):
     # Keys, the clipboard, the pointer.
 
     def event(self, event: QEvent) -> bool:
-        """Keep the keys that the editor uses from the window's shortcuts."""
+        """Keep the keys of the editor from the window's shortcuts."""
         override = event.type() == QEvent.Type.ShortcutOverride
         if override and self.keys and isinstance(event, QKeyEvent) and self.keys.takes(event):
             event.accept()
@@ -229,7 +230,7 @@ class Editor(TextSurface):
             self.keys.typed(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
-        """Show what is said of the word under the pointer as a tip."""
+        """Show the tip for the word under the pointer."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             place = self.place_at(event.pos())
             words = self.words_at(*place) if place else ""
@@ -238,22 +239,22 @@ class Editor(TextSurface):
         return super().viewportEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Ask for the menu of the text."""
+        """Emit ``menu_wanted``."""
         self.menu_wanted.emit(event.pos(), event.globalPos())
 
     def createMimeDataFromSelection(self) -> QMimeData:
-        """What is marked, spelt as it stands in the file."""
+        """The selected text as it is written in the file."""
         start, end = self.marked
         data = QMimeData()
         data.setText(self.sheet.text[start:end].replace("\r\n", "\n"))
         return data
 
     def canInsertFromMimeData(self, source: QMimeData) -> bool:
-        """Text; files that are dropped are opened by the window."""
+        """Whether the data is text. The window opens files that are dropped."""
         return source.hasText() and not any(url.isLocalFile() for url in source.urls())
 
     def insertFromMimeData(self, source: QMimeData) -> None:
-        """Paste the text as one step of the history."""
+        """Paste text as one undo step."""
         if self.isReadOnly():
             return
         start, end = self.marked
@@ -263,7 +264,7 @@ class Editor(TextSurface):
         self.ensureCursorVisible()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Text that is dropped goes where it falls; what is dragged from here is moved."""
+        """Insert dropped text where it falls; text dragged from here is moved."""
         data = event.mimeData()
         if self.isReadOnly() or not self.canInsertFromMimeData(data):
             super().dropEvent(event)
@@ -275,11 +276,11 @@ class Editor(TextSurface):
         )
         self.drop_text(data.text(), self.sheet.offset(*place), moved)
         event.acceptProposedAction()
-        # The mark of where it would fall goes.
+        # This removes the drop caret.
         self.dragLeaveEvent(QDragLeaveEvent())
 
     def drop_text(self, text: str, at: int, moved: bool) -> None:
-        """Put text at an offset; ``moved`` takes away what is marked."""
+        """Insert text at an offset. ``moved`` also deletes the selection."""
         start, end = self.marked
         if moved and start <= at <= end:
             return
@@ -294,21 +295,21 @@ class Editor(TextSurface):
         self.typed.emit("Move text" if moved else "Drop text")
 
     def _spelt(self, text: str) -> str:
-        """Text from elsewhere with the line ends of this one."""
+        """Text from elsewhere with the line ends of this file."""
         return text.replace("\r\n", "\n").replace("\n", self.sheet.newline)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Tell that the text has the keys."""
+        """Emit ``entered``."""
         super().focusInEvent(event)
         self.entered.emit()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Tell that the text lost the keys."""
+        """Emit ``left``."""
         super().focusOutEvent(event)
         self.left.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Unfold a fold that is clicked; else put the caret there."""
+        """Open a fold that is clicked; else put the caret there."""
         line = self.row_at(event.position().y())
         fold = self.folds.at(line) if line is not None else None
         if fold is not None and event.button() is Qt.MouseButton.LeftButton:
@@ -317,7 +318,7 @@ class Editor(TextSurface):
         super().mousePressEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Tell a click without a selection; with Ctrl it asks for the place named there."""
+        """Emit ``clicked`` for a click without a selection; with Ctrl, emit ``called``."""
         super().mouseReleaseEvent(event)
         if event.button() is Qt.MouseButton.LeftButton and not self.textCursor().hasSelection():
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier

@@ -1,7 +1,7 @@
-"""Between elements and the lines they are written in, for one text as it is shown now.
+"""Finds the lines of an element, and the element of a line, in the text that is shown.
 
-Where the text is the document's own, its spans say it exactly. Where it is being typed, or does
-not read, it is found by looking around: a name is where it is written as one, in what it lies in.
+If the text equals the text that was read, the spans of the document answer exactly. If it is being
+typed or is broken, the names are searched in the text, and their surroundings decide.
 """
 
 from __future__ import annotations
@@ -16,30 +16,30 @@ from smsl_studio.studio.features.draw.source.around import HEADER, around, key_a
 from smsl_studio.studio.features.draw.source.sheet import TextSheet
 
 MANY = 200
-"""Places at which a name is looked for at most."""
+"""At most this many occurrences of a name are looked at."""
 
 
 @dataclass(frozen=True)
 class LineRange:
-    """Lines as they are shown, counted from 0, first and last included."""
+    """Shown lines, counted from 0; first and last are included."""
 
     first: int
     last: int
 
 
 class Elements:
-    """The elements in what a sheet shows; ``document`` is what its text was last read as."""
+    """The elements in the text of a sheet. ``document`` is the text as it was last read."""
 
     def __init__(self, sheet: TextSheet, document: Document) -> None:
         self._sheet, self._document = sheet, document
 
     @property
     def exact(self) -> bool:
-        """Whether the text is the document's own."""
+        """Whether the sheet shows exactly the text of the document."""
         return self._sheet.text == self._document.text
 
     def lines_of(self, address: Address) -> LineRange | None:
-        """The lines in which an element is written; None where it is not found."""
+        """The lines in which an element is written; None if it is not found."""
         if not self.exact:
             return self._found(address.path)
         try:
@@ -53,7 +53,7 @@ class Elements:
         return self._lines(member.key_start, end)
 
     def address_at(self, line: int, column: int) -> Address | None:
-        """The element at a place: the SB, state or operation written there."""
+        """The SB, state or operation that is written at a place."""
         path = self._read_path(line, column) if self.exact else self._seen_path(line, column)
         found: list[str] = []
         for name in path[:3]:
@@ -63,7 +63,8 @@ class Elements:
         return Address(*found) if found else None
 
     def definition(self, line: int, column: int) -> Address | None:
-        """What the name at a place stands for: a target, a state in a header, a sub-SB."""
+        """The element to which the name at a place refers: a target, a state in a header, a
+        sub-SB."""
         here = around(self._sheet.pieces, line, column, self._document.form)
         if not here.word or not here.path:
             return None
@@ -106,7 +107,7 @@ class Elements:
         return (*outer, key.name) if outer == path else path
 
     def _found(self, path: tuple[str, ...]) -> LineRange | None:
-        """The lines of an element whose name is searched for."""
+        """The lines of an element, found by searching for its name."""
         within = self._found(path[:-1]) if len(path) > 2 else None
         if len(path) > 2 and within is None:
             return None

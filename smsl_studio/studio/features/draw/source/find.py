@@ -1,4 +1,4 @@
-"""Finding in a text: plain words or a regular expression, and what replaces what was found."""
+"""Searches a text for words or a regular expression, and makes the replacements."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from PySide6.QtCore import QRegularExpression
 from smsl_studio.studio.features.draw.source.shown_text import from_units
 
 MOST = 10_000
-"""Places that are counted at most."""
+"""At most this many matches are counted."""
 _GROUP = re.compile(r"\\([0-9]|\\|n|t)")
 
 
 @dataclass(frozen=True)
 class TextSearch:
-    """What is looked for."""
+    """What to search for: the words, and the three options of the bar."""
 
     words: str
     case: bool = False
@@ -26,7 +26,7 @@ class TextSearch:
 
 @dataclass(frozen=True)
 class Match:
-    """Where something was found, and what each group of the expression stands for."""
+    """A match: its offsets, and the text of each group of the expression."""
 
     start: int
     end: int
@@ -35,7 +35,7 @@ class Match:
 
 @dataclass(frozen=True)
 class Found:
-    """Everything that was found; ``fault`` says why nothing could be looked for."""
+    """All matches. ``fault`` says why the search failed; ``more`` that there are more matches."""
 
     matches: tuple[Match, ...] = ()
     fault: str = ""
@@ -43,14 +43,17 @@ class Found:
 
 
 def find(text: str, search: TextSearch) -> Found:
-    """All places of what is looked for. Qt's engine gives up where an expression goes astray."""
+    """All matches in a text.
+
+    Qt's engine is used because it gives up on expressions that take too long.
+    """
     if not search.words:
         return Found()
     expression = _expression(search)
     if not expression.isValid():
         return Found(fault=f"No valid expression: {expression.errorString()}")
     matches: list[Match] = []
-    # Qt counts in UTF-16 units; the text before a match is counted once.
+    # Qt counts in UTF-16 units; each part of the text is counted once.
     units, at, last = 0, 0, 0
     found = expression.globalMatch(text)
     while found.hasNext():
@@ -65,19 +68,19 @@ def find(text: str, search: TextSearch) -> Found:
         if end > at:
             groups = tuple(match.captured(n) for n in range(match.lastCapturedIndex() + 1))
             matches.append(Match(at, end, groups))
-    # Behind an empty match at the end the iterator is not valid either.
+    # After an empty match at the end, the iterator is invalid too.
     if not found.isValid() and not expression.match(text, last).isValid():
         return Found(fault="The expression takes too long")
     return Found(tuple(matches))
 
 
 def replaced(match: Match, words: str, search: TextSearch) -> str:
-    """What stands in place of a match: in expressions ``\\1`` is its first group."""
+    """The replacement of a match. In an expression, ``\\1`` stands for its first group."""
     if not search.regular:
         return words
 
     def group(mark: re.Match[str]) -> str:
-        """What a mark such as ``\\1`` or ``\\n`` stands for."""
+        """The text for a mark such as ``\\1`` or ``\\n``."""
         letter = mark[1]
         if letter.isdigit():
             at = int(letter)

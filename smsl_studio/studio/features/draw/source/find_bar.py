@@ -1,4 +1,4 @@
-"""The bar that finds and replaces in the text, above it."""
+"""The bar above the text that finds and replaces."""
 
 from __future__ import annotations
 
@@ -20,21 +20,24 @@ from smsl_studio.studio.features.draw.source.find import Found, Match, TextSearc
 
 _OURS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F3, Qt.Key.Key_Escape)
 WAIT = 60
-"""Milliseconds after a change of the text before it is looked through again."""
+"""Milliseconds after a change of the text before it is searched again."""
 
 
 class FindBar(QWidget):
-    """Finds in one editor. Enter goes on, Shift+Enter back, Escape closes it."""
+    """Finds and replaces in one editor.
+
+    Enter goes to the next match, Shift+Enter back, Esc closes.
+    """
 
     changed = Signal()
-    """Other places are found."""
+    """The matches have changed."""
 
     def __init__(self, editor: Editor) -> None:
         super().__init__()
         self.setProperty("role", "bar")
         self._editor, self.found = editor, Found()
         self.words, self.other = _field("Find"), _field("Replace with")
-        # What is wrong with an expression can be long; it must not widen the pane.
+        # The fault of an expression can be long; it must not widen the pane.
         self.count = Elided()
         self.count.setProperty("role", "hint")
         self._done = ""
@@ -71,28 +74,28 @@ class FindBar(QWidget):
             part.setProperty("role", "row")
         for field in (self.words, self.other):
             field.installEventFilter(self)
-        # Who has typed what to find goes on to what shall stand there, and then to doing it.
+        # Tab goes from the search to the replacement, then to the buttons.
         stops = (self.words, self.other, self.one, self.every, self.back, self.on, self.shut,
                  self.case, self.whole, self.regular)  # fmt: skip
         for before, after in pairwise(stops):
             self.setTabOrder(before, after)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         for button, name in ((self.back, "chevron-up"), (self.on, "chevron-down"),
                              (self.shut, "close")):  # fmt: skip
             button.setIcon(icon(name, tokens))
 
     @property
     def search(self) -> TextSearch:
-        """What is looked for."""
+        """What to search for, as set in the bar."""
         return TextSearch(
             self.words.text(), self.case.isChecked(), self.whole.isChecked(),
             self.regular.isChecked(),
         )  # fmt: skip
 
     def open_bar(self, replacing: bool) -> None:
-        """Show the bar, with what is marked in the text, and go there."""
+        """Show the bar with the selected text as search, and give it the keyboard focus."""
         marked = self._editor.textCursor().selectedText()
         if marked and "\u2029" not in marked:
             self.words.setText(marked)
@@ -103,21 +106,21 @@ class FindBar(QWidget):
         self.look()
 
     def close_bar(self) -> None:
-        """Close the bar, forget what was found and give the keys to the text."""
+        """Close the bar, forget the matches and give the text the keyboard focus."""
         self.hide()
         self.found = Found()
         self.changed.emit()
         self._editor.setFocus()
 
     def look(self) -> None:
-        """Look through the whole text."""
+        """Search the whole text."""
         if not self.isHidden():
             self.found = find(self._editor.sheet.text, self.search)
             self._say()
             self.changed.emit()
 
     def step(self, by: int) -> None:
-        """Mark the next place, or the one before; behind the last one comes the first."""
+        """Select the next match (1) or the previous one (-1); after the last comes the first."""
         if self.isHidden() and self.words.text():
             self.show()
         self.look()
@@ -135,7 +138,7 @@ class FindBar(QWidget):
             self._go(next(before, matches[-1]))
 
     def replace_one(self) -> None:
-        """Replace what is marked, if it was found, and go on."""
+        """Replace the selection if it is a match, and go to the next match."""
         match = self._current()
         if match is not None and not self._editor.isReadOnly():
             part = replaced(match, self.other.text(), self.search)
@@ -144,7 +147,7 @@ class FindBar(QWidget):
         self.step(1)
 
     def replace_all(self) -> None:
-        """Replace every place that is found, as one step."""
+        """Replace all matches as one step."""
         self.look()
         search, editor = self.search, self._editor
         if not self.found.matches or editor.isReadOnly():
@@ -159,7 +162,7 @@ class FindBar(QWidget):
         self.look()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Answer Enter, Escape and the other keys of the bar, whichever field has them."""
+        """Handle Enter, Escape and F3 in both fields."""
         if isinstance(event, QKeyEvent) and event.key() in _OURS:
             if event.type() == QEvent.Type.ShortcutOverride:
                 event.accept()
@@ -183,7 +186,7 @@ class FindBar(QWidget):
             self._again.start()
 
     def _ask(self) -> None:
-        """What is looked for changed: go to the first place from where one is."""
+        """Search again, and go to the first match from the caret on."""
         self._done = ""
         self.look()
         matches, start = self.found.matches, self._editor.marked[0]

@@ -1,4 +1,4 @@
-"""Folding: what the keys, the arrows in the gutter and the menu ask for."""
+"""The verbs of folding, for keys, the gutter and the menu."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from smsl_studio.studio.features.draw.source.editor import Editor
 
 
 class FoldVerbs:
-    """Folds and unfolds what stands in one editor."""
+    """Folds and unfolds the lines of one editor."""
 
     def __init__(self, editor: Editor) -> None:
         self._editor = editor
         editor.gutter.fold_wanted.connect(self.fold_line)
 
     def can_fold(self, line: int) -> bool:
-        """Whether a line opens something that can be folded."""
+        """Whether a line begins something that can be folded."""
         return regions.region(self._editor.sheet.pieces, line) is not None
 
     def fold_line(self, line: int) -> None:
-        """Fold what a line opens; unfold it where it is folded."""
+        """Fold what a line begins, or unfold it if it is folded."""
         editor = self._editor
         hidden = regions.region(editor.sheet.pieces, line)
         fold = editor.folds.at(line) or editor.folds.at(line + 1)
@@ -28,7 +28,7 @@ class FoldVerbs:
             editor.fold(*hidden)
 
     def fold(self) -> None:
-        """Fold what is marked below its first line, else what the caret stands in."""
+        """Fold the selected lines after the first, or else the element around the caret."""
         editor = self._editor
         first, last = (editor.sheet.where(at)[0] for at in editor.marked)
         if last - first >= regions.LEAST:
@@ -39,7 +39,7 @@ class FoldVerbs:
             self.fold_line(at)
 
     def unfold(self) -> None:
-        """Unfold what begins at the caret."""
+        """Unfold the fold at the caret."""
         folds, line = self._editor.folds, self._editor.caret[0]
         fold = folds.at(line) or folds.at(line + 1)
         if fold is not None:

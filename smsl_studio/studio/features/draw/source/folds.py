@@ -1,6 +1,7 @@
-"""Folds: lines that are not shown for now. They stay in the text, and one row says what they are.
+"""Folds: hidden lines of the text. One row says what each fold hides.
 
-The first line of a fold is that row: it keeps its place in the widget and is painted over.
+That row is the first line of the fold: it keeps its place in the widget, and a band with the words
+is painted over it.
 """
 
 from __future__ import annotations
@@ -17,27 +18,27 @@ from smsl_studio.studio.features.draw.source.sheet import TextSheet
 
 @dataclass(frozen=True, order=True)
 class Fold:
-    """The lines that are folded, counted from 0, first and last included."""
+    """Folded lines, counted from 0; first and last are included."""
 
     first: int
     last: int
 
 
 class Folds:
-    """The folds of one editor, in order; none lies in another."""
+    """The folds of one editor, in order; they do not overlap."""
 
     def __init__(self, edit: QPlainTextEdit) -> None:
         self._edit = edit
         self.all: list[Fold] = []
 
     def at(self, line: int) -> Fold | None:
-        """The fold that a line lies in."""
+        """The fold that holds a line, or None."""
         index = bisect_right(self.all, line, key=lambda fold: fold.first) - 1
         found = self.all[index] if index >= 0 else None
         return found if found and line <= found.last else None
 
     def fold(self, first: int, last: int) -> None:
-        """Fold some lines; folds inside them are part of it from then on."""
+        """Fold some lines; folds that overlap them become part of it."""
         inside = [one for one in self.all if one.last >= first and one.first <= last]
         first = min([first, *(one.first for one in inside)])
         last = max([last, *(one.last for one in inside)])
@@ -45,32 +46,32 @@ class Folds:
         self._show(first + 1, last, False)
 
     def unfold(self, fold: Fold) -> None:
-        """Show the lines of a fold and drop it."""
+        """Show the lines of a fold and remove it."""
         self.all.remove(fold)
         self._show(fold.first, fold.last, True)
 
     def unfold_all(self) -> None:
-        """Show all lines and drop all folds."""
+        """Show all lines and remove all folds."""
         for fold in tuple(self.all):
             self.unfold(fold)
 
     def reveal(self, line: int) -> None:
-        """Unfold what hides a line."""
+        """Open the fold that hides a line, if any."""
         fold = self.at(line)
         if fold is not None:
             self.unfold(fold)
 
     def changed(self, first: int, before: int, after: int) -> None:
-        """``before`` lines from ``first`` on have become ``after``: later folds move with them.
+        """Move the folds after an edit: ``before`` lines from ``first`` on became ``after`` lines.
 
-        Folds of which more than one line changed are unfolded: their lines may be others now.
+        Folds in which more than one line changed are opened, because their lines may be others now.
         """
         moved = after - before
         for fold in tuple(self.all):
             touched = fold.first < first + before and fold.last >= first
             if touched and (before > 1 or after > 1):
                 self.all.remove(fold)
-                # No further: what comes then may be another fold.
+                # Only up to here: the next lines may belong to another fold.
                 last = max(first + after - 1, fold.last + moved)
                 self._show(min(fold.first, first), last, True)
         self.all = [
@@ -79,7 +80,7 @@ class Folds:
         ]
 
     def words(self, fold: Fold, sheet: TextSheet, form: str) -> str:
-        """What a fold says: how many lines, and of which elements."""
+        """The words in the row of a fold: how many lines, and which elements they hold."""
         count = f"{fold.last - fold.first + 1} lines folded"
         above = regions.names_in(sheet.pieces, max(0, fold.first - 1), fold.first - 1, form)
         inside = regions.names_in(sheet.pieces, max(0, fold.first - 1), fold.last, form)

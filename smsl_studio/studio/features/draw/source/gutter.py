@@ -1,4 +1,4 @@
-"""The gutter: line numbers, the gravest mark of each line, and what can be folded."""
+"""The gutter: line numbers, the worst mark of each line, and arrows that fold."""
 
 from __future__ import annotations
 
@@ -19,14 +19,18 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 @dataclass(frozen=True)
 class Mark:
-    """What is wrong in a line: E, W or I, and the words."""
+    """The mark of a line: the severity letter (E, W or I) and the words."""
 
     severity: str
     words: str
 
 
 class Gutter(QWidget):
-    """Lies left of the text. A click on a mark asks for its fixes, on an arrow it folds."""
+    """The column left of the text.
+
+    ``fixes_wanted`` (line): a mark was clicked. ``fold_wanted`` (line): an arrow or a folded row
+    was clicked.
+    """
 
     fixes_wanted = Signal(int)
     fold_wanted = Signal(int)
@@ -46,7 +50,7 @@ class Gutter(QWidget):
         return QSize(self.needed(), 0)
 
     def needed(self) -> int:
-        """How wide it must be for the numbers of the text."""
+        """The width in pixels that the line numbers and marks need."""
         digits = max(3, len(str(self._editor.sheet.line_of(self._editor.blockCount() - 1) + 1)))
         return LEFT + self._editor.fontMetrics().horizontalAdvance("0") * digits + MARKS
 
@@ -101,11 +105,11 @@ class Gutter(QWidget):
             self.fixes_wanted.emit(line)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Light the row under the pointer."""
+        """Show the fold arrow in the row under the pointer."""
         self._point(self._editor.row_at(event.position().y()))
 
     def leaveEvent(self, event: QEvent) -> None:
-        """Light no row."""
+        """Hide the fold arrow."""
         super().leaveEvent(event)
         self._point(None)
 

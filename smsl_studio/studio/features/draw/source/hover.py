@@ -1,4 +1,4 @@
-"""What is said about the name under the pointer: facts of a state, an operation's way and cost."""
+"""The tip for a name in the text: the facts of a state, the target and cost of an operation."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from smsl_studio.studio.base.words import counted
 
 
 def words(blueprint: Blueprint, address: Address) -> str:
-    """What an element is, in a few lines; nothing where there is no such element."""
+    """What an element is, in a few lines; empty if its SB does not exist."""
     branch = blueprint.branches.get(address.branch)
     if branch is None:
         return ""

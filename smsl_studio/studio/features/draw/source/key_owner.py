@@ -1,4 +1,4 @@
-"""Who answers the keys of an editor."""
+"""The protocol of an object that handles the keys of an editor."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from PySide6.QtGui import QKeyEvent
 
 
 class Keys(Protocol):
-    """Who answers the keys of an editor before the text does."""
+    """Handles the keys of an editor before the text does."""
 
     def takes(self, event: QKeyEvent) -> bool:
-        """Whether the key is for the text, whatever it means elsewhere in the window."""
+        """Whether the key is for the text, even if it is a shortcut of the window."""
 
     def answer(self, event: QKeyEvent) -> bool:
-        """Do what the key asks for; False where it is an ordinary one."""
+        """Do what the key asks for. Returns False for an ordinary key."""
 
     def typed(self, event: QKeyEvent) -> None:
-        """An ordinary key was typed."""
+        """Called after an ordinary key was typed."""

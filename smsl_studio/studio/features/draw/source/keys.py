@@ -1,4 +1,4 @@
-"""The keys of the source pane while its text has the focus."""
+"""The keys of the source pane while its text has the keyboard focus."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ SOURCE_KEYS = (
     ("Comment lines, where the form has comments", "Ctrl+/"),
     ("Larger, smaller", "Ctrl and mouse wheel"),
 )
-"""What the list of shortcuts says about them."""
+"""The rows for the dialog of shortcuts."""
 
 
 class PaneKeys:
-    """Asks the list of names first, then the pane's own keys, then the manners of the text."""
+    """Passes each key first to the list of names, then to the pane, then to ``Manners``."""
 
     def __init__(
         self, text: SourceText, popup: Popup, pointing: TextPointer, repairing: QuickFixes

@@ -1,7 +1,7 @@
-"""Manners: what keys do in a text editor beside putting down their letter.
+"""The editing keys of the text: Enter, Tab, brackets, comments, and lines to duplicate or move.
 
-Enter keeps the indentation, brackets and quotes close themselves modestly, lines are indented,
-commented, doubled and moved. Everything is put into the exact text; the widget shows it.
+Enter keeps the indentation. An opening bracket or quote adds the closing one. Every change is made
+in the exact text, and the widget shows it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from smsl_studio.studio.features.draw.source.editor import Editor
 
 PAIRS = {"{": "}", "[": "]", '"': '"'}
 COMMENTS = {"smsl": "//", "yaml": "#"}
-"""What begins a comment in the forms that have some."""
+"""The sign of a comment line, for the written forms that have comments."""
 _LEAD = re.compile(r"[ \t]*")
 _UNIT = re.compile(r"^( {1,8}|\t)\S", re.MULTILINE)
 _CTRL, _ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
@@ -25,7 +25,7 @@ _NONE = Qt.KeyboardModifier.NoModifier
 
 
 class Manners:
-    """Answers keys for one editor."""
+    """Handles the editing keys of one editor."""
 
     def __init__(self, editor: Editor) -> None:
         self._editor = editor
@@ -43,7 +43,7 @@ class Manners:
         }
 
     def answer(self, event: QKeyEvent) -> bool:
-        """Do what a key asks for; False where it is an ordinary one."""
+        """Do what a key asks for. Returns False for an ordinary key."""
         held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if self._editor.isReadOnly():
             return False
@@ -54,19 +54,19 @@ class Manners:
         return plain and self._pair(event.text())
 
     def takes(self, event: QKeyEvent) -> bool:
-        """Whether a key with Ctrl or Alt is for the text, whatever else it means elsewhere."""
+        """Whether a key is for the text, even if it is a shortcut of the window."""
         return (event.key(), event.modifiers()) in self._keys
 
     # Lines.
 
     def _lines(self) -> tuple[int, int]:
-        """The first and last line that is marked, or that of the caret."""
+        """The first and last selected line, or twice the line of the caret."""
         start, end = self._editor.marked
         first, last = self._editor.sheet.where(start)[0], self._editor.sheet.where(end)
         return first, last[0] - (last[1] == 0 and last[0] > first)
 
     def _ends(self, first: int, last: int) -> tuple[int, int]:
-        """The offsets at which some lines begin and end, their last line end left out."""
+        """The offsets at which some lines begin and end, without the last line end."""
         sheet = self._editor.sheet
         return sheet.offset(first, 0), sheet.offset(last, len(sheet.shown_piece(last)))
 
@@ -76,7 +76,7 @@ class Manners:
         return f"{verb} line {one}" if one == other else f"{verb} lines {one} to {other}"
 
     def _each_line(self, verb: str, change: Callable[[str], str]) -> bool:
-        """Change every marked line; what was marked stays marked."""
+        """Change every selected line; the selection stays."""
         editor = self._editor
         first, last = self._lines()
         marked = editor.textCursor().hasSelection()
@@ -109,7 +109,7 @@ class Manners:
                                if line[:1] in (" ", "\t") else line)  # fmt: skip
 
     def _unit(self) -> str:
-        """One step of indentation, as the text has it."""
+        """One step of indentation, as the text uses it."""
         head = "".join(self._editor.sheet.pieces[:200])
         found = _UNIT.search(head)
         return found[1] if found else "    "
@@ -208,12 +208,12 @@ class Manners:
 
 
 def _closes(letter: str, before: str, after: str) -> bool:
-    """Whether a bracket or quote that opens here shall be closed at once."""
+    """Whether typing this opening bracket or quote also inserts the closing one."""
     free = after == "" or after in " \t,}]:"
     return free and (letter != '"' or before == "" or before in " \t{[(,:")
 
 
 def _commented(line: str, mark: str) -> str:
-    """A line as a comment, its indentation kept; a blank one stays blank."""
+    """A line as a comment with its indentation kept; a blank line stays blank."""
     body = line.lstrip()
     return f"{line[: len(line) - len(body)]}{mark} {body}" if body.strip() else line

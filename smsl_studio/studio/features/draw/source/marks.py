@@ -1,4 +1,4 @@
-"""Marks in the text: bands behind lines, wavy lines below pieces, and the words of each line."""
+"""Marks in the text: bands behind lines, wavy lines below words, and the mark of each line."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from smsl_studio.studio.features.draw.source.sheet import TextSheet
 
 Selection = QTextEdit.ExtraSelection
 MANY = 400
-"""Pieces that are underlined at most."""
+"""At most this many words are underlined."""
 MANY_WORDS = 12
-"""Marks of one line whose words are shown."""
+"""The words of at most this many marks of one line are shown."""
 
 
 def offset_of(sheet: TextSheet, place: Place) -> int:
-    """The offset in the text of a place in it."""
+    """The offset in the text of a place (line and column from 1)."""
     start = sheet.offset(sheet.piece_of(place.line - 1), 0)
     return min(start + place.column - 1, len(sheet.text))
 
 
 def band(editor: Editor, line: int, colour: QColor) -> Selection:
-    """A line in another colour, over the whole width."""
+    """A background colour for a line, over the whole width."""
     mark = Selection()
     mark.format.setBackground(colour)
     mark.format.setProperty(QTextFormat.Property.FullWidthSelection, True)
@@ -42,7 +42,7 @@ def band(editor: Editor, line: int, colour: QColor) -> Selection:
 
 
 def behind(editor: Editor, start: int, end: int, colour: QColor) -> Selection:
-    """A piece of the text on another colour."""
+    """A background colour for a part of the text."""
     mark = Selection()
     mark.format.setBackground(colour)
     mark.cursor = editor.cursor_at(start, end)
@@ -50,7 +50,7 @@ def behind(editor: Editor, start: int, end: int, colour: QColor) -> Selection:
 
 
 def wavy(editor: Editor, start: int, end: int, severity: str) -> Selection:
-    """A piece of the text with a wavy line below it."""
+    """A wavy line below a part of the text, in the colour of the severity."""
     mark = Selection()
     mark.format.setUnderlineStyle(QTextCharFormat.UnderlineStyle.WaveUnderline)
     mark.format.setUnderlineColor(severity_colour(severity, editor.tokens))
@@ -59,7 +59,7 @@ def wavy(editor: Editor, start: int, end: int, severity: str) -> Selection:
 
 
 def fault_span(sheet: TextSheet, fault: ReadError) -> tuple[int, int]:
-    """The offsets between which a fault stands, within its line and one character at least."""
+    """The start and end offset of a fault: within one line, at least one character."""
     if fault.place is None:
         return 0, min(1, len(sheet.text))
     start = offset_of(sheet, fault.place)
@@ -71,7 +71,7 @@ def fault_span(sheet: TextSheet, fault: ReadError) -> tuple[int, int]:
 
 
 def word_span(sheet: TextSheet, place: Place, form: str) -> tuple[int, int]:
-    """The offsets of the word at a place."""
+    """The start and end offset of the word at a place."""
     start = offset_of(sheet, place)
     line, column = sheet.where(start)
     word = next((one for one in tokens(sheet.shown_piece(line), form) if one.end > column), None)
@@ -79,7 +79,7 @@ def word_span(sheet: TextSheet, place: Place, form: str) -> tuple[int, int]:
 
 
 def of_findings(editor: Editor, findings: Iterable[Finding], file: str) -> Iterator[Selection]:
-    """What findings are about in this file, underlined; notes are not."""
+    """The underlines for the errors and warnings in this file."""
     shown = (
         (place, finding.severity.value)
         for finding in findings
@@ -92,14 +92,17 @@ def of_findings(editor: Editor, findings: Iterable[Finding], file: str) -> Itera
 
 
 def of_faults(editor: Editor, faults: Sequence[ReadError]) -> Iterator[Selection]:
-    """The faults of this text, underlined."""
+    """The underlines for the faults of this text."""
     for fault in faults[:MANY]:
         start, end = fault_span(editor.sheet, fault)
         yield wavy(editor, start, end, "E")
 
 
 def of_matches(editor: Editor, matches: Sequence[Match]) -> Iterator[Selection]:
-    """What was found, on another colour; of very many those in view and around."""
+    """The backgrounds of search matches.
+
+    If there are very many, only those in and after the view.
+    """
     rows = [line for line, _, _ in editor.rows()] if len(matches) > MANY else []
     first = editor.sheet.offset(rows[0], 0) if rows else 0
     begin = bisect_left(matches, first, key=lambda one: one.start)
@@ -110,7 +113,7 @@ def of_matches(editor: Editor, matches: Sequence[Match]) -> Iterator[Selection]:
 def by_line(
     sheet: TextSheet, findings: Iterable[Finding], faults: Iterable[ReadError], file: str
 ) -> dict[int, Mark]:
-    """The gravest mark of each line, with the words of the first few of them."""
+    """The worst mark of each line, with the words of its first marks."""
     found: dict[int, list[Mark]] = {}
     for fault in faults:
         line = sheet.where(fault_span(sheet, fault)[0])[0]

@@ -1,4 +1,4 @@
-"""The menus of the text: quick fixes (also behind the bulb), and what a right click offers."""
+"""The menus of the text: quick fixes (also from the bulb) and the context menu."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SIDE = 18
 
 
 class Bulb(QToolButton):
-    """Lies behind the caret's line while something there can be fixed."""
+    """The button after the caret's line, shown while something in that line can be fixed."""
 
     def __init__(self, editor: Editor) -> None:
         super().__init__(editor.viewport())
@@ -32,18 +32,18 @@ class Bulb(QToolButton):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.setIcon(icon("bulb", tokens, colour=tokens.risk))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """On paper of its own: a long line goes on below it."""
+        """Paint a background first, because a long line continues below the button."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().base())
         painter.end()
         super().paintEvent(event)
 
     def show_for(self, repairs: Sequence[TextRepair]) -> None:
-        """Show it if there is something to fix, and say what."""
+        """Show the bulb if there are fixes, with their words as tip."""
         self.setVisible(bool(repairs))
         if repairs:
             self.setToolTip(tip_text("\n".join((*(one.words for one in repairs), "(Ctrl+.)"))))
@@ -54,7 +54,10 @@ class Bulb(QToolButton):
             self._place()
 
     def _place(self) -> None:
-        """Behind the line; where that has no room, at the edge and a row above or below."""
+        """Place it after the line.
+
+        If there is no room, at the right edge, one row above or below.
+        """
         editor, cursor = self._editor, self._editor.textCursor()
         row = editor.cursorRect(cursor)
         cursor.movePosition(cursor.MoveOperation.EndOfBlock)
@@ -78,7 +81,7 @@ def text_menu(
     at: QPoint,
     jump: Callable[[int, int], object],
 ) -> QMenu:
-    """The menu at the pointer; ``jump`` leads from a place to what stands for it."""
+    """The context menu. ``jump`` goes to the element that the name at (line, column) refers to."""
     editor, menu = text.editor, _passing(text)
     _add_repairs(menu, repairs)
     if repairs:

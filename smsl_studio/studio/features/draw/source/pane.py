@@ -1,7 +1,8 @@
-"""Source: the exact text of the blueprint's files, typed in as in any editor.
+"""The source pane: the exact text of the blueprint's files, edited as in any editor.
 
-Typing is a step of the one history; an edit from elsewhere patches the text. What is selected is
-marked, findings and faults are underlined, and a click selects the element written there.
+Typing makes steps of the common history, and an edit from elsewhere patches the text. The lines of
+the selection are marked, findings and faults are underlined, and a click selects the element that
+is written there.
 """
 
 from __future__ import annotations
@@ -34,10 +35,10 @@ from smsl_studio.studio.features.draw.source.typed_text import TypedText
 
 
 class SourcePane(QWidget):
-    """The source pane. It works while it is visible; hidden it is stale and costs nothing."""
+    """The source pane. It follows the session only while it is visible."""
 
     caret_moved = Signal(int, int)
-    """Line and column of the caret, from 1, when it has the focus."""
+    """(line, column): the place of the caret, from 1, while the pane has the keyboard focus."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -90,10 +91,10 @@ class SourcePane(QWidget):
         self.yaml.agreed.connect(self._agree)
         self.faults.show_wanted.connect(self.show_fault)
 
-    # What others ask of it.
+    # Called by other parts.
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme, in the text and in all strips."""
+        """Use the colours of another theme, in the text and all strips."""
         self._tokens = tokens
         self.editor.set_tokens(tokens)
         for strip in (self.yaml, self.faults, self.find_bar, self.repairing.bulb):
@@ -101,19 +102,19 @@ class SourcePane(QWidget):
         self.marking.mark()
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Underline what findings are about, and mark their lines."""
+        """Underline the words of findings and mark their lines."""
         self.marking.set_findings(findings)
 
     def set_library(self, names: Iterable[str]) -> None:
-        """The operations that plugins offer by name; completion offers them too."""
+        """Take the names of operations from plugins, which completion offers too."""
         self.popup.library = tuple(names)
 
     def set_active(self, addresses: Iterable[Address]) -> None:
-        """Light the lines of what is active in a run."""
+        """Highlight the lines of the elements that are active in a run."""
         self.marking.set_active(addresses)
 
     def settle(self) -> None:
-        """Take over what was typed, if anything was."""
+        """Take over the typed text now, if there is any."""
         if self.typing.pending:
             self.typing.settle()
             self._refresh()
@@ -121,7 +122,7 @@ class SourcePane(QWidget):
 
     @property
     def pending(self) -> dict[str, str]:
-        """What was typed and is not yet a step of the history, by its file."""
+        """The typed text that is not yet a step of the history, by its file."""
         return {self.typing.file: self.editor.sheet.text} if self.typing.pending else {}
 
     @property
@@ -131,12 +132,12 @@ class SourcePane(QWidget):
 
     @property
     def current(self) -> bool:
-        """Whether what is shown is the file that is to be shown."""
+        """Whether the shown file is the one that should be shown."""
         return self._file == self._wanted_file()
 
     @property
     def elements(self) -> Elements:
-        """Where the elements of the shown text stand."""
+        """Finds the elements in the text that is shown."""
         return Elements(self.editor.sheet, self._document())
 
     @property
@@ -149,7 +150,7 @@ class SourcePane(QWidget):
         )
 
     def show_fault(self) -> None:
-        """Show the first place at which the text does not read."""
+        """Go to the first fault of the broken text."""
         broken = self._session.broken
         if broken is None:
             return
@@ -159,25 +160,25 @@ class SourcePane(QWidget):
         self.editor.setFocus()
 
     def undo(self) -> None:
-        """Undo the last step, wherever it was made; what is being typed is one."""
+        """Undo the last step, wherever it was made; text being typed is a step, too."""
         self.settle()
         self._session.history.undo()
 
     def redo(self) -> None:
-        """Take over what is being typed, then redo."""
+        """Take over the text being typed, then redo."""
         self.settle()
         self._session.history.redo()
 
     def stop(self) -> None:
-        """The window goes away: nothing is read any more."""
+        """End all work, because the window closes."""
         self.typing.stop()
 
     def leave(self, onwards: bool) -> None:
-        """Give the focus to what comes after the text, or before it."""
+        """Give the keyboard focus to the widget after the text, or before it."""
         self.focusNextPrevChild(onwards)
 
     def tell_caret(self) -> None:
-        """Say where the caret is, while one works here: in the text, or in the bar that finds."""
+        """Emit ``caret_moved``, while the text or the find bar has the keyboard focus."""
         focus = QApplication.focusWidget()
         if focus is not None and self.isAncestorOf(focus):
             line, column = self.editor.caret
@@ -203,7 +204,7 @@ class SourcePane(QWidget):
         self._selection_changed()
 
     def _selection_changed(self) -> None:
-        """Show the selected element (or the SB's beginning) and mark its lines."""
+        """Mark the lines of the selection (or of the SB) and scroll to them."""
         if not self.isVisible():
             return
         self._refresh()
@@ -213,13 +214,13 @@ class SourcePane(QWidget):
             self.editor.reveal(min(lines))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the text as it is now: it was stale while hidden."""
+        """Show the text as it is now, because the pane did not follow while hidden."""
         super().showEvent(event)
         self._refresh()
         self._selection_changed()
 
     def _refresh(self) -> None:
-        """Bring what is shown up to date, replacing only what differs."""
+        """Bring the shown text up to date, replacing only what differs."""
         texts, file = self._session.texts, self._wanted_file()
         text = texts[file]
         self.editor.set_form(self._document_named(file).form)
@@ -241,11 +242,11 @@ class SourcePane(QWidget):
 
     @property
     def _salvaged(self) -> bool:
-        """Whether the graph is what could be read of a file that was opened broken."""
+        """Whether the graph is only what could be read of a file that was opened broken."""
         return self._session.broken is not None and self._session.blueprint is self._salvage
 
     def _wanted_file(self) -> str:
-        """The file that was chosen, else that of the SB that is shown."""
+        """The file being typed in, else the chosen one, else the file of the SB that is shown."""
         blueprint, broken = self._session.blueprint, self._session.broken
         files = [document.file for document in blueprint.documents]
         if self.typing.pending and self.typing.file in files:
@@ -274,7 +275,11 @@ class SourcePane(QWidget):
     # Typing.
 
     def _allow(self) -> None:
-        """Which text may be typed in: not YAML unasked, and no other file than a broken one."""
+        """Set whether the text can be edited.
+
+        YAML needs the person's consent first. While one file is broken, no other file can be
+        edited.
+        """
         broken, form = self._session.broken, self._document().form
         noted = form == "yaml" and self._file not in self._agreed and not self._session.edited
         self.yaml.setVisible(noted and broken is None)

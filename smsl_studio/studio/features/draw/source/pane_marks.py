@@ -1,4 +1,4 @@
-"""Marking: what is selected, what is found and what is wrong, shown in one pane's text."""
+"""Draws the selection, the search matches and the findings in the text of one pane."""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ class PaneMarks:
     """Keeps the bands and wavy lines of a pane's text, and the marks of its gutter."""
 
     def __init__(self, text: SourceText, session: Session, then: Callable[[], object]) -> None:
-        """``then`` is called whenever the text was marked anew."""
+        """``then`` is called after each update of the marks."""
         self._text, self._session, self._then = text, session, then
         self._findings: tuple[Finding, ...] = ()
         self.active: tuple[Address, ...] = ()
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
-        """Underline what findings are about, and mark their lines."""
+        """Underline the words of findings and mark their lines."""
         self._findings = tuple(findings)
         self.mark()
 
     def set_active(self, addresses: Iterable[Address]) -> None:
-        """Light the lines of what is active in a run."""
+        """Highlight the lines of the elements that are active in a run."""
         found = tuple(addresses)
         if found != self.active:
             self.active = found
             self.mark()
 
     def faults_here(self) -> tuple[ReadError, ...]:
-        """The faults of the text that is shown, as it is shown."""
+        """The faults of the text that is shown; none if it has changed since they were found."""
         broken = self._session.broken
         if broken is None or broken.file != self._text.file:
             return ()
         return broken.error.faults if broken.text == self._text.editor.sheet.text else ()
 
     def findings_here(self) -> tuple[Finding, ...]:
-        """The findings of the text that is shown, where it reads and is the one inspected."""
+        """The findings in the file that is shown; none if its text has changed or is broken."""
         broken = self._session.broken
         if (broken is not None and broken.file == self._text.file) or not self._text.elements.exact:
             return ()
         return tuple(one for one in self._findings if one.places_in(self._text.file))
 
     def mark(self) -> None:
-        """Draw bands and wavy lines anew; while one types the old ones move with the text."""
+        """Draw bands and wavy lines anew. While one types, the old ones move with the text."""
         text, editor = self._text, self._text.editor
         if not text.isVisible() or not text.current or text.typing.pending:
             return
@@ -69,7 +69,7 @@ class PaneMarks:
         self._then()
 
     def lines_of_selection(self) -> set[int]:
-        """The lines in which the selected elements are written."""
+        """The shown lines in which the selected elements are written."""
         return self._lines_of(self._session.selection)
 
     def _lines_of(self, addresses: Sequence[Address]) -> set[int]:

@@ -1,4 +1,4 @@
-"""What must be replaced to turn one text into another, and no more."""
+"""The smallest replacements that turn one text into another."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ Patch = tuple[int, int, str]
 
 
 def patches(old: str, new: str) -> list[Patch]:
-    """What to replace to turn ``old`` into ``new``: start, end (in ``old``) and the new part.
+    """The replacements that turn ``old`` into ``new``: start, end (offsets in ``old``) and the new
+    part.
 
-    The last one comes first, so that each can be applied without moving the others. Where only
-    single lines differ (a state renamed wherever it is a target), only these are replaced.
+    The last one comes first, so that each can be made without moving the others. If only single
+    lines differ (such as after renaming a state), only these are replaced.
     """
     start = common_prefix(old, new)
     tail = common_suffix(old, new, min(len(old), len(new)) - start)
@@ -31,7 +32,7 @@ def patches(old: str, new: str) -> list[Patch]:
 
 
 def common_prefix(a: str, b: str, most: int | None = None) -> int:
-    """How many characters both begin with alike."""
+    """The length of the common beginning of two texts."""
     low, high = 0, min(len(a), len(b), len(a) if most is None else most)
     while low < high:
         middle = (low + high + 1) // 2
@@ -43,7 +44,7 @@ def common_prefix(a: str, b: str, most: int | None = None) -> int:
 
 
 def common_suffix(a: str, b: str, most: int) -> int:
-    """How many characters both end with alike, ``most`` at the most."""
+    """The length of the common end of two texts, at most ``most``."""
     low, high = 0, most
     while low < high:
         middle = (low + high + 1) // 2
@@ -55,7 +56,7 @@ def common_suffix(a: str, b: str, most: int) -> int:
 
 
 def joined(text: str, patches: Sequence[Patch]) -> Patch:
-    """Several patches, the last one first, as one that spans them all."""
+    """Several patches (the last one first) as one that spans them all."""
     parts: list[str] = []
     first, last = patches[-1][0], patches[0][1]
     at = first

@@ -1,4 +1,4 @@
-"""Pointing: what a click, a jump and the pointer at rest do in the text."""
+"""Clicks, jumps and hovering in the text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 
 class TextPointer:
-    """Leads from places in one pane's text to elements, and back."""
+    """Goes from a place in a pane's text to the element there, and back."""
 
     def __init__(
         self, text: SourceText, session: Session, marking: PaneMarks, repairing: QuickFixes
@@ -22,7 +22,7 @@ class TextPointer:
         self._text, self._session = text, session
         self._marking, self._repairing = marking, repairing
         self.selecting = False
-        """Whether it is a click in the text that selects just now."""
+        """Whether a click in the text is setting the selection at this moment."""
         editor = text.editor
         editor.clicked.connect(self.select_at)
         editor.called.connect(lambda at: self.jump_from(*self._place(at)))
@@ -30,7 +30,7 @@ class TextPointer:
         editor.words_at = self.words_at
 
     def select_at(self, at: QPoint) -> None:
-        """Select the element that is written at a point."""
+        """Select the element that is written at a point of the viewport."""
         self._text.settle()
         address = self._text.elements.address_at(*self._place(at))
         if address is None or address.branch not in self._session.blueprint.branches:
@@ -44,11 +44,11 @@ class TextPointer:
         self._marking.mark()
 
     def jump(self) -> None:
-        """Go to what the name at the caret stands for."""
+        """Go to the element that the name at the caret refers to."""
         self.jump_from(*self._text.editor.caret)
 
     def jump_from(self, line: int, column: int) -> None:
-        """Go to what the name at a place stands for: a state, or a sub-SB."""
+        """Go to the element that the name at a place refers to: a state or a sub-SB."""
         self._text.settle()
         address = self._text.elements.definition(line, column)
         if address is not None and address.branch in self._session.blueprint.branches:
@@ -62,7 +62,7 @@ class TextPointer:
             self._text.editor.reveal(lines.first)
 
     def words_at(self, line: int, column: int) -> str:
-        """What hovering says: the marks of the line, then what stands there."""
+        """The tip for a place: the marks of the line, then the element there."""
         mark = self._text.editor.gutter.marks.get(line)
         elements = self._text.elements
         address = elements.definition(line, column) or elements.address_at(line, column)

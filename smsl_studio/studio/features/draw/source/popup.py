@@ -1,4 +1,4 @@
-"""The list of names that fit, below the caret, while one types. It never takes the focus."""
+"""The list of names below the caret while one types. It never takes the keyboard focus."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ _NONE, _CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifi
 
 
 class Popup(QListWidget):
-    """Offers names in one editor. ``blueprint`` gives what is known, ``library`` what plugins add.
+    """Offers names in one editor.
 
-    Up and Down choose, Enter and Tab take, Escape puts it away; every other key types on.
+    ``blueprint`` returns the current one, ``library`` holds names of plugins.
+
+    Up and Down choose, Enter and Tab insert, Escape closes the list. Every other key is typed.
     """
 
     def __init__(self, editor: Editor, blueprint: Callable[[], Blueprint]) -> None:
@@ -38,7 +40,7 @@ class Popup(QListWidget):
         self.setUniformItemSizes(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.itemClicked.connect(lambda _: self._take())
-        # After the key has been painted: looking around may take longer than a frame.
+        # After the key is painted, because the search may take longer than a frame.
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self._offer)
@@ -53,13 +55,13 @@ class Popup(QListWidget):
         return [self.item(at).data(Qt.ItemDataRole.UserRole).name for at in range(self.count())]
 
     def ask(self) -> bool:
-        """Offer what fits here, whether something was typed or not."""
+        """Offer what fits here, even if nothing was typed."""
         self._asked, self._goes_on = True, False
         self._offer()
         return True
 
     def typed(self, event: QKeyEvent) -> None:
-        """A letter was typed: offer what goes on from it, or what still fits."""
+        """Update the list after a key was typed: open it for a letter, narrow it if it is open."""
         letter = event.text()
         in_word = bool(letter) and (letter.isalnum() or letter in "_-")
         self._goes_on = in_word and not self.isHidden()
@@ -70,7 +72,7 @@ class Popup(QListWidget):
             self._later.start(0)
 
     def answer(self, event: QKeyEvent) -> bool:
-        """Whether the key was for the list."""
+        """Handle a key for the list. Returns whether it was one."""
         if self.isHidden() or event.modifiers() != _NONE:
             return False
         key, last = event.key(), self.count() - 1
@@ -114,7 +116,7 @@ class Popup(QListWidget):
         self._place()
 
     def _wanted(self, here: Around, found: Sequence[Completion], column: int) -> bool:
-        """Whether somebody who did not ask has begun a name here that is not complete."""
+        """Whether to open the list unasked: a name was begun here and is not complete."""
         shown = self._editor.sheet.shown_piece(self._line)
         quoted = shown[column - 1 : column] == '"'
         if not here.word:
@@ -123,7 +125,7 @@ class Popup(QListWidget):
         return not closed and [one.name for one in found[:2]] != [here.typed]
 
     def _place(self) -> None:
-        """Below the caret, or above where there is more room."""
+        """Place it below the caret, or above if there is no room below."""
         editor = self._editor
         self.setFont(editor.font())
         high = ROW * min(ROWS, self.count()) + 4
@@ -138,7 +140,7 @@ class Popup(QListWidget):
         self.raise_()
 
     def _take(self) -> None:
-        """Write the chosen name in place of the word that stands here."""
+        """Replace the word at the caret with the chosen name."""
         item, here, editor = self.currentItem(), self._here, self._editor
         self.hide()
         if item is None or here is None:

@@ -1,4 +1,4 @@
-"""Repairing: quick fixes at the caret, behind the bulb, the gutter's marks and Ctrl+."""
+"""Offers quick fixes at the caret, from the bulb, the gutter's marks and Ctrl+."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from smsl_studio.studio.features.draw.source.strips import FaultStrip
 
 
 class QuickFixes:
-    """Offers what repairs the text of one pane."""
+    """Offers the fixes for the text of one pane."""
 
     def __init__(
         self, text: SourceText, session: Session, marking: PaneMarks, faults: FaultStrip
@@ -23,24 +23,27 @@ class QuickFixes:
         faults.fix_wanted.connect(self._fix_first)
 
     def every(self) -> tuple[TextRepair, ...]:
-        """Every fix for the text that is shown; while one does not read, those of its faults."""
+        """Every fix for the text that is shown.
+
+        While a file is broken, only the fixes of its faults.
+        """
         text, sheet = self._text, self._text.editor.sheet
         if self._session.broken is not None:
             return tuple(of_faults(self._session, sheet, self._marking.faults_here()))
         return tuple(of_findings(self._session, sheet, self._marking.findings_here(), text.file))
 
     def at(self, line: int) -> tuple[TextRepair, ...]:
-        """The fixes of one line."""
+        """The fixes of a line."""
         if self._text.typing.pending or line not in self._text.editor.gutter.marks:
             return ()
         return tuple(one for one in self.every() if one.line == line)
 
     def offer(self) -> None:
-        """A menu of the fixes at the caret's line; else of the first line that has some."""
+        """Open a menu of the fixes in the caret's line, else in the first line that has some."""
         self.offer_at(self._text.editor.caret[0])
 
     def offer_at(self, line: int) -> None:
-        """A menu of the fixes of a line."""
+        """Open a menu of the fixes in a line, else in the first line that has some."""
         text, editor = self._text, self._text.editor
         text.settle()
         repairs = self.every()
@@ -56,7 +59,7 @@ class QuickFixes:
         menu.popup(editor.viewport().mapToGlobal(editor.cursorRect().bottomLeft()))
 
     def show_bulb(self) -> None:
-        """Show the bulb where the caret's line has fixes."""
+        """Show the bulb if the caret's line has fixes."""
         self.bulb.show_for(self.at(self._text.editor.caret[0]))
 
     def _fix_first(self) -> None:

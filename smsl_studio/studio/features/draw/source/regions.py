@@ -1,4 +1,4 @@
-"""What can be folded: a line and the deeper ones below it, with the bracket that closes them."""
+"""The regions that can be folded: a line, the deeper lines below it and the closing bracket."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from smsl_studio.studio.features.draw.source.around import tokens
 _LEAD = re.compile(r"[ \t]*")
 _NAME = re.compile(r"\s*#\s*NAME\s*:\s*(\S+)")
 LEAST = 2
-"""Lines that a fold hides at least: it takes one itself."""
+"""The fewest lines that a fold hides, because its row takes one itself."""
 
 
 def depth_of(line: str) -> int | None:
-    """How far a line is indented; None for a blank one."""
+    """The indentation of a line in characters; None for a blank line."""
     match = _LEAD.match(line)
     end = match.end() if match else 0
     return end if line[end:].strip() else None
 
 
 def opens(lines: Sequence[str], at: int) -> bool:
-    """Whether something deeper follows a line."""
+    """Whether the next line is deeper."""
     depth = depth_of(lines[at])
     if depth is None or lines[at].lstrip()[:1] in "}])":
         return False
@@ -30,7 +30,7 @@ def opens(lines: Sequence[str], at: int) -> bool:
 
 
 def extent(lines: Sequence[str], at: int) -> int:
-    """The last line of what a line opens; the line itself where it opens nothing."""
+    """The last line of the region that a line begins; the line itself if it begins none."""
     last = at
     if opens(lines, at):
         depth = depth_of(lines[at]) or 0
@@ -44,13 +44,13 @@ def extent(lines: Sequence[str], at: int) -> int:
 
 
 def region(lines: Sequence[str], at: int) -> tuple[int, int] | None:
-    """The first and last line that folding a line hides; None where it opens nothing."""
+    """The first and last line that folding a line hides; None if there is nothing to fold."""
     last = extent(lines, at)
     return (at + 1, last) if last - at >= LEAST else None
 
 
 def enclosing(lines: Sequence[str], at: int) -> int | None:
-    """The nearest line, this one or above it, whose region holds a line."""
+    """The nearest line, at or above this one, whose region holds this line."""
     depth = depth_of(lines[at])
     for one in range(at, -1, -1):
         inner = depth_of(lines[one])
@@ -64,7 +64,7 @@ def enclosing(lines: Sequence[str], at: int) -> int | None:
 
 
 def outermost(lines: Sequence[str], form: str) -> list[int]:
-    """The lines that open an SB."""
+    """The lines that begin an SB."""
     written = (at for at in range(len(lines)) if depth_of(lines[at]) is not None)
     at = next(written, 0)
     if form == "json":

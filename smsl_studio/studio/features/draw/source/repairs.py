@@ -1,4 +1,4 @@
-"""Quick fixes of faults and findings, each one step of the history."""
+"""Quick fixes of faults and findings. Each is one undo step."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from smsl_studio.studio.features.draw.source.sheet import TextSheet
 
 @dataclass(frozen=True)
 class TextRepair:
-    """A fix that can be applied: the words for it, in which line it is, and what does it."""
+    """A fix that can be applied: its words, its shown line, and the function that applies it."""
 
     words: str
     line: int
@@ -26,7 +26,7 @@ class TextRepair:
 def of_faults(
     session: Session, sheet: TextSheet, faults: Sequence[ReadError]
 ) -> Iterator[TextRepair]:
-    """The fixes of the faults of a text that does not read."""
+    """The fixes of the faults of a broken text."""
     for fault in faults:
         if fault.fix is not None:
             line = sheet.where(fault_span(sheet, fault)[0])[0]
@@ -36,7 +36,7 @@ def of_faults(
 def of_findings(
     session: Session, sheet: TextSheet, findings: Sequence[Finding], file: str
 ) -> Iterator[TextRepair]:
-    """The fixes of findings, as the panel of findings applies them."""
+    """The fixes of findings, as the findings panel applies them."""
     for finding in findings:
         fix = finding.fix
         if fix is not None:
@@ -50,8 +50,8 @@ def _text_fix(session: Session, fix: TextFix) -> Callable[[], None]:
     broken = session.broken
 
     def apply() -> None:
-        """Write the fixed text, if the text is still the one the fix was made for."""
-        # A fix is made for one text; where that has gone on, it fits no more.
+        """Write the fixed text, if the broken text has not changed since."""
+        # The offsets of a fix hold for one text only.
         if broken is not None and session.broken is broken:
             text = broken.text[: fix.start] + fix.text + broken.text[fix.end :]
             session.write(fix.words, text, broken.file)

@@ -1,9 +1,8 @@
-"""Sheet: the exact text of one file as the lines a text widget shows, kept in step with typing.
+"""The exact text of one file as the lines that a text widget shows, kept in step with typing.
 
-Each block of the widget stands for one exact piece: a line with its line end, whatever that is.
-A line too long for a widget to lay out is cut into several pieces, which changes nothing in the
-text. A keystroke touches the pieces of its lines only; the whole text and the offsets of its
-pieces are put together when somebody asks.
+Each block of the widget stands for one exact piece: a line with its line end. A line that is too
+long for a widget is cut into several pieces; the text stays the same. A keystroke changes only the
+pieces of its lines. The whole text and the offsets of the pieces are computed when asked for.
 """
 
 from __future__ import annotations
@@ -23,12 +22,12 @@ from smsl_studio.studio.features.draw.source.shown_text import (
 )
 
 LONG = 4000
-"""Characters from which on a line is cut; a piece has half as many at least."""
+"""Lines longer than this (in characters) are cut; a piece has at least half as many."""
 _CUT = re.compile(r"[, \t}\])]")
 
 
 class TextSheet:
-    """The pieces of one text, as many as the widget has blocks. Columns are those shown."""
+    """The pieces of one text, one for each block of the widget. Columns are those shown."""
 
     def __init__(self, text: str = "") -> None:
         self.pieces: list[str] = cut(text)
@@ -47,11 +46,11 @@ class TextSheet:
 
     @property
     def shown(self) -> str:
-        """The whole of what is shown."""
+        """The whole shown text."""
         return "\n".join(self.shown_lines(0, len(self.pieces) - 1))
 
     def shown_piece(self, at: int) -> str:
-        """What is shown of one piece, without a line end."""
+        """What is shown of one piece, without its line end."""
         return shown(self.pieces[at], at == 0).removesuffix("\n")
 
     def shown_lines(self, first: int, last: int) -> list[str]:
@@ -59,17 +58,17 @@ class TextSheet:
         return [self.shown_piece(at) for at in range(first, last + 1)]
 
     def where(self, offset: int) -> tuple[int, int]:
-        """The piece and the column at which an offset in the text is shown."""
+        """The piece and column at which an offset of the exact text is shown."""
         at = self._piece_at(offset)
         return at, shown_column(self.pieces[at], offset - self._start_of(at), at == 0)
 
     def offset(self, at: int, column: int) -> int:
-        """The offset in the text of a column of a piece."""
+        """The offset in the exact text of a column of a piece."""
         at = max(0, min(at, len(self.pieces) - 1))
         return self._start_of(at) + exact_column(self.pieces[at], column, at == 0)
 
     def line_of(self, at: int) -> int:
-        """The line of the text, from 0, that a piece belongs to."""
+        """The line of the text, from 0, to which a piece belongs."""
         return self._line_numbers()[at] if self._cuts else at
 
     def piece_of(self, line: int) -> int:
@@ -79,14 +78,14 @@ class TextSheet:
         return max(0, min(line, len(self.pieces) - 1))
 
     def begins_line(self, at: int) -> bool:
-        """Whether a piece begins a line; it does not where a long line was cut."""
+        """Whether a piece begins a line; false for the later pieces of a line that was cut."""
         return at == 0 or not self._cuts or self.pieces[at - 1].endswith("\n")
 
     def typed(self, first: int, last: int, lines: Sequence[str], column: int) -> bool:
-        """Pieces ``first`` to ``last`` are shown as these lines now; whether that changed the text.
+        """Take over that the pieces ``first`` to ``last`` are now shown as these lines.
 
-        What was typed stands at ``column`` of ``first`` or behind it; what is shown as it was
-        keeps its exact spelling.
+        The change is at ``column`` of ``first`` or later. Unchanged parts keep their exact
+        characters. Returns whether the exact text has changed.
         """
         old, new = "\n".join(self.shown_lines(first, last)), "\n".join(lines)
         if old == new:
@@ -107,9 +106,10 @@ class TextSheet:
         return gone != "".join(fresh)
 
     def put(self, start: int, end: int, part: str) -> tuple[int, list[str], list[str]]:
-        """Replace what stands between two offsets by ``part``.
+        """Replace the text between two offsets with ``part``.
 
-        The first piece that changed, what was shown from there on, and what is shown now.
+        Returns the first piece that changed, the lines shown from there before, and the lines shown
+        now.
         """
         first, last = self._piece_at(start), self._piece_at(end)
         before, base = self.pieces[first : last + 1], self._start_of(first)
@@ -122,7 +122,8 @@ class TextSheet:
         return first, old, self.shown_lines(first, first + len(fresh) - 1)
 
     def _walk(self, at: int, count: int) -> tuple[int, int]:
-        """The piece, and the exact column in it, ``count`` shown characters behind a piece."""
+        """The piece, and the exact column in it, ``count`` shown characters after the start of a
+        piece."""
         while count > len(line := self.shown_piece(at)):
             count -= len(line) + 1
             at += 1
@@ -152,7 +153,7 @@ class TextSheet:
 
 
 def cut(text: str) -> list[str]:
-    """A text as pieces: its lines, the long ones cut behind a comma, a bracket or white space."""
+    """The pieces of a text: its lines; long lines are cut after a comma, bracket or white space."""
     lines = [line + "\n" for line in text.split("\n")]
     lines[-1] = lines[-1][:-1]
     if len(text) <= LONG or max(map(len, lines)) <= LONG:
@@ -179,10 +180,10 @@ def _has_cuts(pieces: Sequence[str]) -> bool:
 
 
 def _spelt(piece: str, line: str, first: bool) -> str:
-    """The piece so that it is shown as the line.
+    """The exact piece that is shown as this line.
 
-    A lone CR must not become part of a line end. A character like a BOM that comes to stand at the
-    beginning of the file stays visible behind a BOM.
+    A lone CR must not become part of a line end. A BOM typed at the beginning of the file stays
+    visible, after a real BOM.
     """
     if first and line.startswith(BOM) and not piece.startswith(2 * BOM):
         piece = BOM + piece

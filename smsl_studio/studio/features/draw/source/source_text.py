@@ -1,4 +1,4 @@
-"""SourceText: the text that a pane shows, as those know it who mark it and repair it."""
+"""The text of a source pane, as the parts that mark it and repair it see it."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from smsl_studio.studio.features.draw.source.typed_text import TypedText
 
 
 class SourceText(Protocol):
-    """One file's text in its editor, and what is done with it."""
+    """The text of one file in its editor, and the parts around it. ``SourcePane`` implements it."""
 
     @property
     def editor(self) -> Editor:
-        """The text in its widget."""
+        """The text widget."""
 
     @property
     def find_bar(self) -> FindBar:
@@ -24,11 +24,11 @@ class SourceText(Protocol):
 
     @property
     def folding(self) -> FoldVerbs:
-        """What folds and unfolds lines of the text."""
+        """Folds and unfolds lines of the text."""
 
     @property
     def typing(self) -> TypedText:
-        """What makes steps of the history of what is typed."""
+        """Turns typed text into steps of the history."""
 
     @property
     def file(self) -> str:
@@ -36,26 +36,26 @@ class SourceText(Protocol):
 
     @property
     def current(self) -> bool:
-        """Whether what is shown is the file that is to be shown."""
+        """Whether the shown file is the one that should be shown."""
 
     @property
     def elements(self) -> Elements:
-        """Where the elements of the shown text stand."""
+        """Finds the elements in the text that is shown."""
 
     def isVisible(self) -> bool:
         """Whether the text is shown."""
 
     def settle(self) -> None:
-        """Take over what was typed, if anything was."""
+        """Take over the typed text now, if there is any."""
 
     def show_fault(self) -> None:
-        """Show the first place at which the text does not read."""
+        """Go to the first fault of the broken text."""
 
     def undo(self) -> None:
         """Undo the last step, wherever it was made."""
 
     def redo(self) -> None:
-        """Do the step again that was undone last."""
+        """Redo the step that was undone last."""
 
     def leave(self, onwards: bool) -> None:
-        """Give the focus to what comes after the text, or before it."""
+        """Give the keyboard focus to the widget after the text, or before it."""

@@ -1,4 +1,4 @@
-"""The lines above and below the text: which file it is, what YAML is like, why it does not read."""
+"""The strips above and below the text: the choice of files, the note on YAML, the faults."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ SALVAGED = "the graph is what could be read"
 
 
 class FileRow(QWidget):
-    """A choice among the files of a blueprint; it takes no space where there is only one."""
+    """The choice among the files of a blueprint; hidden if there is only one.
+
+    ``chosen`` carries the file.
+    """
 
     chosen = Signal(str)
 
@@ -39,7 +42,7 @@ class FileRow(QWidget):
         self.hide()
 
     def show_files(self, files: Sequence[str], shown: str) -> None:
-        """Offer these files, by their names; the folder is said in the tooltip."""
+        """Offer these files by their names; the tooltip shows the folder."""
         known = [self.choice.itemData(at) for at in range(self.choice.count())]
         if known != list(files):
             self.choice.clear()
@@ -51,7 +54,7 @@ class FileRow(QWidget):
 
 
 class Strip(QFrame):
-    """One line that says something, and the buttons for what can be done about it."""
+    """One sentence with an icon, and the buttons for what can be done about it."""
 
     def __init__(self, icon: str, name: str) -> None:
         super().__init__()
@@ -74,24 +77,27 @@ class Strip(QFrame):
         self.hide()
 
     def button(self, words: str, role: str = "row") -> QPushButton:
-        """Another button at the end."""
+        """Add a button at the end."""
         made = QPushButton(words)
         made.setProperty("role", role)
         self.buttons.addWidget(made)
         return made
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Paint the icon in the colours of another theme."""
+        """Use the colours of another theme for the icon."""
         colour = tokens.bad if self._icon == "error" else tokens.risk
         self._mark.setPixmap(pixmap(self._icon, colour, tokens.surf, 14, self.devicePixelRatioF()))
 
     def minimumSizeHint(self) -> QSize:
-        """120 pixels wide: the sentence is shortened."""
+        """At least 120 pixels wide: the sentence wraps."""
         return QSize(120, super().minimumSizeHint().height())
 
 
 class FaultStrip(Strip):
-    """Says why the text does not read, and which graph is shown instead."""
+    """Says why the text cannot be read, and which graph is shown instead.
+
+    ``show_wanted`` and ``fix_wanted``: the person pressed this button.
+    """
 
     show_wanted, fix_wanted = Signal(), Signal()
 
@@ -104,7 +110,7 @@ class FaultStrip(Strip):
         self.fix_button.clicked.connect(self.fix_wanted)
 
     def show_faults(self, error: ReadError | None, file: str, salvaged: bool) -> None:
-        """Say how many faults there are and what the first one is; nothing where there is none."""
+        """Say how many faults there are and what the first one is; hidden for None."""
         self.setVisible(error is not None)
         if error is None:
             return
@@ -117,14 +123,14 @@ class FaultStrip(Strip):
         first = next((fault for fault in error.faults if fault.fix), None)
         fix = first.fix if first else None
         line = first.place.line if first and first.place else 0
-        # The sentence is about the first fault; a fix of another one says where it is.
+        # The sentence is about the first fault; a fix of another fault names its line.
         other = f"Line {line}: " if first is not error.faults[0] and line else ""
         self.fix_button.setVisible(fix is not None)
         self.fix_button.setText(as_it_is(f"{other}{fix.words}") if fix else "")
 
 
 class YamlStrip(Strip):
-    """Says, before a YAML file is first changed, what that does to it."""
+    """Warns before the first edit of a YAML file. ``agreed``: the person pressed “Edit anyway”."""
 
     agreed = Signal()
 

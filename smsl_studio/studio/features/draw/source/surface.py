@@ -1,6 +1,6 @@
-"""Surface: how a text is seen. Its rows and gutter, its colours and folds, how large it is.
+"""The look of the text: rows, gutter, colours, folds and font size.
 
-What the text is, and what changes it, is the editor's.
+``Editor`` adds the text itself and its changes.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class TextSurface(TextRows):
     """A text with its gutter, its colours and its folds."""
 
     reshaped = Signal()
-    """Lines stand elsewhere, or have other room."""
+    """Lines have moved, or the width for them has changed."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
@@ -32,7 +32,7 @@ class TextSurface(TextRows):
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.setFont(mono_font(SIZE))
         self.document().setDocumentMargin(2)
-        # Also where a line begins with a right-to-left name, its brackets stand in order.
+        # Keep brackets in order in lines that begin with a right-to-left name.
         option = self.document().defaultTextOption()
         option.setTextDirection(Qt.LayoutDirection.LeftToRight)
         self.document().setDefaultTextOption(option)
@@ -43,19 +43,19 @@ class TextSurface(TextRows):
         self.cursorPositionChanged.connect(self._keep_caret_out_of_folds)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.tokens = tokens
         self.colours.set_tokens(tokens)
         self.viewport().update()
         self.gutter.update()
 
     def set_form(self, form: str) -> None:
-        """The written form of the text."""
+        """Set the written form of the text (json, smsl or yaml)."""
         self.form = form
         self.colours.set_form(form)
 
     def fold(self, first: int, last: int) -> None:
-        """Fold some lines; a caret in them goes to the line before."""
+        """Fold some lines; a caret in them moves to the line before."""
         cursor = self.textCursor()
         blocks = [self.document().findBlock(at).blockNumber()
                   for at in (cursor.selectionStart(), cursor.selectionEnd())]  # fmt: skip
@@ -66,7 +66,7 @@ class TextSurface(TextRows):
         self.folds.fold(first, last)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Colour the blocks that are in view, then paint the text and the folds."""
+        """Colour the visible blocks, then paint the text and the folds."""
         high = max(1, int(self.fontMetrics().height()))
         self.colours.dress(self.firstVisibleBlock(), self.viewport().height() // high + 2)
         super().paintEvent(event)
@@ -89,7 +89,7 @@ class TextSurface(TextRows):
         painter.end()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """With Ctrl make the text larger or smaller, else scroll."""
+        """With Ctrl, change the font size; else scroll."""
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             step = (event.angleDelta().y() > 0) - (event.angleDelta().y() < 0)
             self._size = max(SMALLEST, min(LARGEST, self._size + step))
@@ -100,7 +100,7 @@ class TextSurface(TextRows):
         super().wheelEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the gutter at its place again."""
+        """Place the gutter again."""
         super().resizeEvent(event)
         self._place_gutter()
 
@@ -118,7 +118,7 @@ class TextSurface(TextRows):
             self.gutter.update(0, rect.y(), self.gutter.width(), rect.height())
 
     def _keep_caret_out_of_folds(self) -> None:
-        """The caret passes over a fold as over one line."""
+        """Move the caret over a fold as over one line."""
         line, before = self.textCursor().blockNumber(), self._caret_line
         fold = self.folds.at(line)
         if fold is not None:

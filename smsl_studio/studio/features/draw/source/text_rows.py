@@ -1,4 +1,4 @@
-"""TextRows: a text widget without lines that wrap, and where its rows stand."""
+"""A text widget without line wrapping that knows the positions of its rows."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.studio.features.draw.source.sheet import TextSheet
 
 
 class TextRows(QPlainTextEdit):
-    """The rows that are seen of a text. Lines are those shown, counted from 0."""
+    """The visible rows of a text. Lines are those shown, counted from 0."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -21,7 +21,7 @@ class TextRows(QPlainTextEdit):
         self.folds = Folds(self)
 
     def rows(self) -> Iterator[tuple[int, float, float]]:
-        """The lines in view: number, top and height in pixels."""
+        """The lines in view: (line, top, height), in pixels of the viewport."""
         block = self.firstVisibleBlock()
         top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
         while block.isValid() and top <= self.viewport().height():
@@ -32,5 +32,5 @@ class TextRows(QPlainTextEdit):
             block = block.next()
 
     def row_at(self, y: float) -> int | None:
-        """The line at a height in pixels."""
+        """The line at a height in pixels, or None."""
         return next((line for line, top, high in self.rows() if top <= y < top + high), None)

@@ -1,6 +1,6 @@
-"""Typing: what is being typed becomes a step of the history after a short pause, or at once.
+"""Turns typed text into a step of the history, after a short pause or at once.
 
-A large text is read beside the window's own thread; what was typed meanwhile is read again.
+A worker thread reads a large text. If it was changed meanwhile, it is read again.
 """
 
 from __future__ import annotations
@@ -16,13 +16,16 @@ from smsl_studio.studio.document.broken import Reading, read_text
 from smsl_studio.studio.document.session import Session
 
 PAUSE = 300
-"""Milliseconds without a key after which the text is read."""
+"""Milliseconds without a key before the text is read."""
 LARGE = 200_000
-"""Characters from which on it is read beside the window's own thread."""
+"""Texts with at least this many characters are read by a worker thread."""
 
 
 class TypedText(QObject):
-    """Holds what is typed until it is read. ``text`` gives it, ``file`` says whose it is."""
+    """Holds that something was typed, until the text is read.
+
+    ``text`` returns the text of the editor; ``file`` is its file.
+    """
 
     def __init__(self, session: Session, text: Callable[[], str], parent: QObject) -> None:
         super().__init__(parent)
@@ -41,31 +44,34 @@ class TypedText(QObject):
         return bool(self._words)
 
     def begin(self, words: str) -> None:
-        """Something was typed; ``words`` name the step, should it be the first of its burst."""
+        """Tell that something was typed.
+
+        ``words`` name the step if it is the first of its burst.
+        """
         self._words = self._words or words
         self._serial += 1
         self._timer.start()
 
     def settle(self) -> None:
-        """Take over now what was typed."""
+        """Take over the typed text now."""
         if self._words and self.file not in self._session.texts:
             self.forget()
         if self._words:
             self._take(read_text(self._session.blueprint, self.file, self._text()))
 
     def hurry(self) -> None:
-        """Take over what was typed as soon as can be, without keeping anybody waiting."""
+        """Take over the typed text as soon as possible, without blocking the window."""
         if self._words:
             self._timer.stop()
             self._paused()
 
     def forget(self) -> None:
-        """What was typed is no longer there."""
+        """Forget that something was typed."""
         self._timer.stop()
         self._words = ""
 
     def stop(self) -> None:
-        """The window is going away."""
+        """End all work, because the window closes."""
         self.forget()
         self._beside.stop()
 
