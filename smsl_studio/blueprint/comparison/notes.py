@@ -1,4 +1,4 @@
-"""Annotations of one SB on both sides, entry by entry and field by field."""
+"""Compares the annotations of one SB, entry by entry and field by field."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ Json = Any
 
 
 def compare_notes(pair: BranchSides) -> None:
-    """``_facts``, ``_states`` and ``_operations`` by what they say, every other field as a whole.
+    """Compare ``_facts``, ``_states`` and ``_operations`` by their meaning, and other fields as a
+    whole.
 
-    A default that is written out says nothing. An entry that does not fit counts as it is written.
+    An explicit default has no meaning. An entry that does not fit counts as it is written.
     """
     one, other = notes_meaning(pair.before), notes_meaning(pair.after)
     if one or other:
@@ -104,7 +105,9 @@ def _entry(
 
 
 def _goes_with_it(pair: BranchSides, table: str, keys: tuple[str, str], here: bool) -> bool:
-    """Whether an entry was added or removed with its element, whose own change is enough."""
+    """Return whether an entry was added or removed together with its element. The change of the
+    element is then sufficient.
+    """
     old, new = (
         None if table == "_facts" else _stands(side, _address(side.name, table, key))
         for side, key in zip((pair.before, pair.after), keys, strict=True)
@@ -113,7 +116,7 @@ def _goes_with_it(pair: BranchSides, table: str, keys: tuple[str, str], here: bo
 
 
 def _stands(branch: StateBranch, address: Address) -> bool | None:
-    """Whether a state or one operation is there; None for what is neither."""
+    """Return whether a state or one operation exists, None for another address."""
     if not address.state:
         return None
     operations = branch.table.get(address.state)
@@ -123,13 +126,15 @@ def _stands(branch: StateBranch, address: Address) -> bool | None:
 
 
 def _element(branch: StateBranch, table: str, key: str) -> Address:
-    """The element that an entry is about, where it is one that exists; else its SB."""
+    """Return the element of an entry if it exists, else its SB."""
     address = _address(branch.name, table, key)
     return address if _stands(branch, address) else branch.address
 
 
 def _address(branch: str, table: str, key: str) -> Address:
-    """The one state or operation an entry names, there or not; else its SB."""
+    """Return the state or the single operation of an entry, even if it does not exist, else its
+    SB.
+    """
     if table == "_states" and key:
         return Address(branch, key)
     if table == "_operations":
@@ -149,7 +154,7 @@ def _subject(pair: BranchSides, table: str, key: str) -> str:
 def _new_keys(
     pair: BranchSides, table: str, one: Mapping[str, Json], other: Mapping[str, Json]
 ) -> dict[str, str]:
-    """The later names of the elements that the entries of the earlier side are about."""
+    """Return the keys of the later side for the entries of the earlier one."""
     if table == "_facts":
         return {key: key for key in one}
     if table == "_states":
@@ -167,7 +172,7 @@ def _edge_key(pair: BranchSides, key: str) -> str:
 
 
 def _renamed_everywhere(pair: BranchSides, other: Mapping[str, Json]) -> dict[str, str]:
-    """The operation names that were renamed in the same way at every state."""
+    """Return the operation names that were renamed in the same way in every state."""
     found: dict[str, str] = {}
     for (_, old), new in pair.operations.items():
         found[old] = "" if found.get(old, new) != new else new
@@ -182,7 +187,7 @@ def _renamed_everywhere(pair: BranchSides, other: Mapping[str, Json]) -> dict[st
 
 
 def _mapped(pair: BranchSides, note: Json) -> Json:
-    """An entry of the earlier side, with the facts it requires as the later one calls them."""
+    """Return an entry of the earlier side, with required facts by their names on the later side."""
     if isinstance(note, dict) and isinstance(note.get("requires"), dict):
         requires = {pair.sides.fact(key): value for key, value in note["requires"].items()}
         return {**note, "requires": requires}
