@@ -1,1 +1,1 @@
-"""Text to Document and back: spelling only, without any loss."""
+"""From text to Document and back. This room knows only spelling, and loses nothing."""

@@ -1,4 +1,6 @@
-"""One document in another written form: the same values, and its comments where it can hold any."""
+"""Converts a document to another written form: the same values, with its comments if the form has
+any.
+"""
 
 from __future__ import annotations
 
@@ -11,16 +13,17 @@ from smsl_studio.smsl.forms import HOLD_COMMENTS, form_named
 
 @dataclass(frozen=True)
 class Converted:
-    """The document in its new form, and how many comments the form has no room for."""
+    """The document in its new form, and the number of comments that are lost."""
 
     document: Document
     comments_left: int = 0
 
 
 def convert(document: Document, form: str, file: str) -> Converted:
-    """A document under another name and in another form; in its own form, to the byte the same.
+    """Return a document under another name and in another form. In its own form the text stays the
+    same.
 
-    ConvertError, with a sentence that says why, where something in it has no spelling there.
+    ConvertError, with the reason, if the other form cannot express a part of it.
     """
     if form == document.form:
         return Converted(replace(document, file=file))
@@ -32,7 +35,9 @@ def convert(document: Document, form: str, file: str) -> Converted:
 
 
 def _must_be_single(document: Document, form: str) -> None:
-    """Refuse what is written twice: only the winner would be written, and the rest be lost."""
+    """Raise ConvertError for a key that is written twice, because only one value would be
+    written.
+    """
     for path, places in document.duplicates():
         raise ConvertError(
             f"{'/'.join(path)} is written {len(places)} times, and {WORDS[form]} would keep the "

@@ -1,4 +1,4 @@
-"""What a save needs of the disk: new files written whole, lasting names, locked folders."""
+"""Disk operations of a save: write new files completely, make names durable, and lock folders."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from smsl_studio.smsl.traits import Traits, give
 
 try:
     import fcntl
-except ImportError:  # a system without it holds nothing, and saves all the same
+except ImportError:  # without it no folder can be locked, and saving works all the same
     fcntl = None  # type: ignore[assignment]
 
 _CHUNK = 1 << 20
 _LONGEST = 120
-"""So many bytes of a name fit into that of a file beside it."""
+"""The largest number of bytes of a name that is part of the name of a file beside it."""
 
 _NAP = 0.02
 
 
 def short(name: str) -> str:
-    """A file's name, or a shorter one of its own where nothing could be added to it."""
+    """Return a file's name, or a shorter one if it is too long to be extended."""
     raw = os.fsencode(name)
     if len(raw) <= _LONGEST:
         return name
-    import hashlib  # seldom needed, and slow to load
+    import hashlib  # rarely needed, and slow to load
 
     return f"{name[:20]}~{hashlib.sha256(raw).hexdigest()[:20]}"
 
@@ -35,9 +35,9 @@ def short(name: str) -> str:
 def write_new(path: Path, raw: bytes, mode: int | Traits | None = None) -> None:
     """Write all bytes to a new file and wait until the disk has them.
 
-    A write may be short without an error (a full disk, a quota): what is missing is written
-    again, and a file of another length than its bytes is a failure. A file that is to have a
-    ``mode``, or all traits of another, can be read by nobody else until it has them.
+    A write may be short without an error (a full disk, a quota). Then the rest is written again,
+    and a wrong length at the end is an OSError. If the file gets a ``mode``, or the traits of
+    another file, nobody else can read it before.
     """
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     handle = os.open(path, flags, 0o666 if mode is None else 0o600)
@@ -60,8 +60,8 @@ def write_new(path: Path, raw: bytes, mode: int | Traits | None = None) -> None:
 
 
 def settle(folders: Iterable[Path]) -> None:
-    """Have the disk keep the new names. A system that cannot do this for a folder keeps them
-    anyway in its own time, and each file is whole under its old or its new bytes.
+    """Make the disk keep the new names. Some systems cannot do this for a folder. They keep the
+    names later, and each file then has its old or its new bytes, complete.
     """
     for folder in folders:
         with suppress(OSError):
@@ -74,10 +74,10 @@ def settle(folders: Iterable[Path]) -> None:
 
 @contextmanager
 def held(folders: Iterable[Path], patience: float = 0.0) -> Iterator[bool]:
-    """Lock folders for one save; False where another process has locked one of them.
+    """Lock folders for one save. The value is False if another process has locked one of them.
 
-    ``patience`` is how long (wall seconds) to wait for it. The hold ends with the process, however
-    it ends, and leaves nothing behind.
+    ``patience`` is the longest time to wait for it (wall seconds). The lock ends with the process
+    in any case, and leaves nothing behind.
     """
     wanted = list(dict.fromkeys(folders))
     last = time.monotonic() + patience
@@ -96,13 +96,13 @@ def _hold(folder: Path, stack: ExitStack) -> bool:
         return True
     try:
         handle = os.open(folder, os.O_RDONLY)
-    except PermissionError:  # a folder that may be written in, but not read
+    except PermissionError:  # a folder that can be written but not read
         return True
     stack.callback(os.close, handle)
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
-    except OSError:  # a file system that holds nothing
+    except OSError:  # a file system without locks
         return True
     return True

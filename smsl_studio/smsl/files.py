@@ -1,4 +1,4 @@
-"""Bytes in, bytes out: reading a file, and a save that is whole or not at all."""
+"""Reads files, and saves them completely or not at all."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 
 class Content(NamedTuple):
-    """What a file holds: the ``raw`` bytes that count, and what was ``seen`` at its path.
+    """The content of a file: the ``raw`` bytes that count, and the bytes ``seen`` at its path.
 
-    These are the same bytes, but where a save of several files has not come to its end: then the
-    bytes that count are those of the file ``stands_in``.
+    They differ only if a save of several files is not finished. Then the bytes that count are those
+    of the file ``stands_in``.
     """
 
     raw: bytes
@@ -34,24 +34,24 @@ class Content(NamedTuple):
 
 
 def read_document(path: str | os.PathLike[str]) -> Document:
-    """The document in a file; ReadError, with a place, where there is none.
+    """Return the document in a file. ReadError, with a place, if there is none.
 
-    Where a save of several files has been left unfinished, all of them read as they were before
-    it, or all as they are after it (see ``pending_saves``): ``stands_in`` tells of it.
+    If a save of several files is not finished, all of them are read as before it, or all as after
+    it (see ``pending_saves``). ``stands_in`` names the file with the new text.
     """
     return document_of(read_content(path), os.fspath(path))
 
 
 def document_of(content: Content, file: str) -> Document:
-    """The document in what a file holds; ReadError where there is none."""
+    """Return the document in the content of a file. ReadError if there is none."""
     document = parse_bytes(content.raw, file)
     return replace(document, stands_in=content.stands_in) if content.stands_in else document
 
 
 def read_content(path: str | os.PathLike[str], inside: str = "") -> Content:
-    """What an ordinary file holds; ReadError where it cannot be read.
+    """Return the content of an ordinary file. ReadError if it cannot be read.
 
-    ``inside``: ``path`` is a real path below that folder (see ``inputs``).
+    With ``inside``, ``path`` is a real path below that folder (see ``inputs``).
     """
     try:
         return content_of(path, inside)
@@ -65,9 +65,10 @@ def read_content(path: str | os.PathLike[str], inside: str = "") -> Content:
 
 
 def content_of(path: str | os.PathLike[str], inside: str = "") -> Content:
-    """Like ``read_content``; OSError or ValueError where the file cannot be read.
+    """Return the same as ``read_content``. OSError or ValueError if the file cannot be read.
 
-    Of a file that is too large, a little more than the most: whoever reads on says so.
+    Of a file that is too large, slightly more bytes than the limit are read, so that readers notice
+    it.
     """
     real = Path(path if inside else os.path.realpath(path))
     for _ in range(2):
@@ -77,7 +78,7 @@ def content_of(path: str | os.PathLike[str], inside: str = "") -> Content:
             seen = read_ordinary(path, LARGEST_FILE, inside)
         if pending is None or pending[0].untouched:
             break
-        # The new bytes have taken their place in the meantime.
+        # The new bytes have replaced the file in the meantime.
     if pending is None:
         return Content(seen.raw, seen)
     file, raw = pending
@@ -85,11 +86,13 @@ def content_of(path: str | os.PathLike[str], inside: str = "") -> Content:
 
 
 def _pending_at(real: Path) -> tuple[PendingFile, bytes] | None:
-    """See ``pending_saves``; nearly always no save of this user waits for its end."""
+    """Return the new bytes for a path (see ``pending_saves``). Nearly always no save is
+    unfinished.
+    """
     try:
         if not os.path.lexists(saving_folder()):
             return None
-    except OSError:  # nobody knows in which folder this program runs
+    except OSError:  # the current folder is not known
         return None
     from smsl_studio.smsl.pending_saves import pending_at
 
@@ -97,15 +100,16 @@ def _pending_at(real: Path) -> tuple[PendingFile, bytes] | None:
 
 
 def parse_bytes(raw: bytes, file: str) -> Document:
-    """The document in the bytes of a file; ``file`` is the name that messages show.
+    """Return the document in the bytes of a file. ``file`` is the name in messages.
 
-    Its form is told by the suffix of ``file``, else by how the text begins.
+    The form is known from the suffix of ``file``, or else from the beginning of the text. ReadError
+    if the bytes are not in this form.
     """
     return parse_text(_text_of(raw, file), file)
 
 
 def text_of(content: Content, file: str) -> str:
-    """The text of what a file holds, whatever it says; ReadError where it is none."""
+    """Return the text of a file. ReadError if it is too large or not UTF-8."""
     return _text_of(content.raw, file)
 
 
@@ -120,7 +124,7 @@ def _text_of(raw: bytes, file: str) -> str:
 
 
 def parse_text(text: str, file: str) -> Document:
-    """The document in the text of a file; see ``parse_bytes``."""
+    """Return the document in the text of a file (see ``parse_bytes``)."""
     with uncollected():
         return form_named(form_of(file, text)).parse(text, file)
 
@@ -131,23 +135,23 @@ def save_document(
     over: Seen | None = None,
     made_of: Inputs = (),
 ) -> None:
-    """Write the bytes of a document (or a plain text, or bytes) to ``path``, whole or not at all.
+    """Write a document (or a text, or bytes) to ``path``, completely or not at all.
 
-    The bytes go to a new file in the same folder, which takes the place of the old one only when
-    its length is right and the disk has it. SaveError where that fails: the old file still
-    stands. A symbolic link keeps pointing, and the file behind it keeps its mode.
+    The bytes go to a new file in the same folder. It replaces the old one only after its length was
+    checked and the disk has it. SaveError if that fails; then the old file is unchanged. A symbolic
+    link stays, and the file behind it keeps its mode.
 
-    ``over`` is what was seen at ``path`` when it was read: where something else stands there by
-    now, FileChanged. ``made_of`` are the files that an output was made of: UsageError where
-    ``path`` leads to one of them.
+    ``over`` is what was seen at ``path`` when it was read. FileChanged if there is something else
+    now. ``made_of`` are the files that an output was made of. UsageError if ``path`` leads to one
+    of them.
     """
-    # Most commands only read.
+    # Most commands only read, so these are loaded here.
     from smsl_studio.smsl.disk import settle
     from smsl_studio.smsl.outputs import refuse_inputs, replace_file
 
     shown = os.fspath(path)
     try:
-        # What is put under the name from here on is not followed any more.
+        # A link that is put at this name from now on is not followed.
         target = Path(os.path.realpath(path))
         if made_of:
             refuse_inputs(target, shown, made_of)
@@ -161,7 +165,7 @@ def save_document(
 
 
 def bytes_to_save(document: Document | str | bytes) -> bytes:
-    """The bytes of a document or of a plain text; ValueError where it has none."""
+    """Return the bytes of a document or a text. ValueError if it has half a surrogate pair."""
     if isinstance(document, bytes):
         return document
     try:

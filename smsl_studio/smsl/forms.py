@@ -1,6 +1,6 @@
-"""The written forms, and which one a text is in.
+"""The written forms, and the form of a text.
 
-A form is a package whose functions are its doors; one that is not needed is not loaded.
+A form is a package with the functions of ``Form``. It is loaded when it is first needed.
 """
 
 from __future__ import annotations
@@ -20,48 +20,51 @@ Json = Any
 
 SUFFIXES = {".json": "json", ".smsl": "smsl", ".yaml": "yaml", ".yml": "yaml"}
 HOLD_COMMENTS = ("smsl", "yaml")
-"""The forms that have comments."""
+"""The forms with comments."""
 
 
 class Form(Protocol):
-    """The functions that every form has."""
+    """The functions of every form."""
 
     def parse(self, text: str, file: str) -> Document:
-        """Read a text; ReadError (with all its faults) where it is not in this form."""
+        """Read a text. ReadError, with all its faults, if it is not in this form."""
 
     def recover(self, text: str, file: str) -> Document:
-        """A document of its own with everything that could be read of a faulty text."""
+        """Return a new document with everything that could be read of a faulty text."""
 
     def form_within(self, text: str) -> str:
-        """The other form in which a faulty text clearly is; the empty text where it is in none."""
+        """Return the other form in which a faulty text clearly is, or the empty text."""
 
     def write(self, values: Mapping[str, Json], comments: Comments | None = None) -> str:
-        """Values as a new text in the canonical layout; ConvertError for what has no spelling.
+        """Return values as a new text in the canonical layout. ConvertError if the form cannot
+        express them.
 
-        Comments stand with what they belong to, where the form has any (see ``HOLD_COMMENTS``).
+        Comments are written with their elements if the form has comments (see ``HOLD_COMMENTS``).
         """
 
     def comments_in(self, document: Document) -> Comments:
-        """The comments of a document, by what they belong to."""
+        """Return the comments of a document with their elements."""
 
     def reconcile(self, document: Document, values: Mapping[str, Json]) -> Document:
-        """A document that reads to ``values``; see ``splice``."""
+        """Return a document with ``values`` (see ``splice``)."""
 
     def keep_winner(self, document: Document, path: Path) -> Document:
-        """The document with a doubled key written once; see ``splice``."""
+        """Return the document with a doubled key written once (see ``splice``)."""
 
     def tidy(self, document: Document) -> Document:
-        """The document in the canonical layout: comments, ``_`` fields and order kept."""
+        """Return the document in the canonical layout, with its comments, ``_`` fields and
+        order.
+        """
 
 
 def form_of(file: str, text: str) -> str:
-    """The name of the form of a file: by its suffix, else by how the text begins."""
+    """Return the name of the form of a file, by its suffix, else by the beginning of the text."""
     suffix = PurePath(file).suffix.lower()
     return SUFFIXES.get(suffix) or _looks_like(text)
 
 
 def form_named(name: str) -> Form:
-    """The functions of a form; KeyError for a name that no form has."""
+    """Return the functions of a form. KeyError for an unknown name."""
     if name == "json":
         from smsl_studio.smsl import json_form
 
@@ -78,9 +81,9 @@ def form_named(name: str) -> Form:
 
 
 def recovered(text: str, file: str) -> Document:
-    """A document of its own with everything that could be read of a faulty text.
+    """Return a new document with everything that could be read of a faulty text.
 
-    Where the text is clearly in another form than its name says, it is what can be read there.
+    If the text is clearly in another form than its name says, it is read in that form.
     """
     own = form_named(form_of(file, text))
     other = own.form_within(text)
@@ -88,7 +91,7 @@ def recovered(text: str, file: str) -> Document:
         try:
             return own.parse(own.write(form_named(other).recover(text, file).values), file)
         except (ConvertError, ValueError):
-            pass  # There is something in it that has no spelling here.
+            pass  # This form cannot express a part of it.
     return own.recover(text, file)
 
 

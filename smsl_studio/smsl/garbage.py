@@ -1,7 +1,7 @@
-"""Python's garbage collector, told to wait while very many objects are made that all stay.
+"""Switches Python's garbage collector off while very many lasting objects are made.
 
-It looks through everything that lives again and again while a large file is read, and finds
-nothing: without that, reading a megabyte of YAML takes two thirds of the time.
+While a large file is read, the collector searches all objects again and again, and finds nothing.
+Without it, reading a megabyte of YAML takes two thirds of the time.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from threading import Lock
 
 
 class _Collector:
-    """How many are waiting for the collector to stay away."""
+    """Counts how many blocks need the collector switched off."""
 
     def __init__(self) -> None:
         self._lock = Lock()
         self._waiting = 0
 
     def leave(self) -> bool:
-        """Switch it off; False where somebody else had done so."""
+        """Switch the collector off. False if somebody else had switched it off."""
         with self._lock:
             if not self._waiting and not gc.isenabled():
                 return False
@@ -29,7 +29,7 @@ class _Collector:
             return True
 
     def come_back(self) -> None:
-        """Switch it on again, when this was the last that had it switched off."""
+        """Switch it on again, if no other block needs it off."""
         with self._lock:
             self._waiting -= 1
             if not self._waiting:
@@ -41,9 +41,10 @@ _COLLECTOR = _Collector()
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Switch collection off for a block; threads may use it at once, and blocks may be nested.
+    """Switch the collector off for a block. Threads may use it at the same time, and blocks may be
+    nested.
 
-    Where the collector was switched off before, it stays so.
+    If the collector was off before, it stays off.
     """
     switched = _COLLECTOR.leave()
     try:

@@ -1,7 +1,8 @@
-"""Opening files to read them: ordinary files alone, so that nobody waits and nothing happens.
+"""Opens files for reading. Only ordinary files are opened, so that no read blocks or has other
+effects.
 
-A device or a named pipe may have no end, may keep a reader waiting for ever, and may act when it is
-opened. The one exception is a pipe without a name, such as a shell makes for ``<(command)``: only
+A device or a named pipe may have no end, may block a reader for ever, and may act when it is
+opened. The one exception is a pipe without a name, such as that of ``<(command)`` in a shell: only
 the person who started the program can have given it. All errors here are OSErrors.
 """
 
@@ -23,11 +24,10 @@ _TRIES = 3
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """What stood at a path at one moment: which file it was, and its bytes.
+    """The file at a path at one moment: its identity and its bytes.
 
-    Of a file that is larger than was asked for, ``raw`` is its beginning. ``changed`` is when the
-    file was last changed in any way, in nanoseconds; two files of the same bytes are the same
-    whenever that was.
+    If the file is larger than the limit, ``raw`` is its beginning. ``changed`` is the time of its
+    last change of any kind (nanoseconds). It does not count when two objects are compared.
     """
 
     device: int
@@ -36,7 +36,7 @@ class Seen:
     changed: int = field(default=0, compare=False)
 
     def still_at(self, path: str) -> bool:
-        """Whether nothing has happened to it since; a quick look that reads nothing."""
+        """Return whether nothing has happened to the file since then. This reads no bytes."""
         try:
             now = os.lstat(path)
         except FileNotFoundError:
@@ -45,20 +45,20 @@ class Seen:
 
 
 NOTHING = Seen(0, 0, b"")
-"""No file stood there."""
+"""There was no file."""
 
 
 def open_ordinary(path: str | os.PathLike[str], inside: str = "") -> int:
-    """Open an ordinary file to read it; the handle is the caller's to close.
+    """Open an ordinary file for reading. The caller must close the handle.
 
-    With ``inside`` (a real path), ``path`` is a real path below that folder, and no link is
-    followed on the way from there: whatever is exchanged in the meantime, what is opened lies
-    below the folder.
+    With ``inside`` (a real path), ``path`` is a real path below that folder, and no link from there
+    on is followed. So the opened file is below the folder, whatever is exchanged in the meantime.
     """
     if inside:
         handle = _open_inside(inside, os.fspath(path))
     else:
-        _must_be_ordinary(os.stat(path), path)  # noqa: PTH116 -- not opened: that may act already
+        # Opening may act already, so this comes first.
+        _must_be_ordinary(os.stat(path), path)  # noqa: PTH116
         handle = os.open(path, _READ)
     try:
         found = os.fstat(handle)
@@ -72,9 +72,9 @@ def open_ordinary(path: str | os.PathLike[str], inside: str = "") -> int:
 
 
 def read_ordinary(path: str | os.PathLike[str], most: int, inside: str = "") -> Seen:
-    """The bytes of an ordinary file, one more than ``most`` at most; see ``open_ordinary``.
+    """Return the bytes of an ordinary file, at most one more than ``most`` (see ``open_ordinary``).
 
-    A file that somebody writes meanwhile is read again, because half of it may be the former one.
+    If somebody writes the file meanwhile, it is read again, because the bytes may be mixed.
     """
     for _ in range(_TRIES):
         handle = open_ordinary(path, inside)
@@ -89,7 +89,7 @@ def read_ordinary(path: str | os.PathLike[str], most: int, inside: str = "") -> 
 
 
 def seen_at(path: str | os.PathLike[str], most: int) -> Seen:
-    """What stands at a path, ``NOTHING`` where there is no file."""
+    """Return the file at a path, or ``NOTHING`` if there is none."""
     try:
         return read_ordinary(path, most)
     except FileNotFoundError:
@@ -123,7 +123,7 @@ def _must_be_ordinary(found: os.stat_result, path: str | os.PathLike[str]) -> No
 
 
 def _is_nameless(path: str) -> bool:
-    """Whether a pipe stands in no folder, but only in the list of what a process has open."""
+    """Return whether a pipe is in no folder, and only among the open files of a process."""
     return path.startswith("/dev/fd/") or not os.path.exists(os.path.realpath(path))  # noqa: PTH110
 
 
@@ -136,9 +136,9 @@ def _read(handle: int, most: int) -> bytes:
 
 
 def _is_whole(before: os.stat_result, after: os.stat_result, length: int, most: int) -> bool:
-    """Whether a file stayed the same while so many bytes of it were read.
+    """Return whether a file has not changed while its bytes were read.
 
-    Some files of the system say that they have no size.
+    Some files of the system have size 0 although they have bytes.
     """
     if not stat.S_ISREG(before.st_mode):
         return True

@@ -1,7 +1,7 @@
-"""Writing files: which may be replaced, and only where they did not change meanwhile.
+"""Writes files: which may be replaced, and only if they have not changed meanwhile.
 
-An output is an ordinary file. It is none of the files that it was made of, under whatever name,
-and where it is a link the file behind it is of the same kind.
+An output is an ordinary file. It must not be one of the files that it was made of, under any name.
+If it is a link, the file behind it must be of the same kind.
 """
 
 from __future__ import annotations
@@ -22,15 +22,14 @@ from smsl_studio.smsl.traits import traits_of
 _APPEND = os.O_WRONLY | os.O_APPEND | os.O_CREAT
 _CAREFUL = ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY", "O_NOCTTY")
 Inputs = Iterable[str | int]
-"""Files that were read: their names, or the numbers of what is open, such as 0."""
+"""Files that were read: their names, or numbers of open files, such as 0."""
 
 
 def replace_file(target: Path, raw: bytes, over: Seen | None, shown: str) -> None:
-    """Put these bytes at ``target`` (a real path): whole, or OSError and what stood there stays.
+    """Write these bytes to ``target`` (a real path), completely or not at all (OSError).
 
-    ``over`` is what stands there as the writer has seen it; where it is another file, or holds
-    other bytes, right before it would be replaced, FileChanged with the name ``shown``. None
-    replaces whatever stands there.
+    ``over`` is the file that the writer has seen there. FileChanged, with the name ``shown``, if
+    another file or other bytes are there right before the replacement. None replaces any file.
     """
     traits = traits_of(target)
     fresh = target.with_name(f".{short(target.name)}.{os.urandom(6).hex()}.part")
@@ -44,10 +43,10 @@ def replace_file(target: Path, raw: bytes, over: Seen | None, shown: str) -> Non
 
 
 def put(fresh: Path, target: Path, over: Seen | None, shown: str) -> None:
-    """Let a new file take the place of what stands at ``target``.
+    """Let a new file replace the file at ``target``.
 
-    FileChanged where that is not ``over``. Compared are the bytes, and then, in the last moment,
-    whether anything has happened to the file since they were read.
+    FileChanged if that is not ``over``. The bytes are compared first. At the last moment it is
+    checked that nothing has happened to the file since they were read.
     """
     if over is None:
         fresh.replace(target)
@@ -55,14 +54,14 @@ def put(fresh: Path, target: Path, over: Seen | None, shown: str) -> None:
     now = seen_at(target, LARGEST_FILE)
     source, goal = os.fspath(fresh), os.fspath(target)
     if now == over and now.still_at(goal):
-        os.replace(source, goal)  # noqa: PTH105 -- nothing may come in between
+        os.replace(source, goal)  # noqa: PTH105 -- right after the check
     else:
         raise FileChanged(shown)
 
 
 def refuse_inputs(target: Path, shown: str, inputs: Inputs) -> None:
-    """UsageError where an output (its real path, and its name) is one of the files that it was
-    made of, or its name is a link to a file of another kind.
+    """Raise UsageError if an output (its real path, and its name) is one of the files that it was
+    made of, or if its name is a link to a file of another kind.
     """
     for one in inputs:
         with suppress(OSError, ValueError):
@@ -80,10 +79,9 @@ def refuse_inputs(target: Path, shown: str, inputs: Inputs) -> None:
 
 
 def open_new(path: Path) -> BinaryIO:
-    """Open an ordinary file for appending that is new, or stands there and is empty.
+    """Open a file for appending that is new, or ordinary and empty.
 
-    UsageError where something else stands there: no link is followed. OSError where it cannot be
-    opened.
+    UsageError if anything else is there; no link is followed. OSError if it cannot be opened.
     """
     with suppress(FileNotFoundError):
         _must_be_empty(path.lstat(), path)

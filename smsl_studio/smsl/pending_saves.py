@@ -1,11 +1,10 @@
-"""Saves of several files that have begun and not ended: which bytes of a file count.
+"""Unfinished saves of several files: which bytes of a file count.
 
-A save keeps a record in the user's folder, in ``saving/``: for each file where it stands, what it
-held before and what it is to hold, as digests. A record that ends in ``.draft`` says what may be
-cleared away. One that ends in ``.journal`` says that the new bytes count; they stand beside each
-file until they have taken its place. A record is believed only where nobody but the user can have
-written it, and bytes beside a file only where they have the digest that the record says. Nothing
-here writes.
+A save keeps a record in the folder ``saving/`` of the user. For each file it has the path, and the
+digests of the old and the new bytes. A record named ``.draft`` lists the files that may be removed.
+A record named ``.journal`` says that the new bytes count. They are in a file beside each old file
+until they replace it. A record is used only if nobody but the user can have written it. Bytes
+beside a file are used only if they have the digest in the record. This module writes nothing.
 """
 
 from __future__ import annotations
@@ -28,13 +27,15 @@ JOURNAL, DRAFT = ".journal", ".draft"
 _NAME = re.compile(r"(?P<token>[0-9a-f]{12})\.(?:journal|draft)")
 _DIGEST = re.compile(r"[0-9a-f]{64}")
 _LARGEST, _MOST_FILES, _MOST_RECORDS = 1 << 22, 10_000, 1000
-"""Bytes of a record, files of one, records: more than any save or crash leaves are not read."""
+"""The limits of a record's bytes, of its files, and of the records that are read. No save or crash
+leaves more.
+"""
 
 
 @dataclass(frozen=True)
 class PendingFile:
-    """One file of a save: ``before`` is the digest of what stood there (None: no file), ``after``
-    that of its new bytes.
+    """One file of a save. ``before`` is the digest of the old bytes (None: there was no file), and
+    ``after`` that of the new bytes.
     """
 
     target: Path
@@ -45,32 +46,32 @@ class PendingFile:
 
     @property
     def part(self) -> Path:
-        """The file that holds the new bytes until they take their place."""
+        """The file with the new bytes until they replace the old ones."""
         return self._beside("part")
 
     @property
     def old(self) -> Path:
-        """The file that keeps the former bytes as long as they may have to come back."""
+        """The file with the old bytes as long as they may be needed."""
         return self._beside("old")
 
     @property
     def untouched(self) -> bool:
-        """Whether what stood there before the save still does."""
+        """Whether the file still has its old bytes."""
         with suppress(OSError):
             return self.holds(self.before)
         return False
 
     def holds(self, digest: str | None) -> bool:
-        """Whether the file, which is no link by now, has this digest (None: is not there).
+        """Return whether the file is no link and has this digest (None: whether there is no file).
 
-        OSError where that cannot be seen.
+        OSError if that cannot be checked.
         """
         return os.path.realpath(self.target) == str(self.target) and (
             digest_at(self.target) == digest
         )
 
     def new_bytes(self) -> bytes | None:
-        """The new bytes, None where they do not stand beside the file as they were written."""
+        """Return the new bytes, None if they are not beside the file as they were written."""
         with suppress(OSError):
             raw = read_ordinary(self.part, LARGEST_FILE, str(self.part.parent)).raw
             return raw if digest_of_bytes(raw) == self.after else None
@@ -85,7 +86,7 @@ class PendingFile:
 
 @dataclass(frozen=True)
 class PendingSave:
-    """One save and its record; ``begun`` is when, in seconds since 1970."""
+    """One save and its record. ``begun`` is its time, in seconds since 1970."""
 
     record: Path
     files: tuple[PendingFile, ...]
@@ -98,28 +99,30 @@ class PendingSave:
 
     @property
     def counts(self) -> bool:
-        """Whether its new bytes count instead of the former ones."""
+        """Whether its new bytes count instead of the old ones."""
         return self.record.suffix == JOURNAL
 
     def renamed(self, suffix: str) -> PendingSave:
-        """The same save under another ending of its record's name."""
+        """Return the same save with another suffix of its record."""
         return PendingSave(self.record.with_suffix(suffix), self.files, self.begun)
 
     def encoded(self) -> bytes:
-        """What its record says."""
+        """Return the bytes of its record."""
         files = [[str(one.target), one.before, one.after] for one in self.files]
         return json.dumps({"smsl-studio": "saving", "files": files}).encode("ascii")
 
 
 def digest_of_bytes(raw: bytes) -> str:
-    """The SHA-256 of some bytes, in hex."""
-    import hashlib  # needed only where several files are saved, and slow to load
+    """Return the SHA-256 of some bytes, in hexadecimal."""
+    import hashlib  # needed only to save several files, and slow to load
 
     return hashlib.sha256(raw).hexdigest()
 
 
 def digest_at(target: Path) -> str | None:
-    """The digest of a file's bytes, None where there is no file; OSError where it has none."""
+    """Return the digest of a file's bytes, None if there is no file. OSError if it cannot be
+    read.
+    """
     import hashlib
 
     try:
@@ -131,7 +134,7 @@ def digest_at(target: Path) -> str | None:
 
 
 def pending_saves(suffix: str = JOURNAL) -> Iterator[PendingSave]:
-    """The saves of this user that have not ended; with ``DRAFT`` those that do not count."""
+    """Yield the unfinished saves of this user. With ``DRAFT``, yield those that do not count."""
     with suppress(OSError, ValueError):
         folder = saving_folder()
         if not is_safe(folder):
@@ -144,15 +147,15 @@ def pending_saves(suffix: str = JOURNAL) -> Iterator[PendingSave]:
 
 
 def is_safe(folder: Path) -> bool:
-    """Whether a folder is one, and nobody but the user can write in it."""
+    """Return whether this is a folder in which nobody but the user can write."""
     found = folder.lstat()
     return stat.S_ISDIR(found.st_mode) and is_private(found)
 
 
 def pending_at(target: Path) -> tuple[PendingFile, bytes] | None:
-    """The new bytes that count instead of what stands at ``target`` (a real path).
+    """Return the new bytes that count instead of those at ``target`` (a real path).
 
-    None where what stands there counts.
+    None if the bytes at ``target`` count.
     """
     for save in pending_saves():
         for file in save.files:
@@ -162,7 +165,9 @@ def pending_at(target: Path) -> tuple[PendingFile, bytes] | None:
 
 
 def _read(path: Path) -> PendingSave | None:
-    """The save of a record; None where it is none that this program has written for this user."""
+    """Return the save of a record. None if it is not a record that this program wrote for this
+    user.
+    """
     with suppress(OSError, ValueError, RecursionError):
         handle = open_ordinary(path, str(path.parent))
         with os.fdopen(handle, "rb") as stream:
@@ -176,7 +181,7 @@ def _read(path: Path) -> PendingSave | None:
 
 
 def _files(written: Any, token: str) -> list[PendingFile]:
-    """The files that a record lists; none at all where one of them makes no sense."""
+    """Return the files in a record. Empty if one of them is not valid."""
     listed = written.get("files") if isinstance(written, dict) else None
     if not isinstance(listed, list) or len(listed) > _MOST_FILES:
         return []
@@ -192,7 +197,7 @@ def _files(written: Any, token: str) -> list[PendingFile]:
 
 
 def _is_whole(target: Any) -> bool:
-    """Whether this is the name of a file from the root on."""
+    """Return whether this is an absolute, normalised name of a file."""
     if not isinstance(target, str) or "\0" in target or not Path(target).name:
         return False
     return Path(target).is_absolute() and os.path.normpath(target) == target

@@ -1,4 +1,4 @@
-"""Editing a document in any form: it gets other values, and only what differs is changed."""
+"""Edits a document in any form: it gets other values, and only the differences are changed."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ Json = Any
 
 
 def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
-    """A document that reads to ``values``, its text changed only at the elements that differ."""
+    """Return a document with ``values``. Its text is changed only at the elements that differ."""
     return form_named(document.form).reconcile(document, values)
 
 
 def keep_winner(document: Document, path: Path) -> Document:
-    """The document with the doubled key at ``path`` written once.
+    """Return the document with the doubled key at ``path`` written once.
 
-    The last, winning member takes the place of the first, because order has meaning: the
-    document reads to the same values in the same order. KeyError where no such key stands.
+    The last member counts. It takes the place of the first, because order has meaning: the values
+    and their order stay the same. KeyError if there is no such key.
     """
     return form_named(document.form).keep_winner(document, path)

@@ -1,12 +1,12 @@
-"""Saving several files: all or none, whatever happens in between.
+"""Saves several files: all or none, even if the process dies in between.
 
-1. A draft in the user's folder lists the files. What stands there now is kept beside each
+1. A draft in the user's folder lists the files. The old bytes are kept beside each file
    (``.old``), and all new bytes are written beside it (``.part``).
-2. The draft becomes a journal in one step: from here on the new bytes count.
-3. The parts take their places. The journal becomes a draft again, and all that is left goes.
+2. The draft becomes a journal in one step. From here on the new bytes count.
+3. The parts replace the files. The journal becomes a draft again, and all leftovers are removed.
 
-A process that dies in 1 leaves old bytes that count, in 2 and 3 new ones (see ``pending_saves``);
-``unfinished`` brings to its end what it left. The folders are held by who works in them.
+If the process dies in step 1, the old bytes count. In steps 2 and 3 the new bytes count (see
+``pending_saves``), and ``unfinished`` finishes the save. The folders are locked during the work.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ from smsl_studio.smsl.traits import traits_of
 from smsl_studio.smsl.unfinished import FRESH, bring_back, clear, clear_up, end, finish, keep
 
 PATIENCE = 5.0
-"""So long (wall seconds) a save waits for another one in the same folders."""
+"""The longest time (wall seconds) that a save waits for another one in the same folders."""
 
 Pairs = Sequence[tuple[Document | str, str | os.PathLike[str]]]
 
 
 @dataclass(frozen=True)
 class _SavedFile:
-    """One file of a save: its name as it was given, its real path, its new bytes, and what its
-    writer has seen there (None: whatever it is).
+    """One file of a save: its given name, its real path, its new bytes, and the file that its
+    writer has seen (None: any file).
     """
 
     shown: str
@@ -57,15 +57,15 @@ class _SavedFile:
 
 
 def save_together(pairs: Pairs, over: Mapping[str, Seen] | None = None) -> None:
-    """Write the bytes of several documents (or plain texts), each to its path: all or none.
+    """Write several documents (or texts), each to its path: all or none.
 
-    SaveError names the file that could not be written, and why; then every file is as it was.
-    Whoever reads them through ``read_document`` sees all new or all old bytes, also where this
-    process is killed. A symbolic link keeps pointing, and the file behind it keeps its mode.
+    SaveError names the file that could not be written, with the reason. Then every file is as
+    before. ``read_document`` finds all new or all old bytes, even if this process is killed. A
+    symbolic link stays, and the file behind it keeps its mode.
 
-    ``over`` has, by path, what was seen there when it was read: FileChanged where something else
-    stands at one of them right before it would be replaced. An earlier save of one of these files
-    that was left unfinished is brought to its end first.
+    ``over`` has, by path, what was seen there when it was read. FileChanged if something else is
+    there right before the replacement. An unfinished earlier save of one of these files is finished
+    first.
     """
     files = _files(pairs, over or {})
     if len(files) < 2:
@@ -87,7 +87,7 @@ def save_together(pairs: Pairs, over: Mapping[str, Seen] | None = None) -> None:
 
 
 def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_SavedFile]:
-    """The files to write, each once."""
+    """Return the files to write, each once."""
     files: dict[Path, _SavedFile] = {}
     for document, path in pairs:
         shown = os.fspath(path)
@@ -104,7 +104,7 @@ def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_SavedFile]:
 
 
 def _earlier(files: list[_SavedFile]) -> Iterator[PendingSave]:
-    """The saves of one of these files that have not come to their end."""
+    """Yield the unfinished saves of one of these files."""
     targets = {file.target for file in files}
     for save in pending_saves():
         if not targets.isdisjoint(file.target for file in save.files):
@@ -145,7 +145,7 @@ def _save(files: list[_SavedFile], folders: list[Path]) -> None:
 
 
 def _standing(file: _SavedFile) -> Seen:
-    """What stands where a file is to go; FileChanged where its writer has seen something else."""
+    """Return the file that is there now. FileChanged if its writer has seen another one."""
     traits_of(file.target)
     stood = seen_at(file.target, LARGEST_FILE)
     if len(stood.raw) > LARGEST_FILE:
@@ -156,8 +156,8 @@ def _standing(file: _SavedFile) -> Seen:
 
 
 def _records(shown: str) -> Path:
-    """The folder of this user's records, made where there is none; SaveError where it cannot be
-    used.
+    """Return the folder of this user's records, and create it if necessary. SaveError if it cannot
+    be used.
     """
     folder = saving_folder()
     try:
@@ -187,7 +187,7 @@ def _write_record(draft: PendingSave) -> None:
 
 
 def _prepare(file: _SavedFile, pending: PendingFile) -> None:
-    """Write what the save needs beside one file."""
+    """Write the old and the new bytes beside one file."""
     traits = traits_of(file.target)
     if traits is not None:
         keep(file.target, pending.old, traits)
@@ -195,7 +195,7 @@ def _prepare(file: _SavedFile, pending: PendingFile) -> None:
 
 
 def _undo(journal: PendingSave, file: _SavedFile, error: OSError | FileChanged) -> NoReturn:
-    """One part could not take its place: what stood there before comes back everywhere."""
+    """Bring back all old bytes, because one part could not replace its file."""
     try:
         bring_back(journal)
     except OSError:
@@ -211,7 +211,7 @@ def _undo(journal: PendingSave, file: _SavedFile, error: OSError | FileChanged) 
 
 @contextmanager
 def _telling(shown: str) -> Iterator[None]:
-    """Let an error of the system say which file it keeps from being saved."""
+    """Turn an error of the system into a SaveError with the name of the file."""
     try:
         yield
     except (OSError, ValueError) as error:

@@ -1,8 +1,8 @@
-"""What a file has besides its bytes: owner, group, rights, extended attributes, further names.
+"""The traits of a file besides its bytes: owner, group, mode, extended attributes, hard links.
 
-A save puts a new file in the place of the old one. The new one gets all of this as far as the
-system lets this user give it; never does anybody get a right by it that he had not before. What
-cannot be given can be asked for before (``losses``).
+A save replaces the old file by a new one. The new file gets the same traits as far as the system
+lets this user set them. Nobody gets a right that they did not have before. ``losses`` tells in
+advance what cannot be set.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ACL = "system.posix_acl_access"
-"""The attribute that holds an access control list (Linux)."""
+"""The attribute with an access control list (Linux)."""
 _ENTRY, _HEAD, _GROUP_OBJ = 8, 4, 0x04
 _ABSENT = (errno.ENODATA, errno.ENOTSUP, errno.EPERM, errno.EACCES, errno.ENOSYS)
 
 
 @dataclass(frozen=True)
 class Traits:
-    """What a file has besides its bytes. ``names`` counts its hard links; ``attributes`` are the
-    extended ones with their values, an access control list among them.
+    """The traits of a file. ``names`` counts its hard links. ``attributes`` are the extended ones
+    with their values, such as an access control list.
     """
 
     owner: int
@@ -35,9 +35,10 @@ class Traits:
 
 
 def traits_of(target: Path) -> Traits | None:
-    """Those of the file that stands at ``target``, None where there is none.
+    """Return the traits of the file at ``target``, None if there is none.
 
-    OSError where it may not be written, because a replaced file would not ask.
+    OSError if it is not ordinary or cannot be written, because replacing a file does not check
+    this.
     """
     try:
         found = target.stat()
@@ -52,18 +53,19 @@ def traits_of(target: Path) -> Traits | None:
 
 
 def give(file: int, traits: Traits) -> tuple[str, ...]:
-    """Give an open file these traits, and say in words which it did not get.
+    """Give an open file these traits. Return in words what could not be set.
 
-    The file belongs to this user and nobody else may read it yet.
+    The file belongs to this user, and nobody else may read it yet.
     """
     lost: list[str] = []
-    if not hasattr(os, "fchown"):  # Windows: owner and rights come from the folder
+    if not hasattr(os, "fchown"):  # on Windows owner and rights come from the folder
         return ()
     mode = traits.mode
     now = os.fstat(file)
     if now.st_gid != traits.group and not _given(file, -1, traits.group):
         lost.append(f"its group, {_group(traits.group)}")
-        # The rights of one group are not given to another; a program that runs as it neither.
+        # The rights of one group must not go to another, and a program must not run with another
+        # group.
         mode &= ~stat.S_ISGID & ~(stat.S_IRWXG & ~((mode & stat.S_IRWXO) << 3))
     if now.st_uid != traits.owner and not _given(file, traits.owner, -1):
         lost.append(f"its owner, {_user(traits.owner)}")
@@ -76,15 +78,16 @@ def give(file: int, traits: Traits) -> tuple[str, ...]:
             lost.append(f"its attribute {name}")
             continue
         lost.append("its access control list")
-        # With a list the mode shows the most that anybody in it may; the group itself may less.
+        # With a list the mode shows the union of rights in it. The group itself may have fewer.
         mode &= ~stat.S_IRWXG | (_group_entry(value) << 3)
     os.fchmod(file, mode)
     return tuple(lost)
 
 
 def losses(target: Path) -> tuple[str, ...]:
-    """What the file at ``target`` would lose if it were replaced now, in words; tried out on an
-    empty file beside it. OSError where none can be made there."""
+    """Return in words what the file at ``target`` would lose if it was replaced now. This is tried
+    with an empty file beside it. OSError if none can be made there.
+    """
     traits = traits_of(target)
     if traits is None:
         return ()
@@ -116,7 +119,7 @@ def _given(file: int, owner: int, group: int) -> bool:
 
 
 def _attributes(file: Path | int) -> dict[str, bytes]:
-    """The extended attributes that can be read; none where the system has none."""
+    """Return the extended attributes that can be read. Empty if the system has none."""
     found: dict[str, bytes] = {}
     if not hasattr(os, "listxattr"):
         return found
@@ -141,7 +144,7 @@ def _set(file: int, name: str, value: bytes) -> bool:
 
 
 def _group_entry(value: bytes) -> int:
-    """What an access control list lets the file's own group do: three bits."""
+    """Return the rights of the file's own group in an access control list, as three bits."""
     for at in range(_HEAD, len(value) - _ENTRY + 1, _ENTRY):
         if int.from_bytes(value[at : at + 2], "little") == _GROUP_OBJ:
             return int.from_bytes(value[at + 2 : at + 4], "little") & 0o7

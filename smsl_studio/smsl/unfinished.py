@@ -1,4 +1,4 @@
-"""Saves of several files that a process has left behind: brought to their end, or undone."""
+"""Saves of several files that a process has left unfinished: they are finished or undone."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from smsl_studio.smsl.pending_saves import (
 from smsl_studio.smsl.traits import Traits
 
 FRESH = ".fresh"
-"""The ending of a record that is being written."""
+"""The suffix of a record that is being written."""
 
 _OF_ONE = re.compile(r"\..+\.(?:json|smsl|ya?ml)\.[0-9a-f]{12}\.part", re.DOTALL | re.IGNORECASE)
 _RECORD = re.compile(rf"[0-9a-f]{{12}}\{FRESH}")
 _LONG_AGO = 3600.0
-"""Seconds without a change after which a left file is taken away."""
+"""The time (s) without a change after which a leftover file is removed."""
 
 
 def interrupted_saves(files: Iterable[str | os.PathLike[str]]) -> tuple[PendingSave, ...]:
-    """The saves that a process has left behind, and whose new bytes count for one of these files
-    without having taken their place.
+    """Return the unfinished saves whose new bytes count for one of these files and are not in place
+    yet.
     """
     wanted = {Path(os.path.realpath(file)) for file in files}
     found = []
@@ -44,9 +44,9 @@ def interrupted_saves(files: Iterable[str | os.PathLike[str]]) -> tuple[PendingS
 
 
 def finish_saves(folder: str | os.PathLike[str]) -> tuple[Path, ...]:
-    """Bring to their end all saves of this user with files in a folder, and clear it up.
+    """Finish all saves of this user with files in a folder, and remove their leftovers.
 
-    The answer is the files that were replaced.
+    Return the files that were replaced.
     """
     finished: list[Path] = []
     with suppress(OSError, ValueError):
@@ -59,10 +59,9 @@ def finish_saves(folder: str | os.PathLike[str]) -> tuple[Path, ...]:
 
 
 def finish(save: PendingSave) -> tuple[Path, ...]:
-    """Let the new bytes of a save take their places; which files were replaced.
+    """Let the new bytes of a save replace the files. Return the replaced files.
 
-    What somebody else has written since stays. A save that a living process is making is left
-    alone.
+    A file that somebody has changed since stays. A save of a living process is left alone.
     """
     finished: list[Path] = []
     with suppress(OSError), _alone(save) as alone:
@@ -73,7 +72,9 @@ def finish(save: PendingSave) -> tuple[Path, ...]:
 
 
 def undo(save: PendingSave) -> bool:
-    """Give every file of a save that was left behind its former bytes; whether that went well."""
+    """Bring back the old bytes of every file of an unfinished save. Return whether this was
+    possible.
+    """
     with suppress(OSError), _alone(save) as alone:
         if alone:
             bring_back(save)
@@ -82,7 +83,9 @@ def undo(save: PendingSave) -> bool:
 
 
 def keep(target: Path, old: Path, traits: int | Traits) -> None:
-    """Keep what stands in a file under another name, without room where the disk can do that."""
+    """Keep the bytes of a file under another name. If possible it is a link, which needs no
+    space.
+    """
     try:
         os.link(target, old)
     except OSError:
@@ -90,9 +93,10 @@ def keep(target: Path, old: Path, traits: int | Traits) -> None:
 
 
 def end(save: PendingSave) -> None:
-    """The new bytes have taken their places: first the disk has to know, then the record goes.
+    """End a save after its new bytes are in place. The disk must have them before the record is
+    removed.
 
-    What cannot be taken away now says nothing wrong, and goes with the next save.
+    A leftover that cannot be removed now is harmless, and is removed with the next save.
     """
     settle(save.folders)
     with suppress(OSError):
@@ -100,11 +104,11 @@ def end(save: PendingSave) -> None:
 
 
 def bring_back(save: PendingSave) -> None:
-    """Undo a save of which one part could not take its place.
+    """Undo a save in which one part could not replace its file.
 
-    The new bytes count until the record says otherwise, so each stays reachable until then: first
-    they stand beside the file again, then what stood there before has its place again. OSError
-    where that cannot be done.
+    The new bytes count until the record says otherwise, so they must stay available. First they are
+    put beside the file again, and then the old bytes get their place back. OSError if that is not
+    possible.
     """
     for file in save.files:
         if file.part.exists() or not file.holds(file.after):
@@ -119,7 +123,7 @@ def bring_back(save: PendingSave) -> None:
 
 
 def clear(draft: PendingSave) -> None:
-    """Take away what a save that does not count wrote beside its files, its record last."""
+    """Remove what a save that does not count wrote beside its files, and its record last."""
     for file in draft.files:
         for path in (file.part, file.old):
             with suppress(OSError):
@@ -129,10 +133,10 @@ def clear(draft: PendingSave) -> None:
 
 
 def clear_up(folder: Path) -> None:
-    """Take away what saves that do not count have left in a folder (by its real path).
+    """Remove the leftovers of saves that do not count in a folder (a real path).
 
-    Of all that stands there only what this user's records name, and old ``.part`` files of the
-    user's own; a save that is being made is left alone.
+    Only files in this user's records, and old ``.part`` files of the user, are removed. A save that
+    is being made is left alone.
     """
     for draft in pending_saves(DRAFT):
         if folder in draft.folders:
@@ -147,9 +151,9 @@ def clear_up(folder: Path) -> None:
 
 @contextmanager
 def _alone(save: PendingSave) -> Iterator[bool]:
-    """Hold the folders of a save; False where its process lives, or it has ended.
+    """Lock the folders of a save. The value is False if its process lives, or if it has ended.
 
-    Who took a whole folder away took its files out of the save.
+    A folder that does not exist any more is ignored.
     """
     folders = [one for one in save.folders if one.is_dir()]
     with ExitStack() as stack:
@@ -168,7 +172,9 @@ def _stop_counting(save: PendingSave) -> None:
 
 
 def _take_place(file: PendingFile) -> bool:
-    """Whether the new bytes took their place; they give way to what somebody has written since."""
+    """Let the new bytes replace the file, unless somebody has changed it. Return whether they
+    did.
+    """
     if file.new_bytes() is None or not file.untouched:
         return False
     file.part.replace(file.target)
@@ -176,7 +182,7 @@ def _take_place(file: PendingFile) -> bool:
 
 
 def _clear_old(folder: Path, names: re.Pattern[str]) -> None:
-    """Take away the user's own files of such names in which nobody can be writing any more."""
+    """Remove the user's own files with such names that nobody can be writing any more."""
     for path in folder.iterdir():
         if not names.fullmatch(path.name):
             continue

@@ -1,8 +1,8 @@
-"""What is written: a text, its values, and on demand the span of everything in it.
+"""The document: a text, its values, and on demand the places of all its parts.
 
-A Document knows spelling, not meaning. Its text is kept to the character (BOM, line ends, order,
-indentation), so that writing back a document nobody edited gives the same bytes. Spans are worked
-out when first asked for, by the form the text is written in, because most loads never ask.
+A Document knows spelling and not meaning. It keeps every character of its text (BOM, line ends,
+order, indentation). So writing an unchanged document gives the same bytes. Places are computed by
+the form of the text when they are first asked for, because usually nobody asks.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from smsl_studio.errors import Place, ReadError
 Json = Any
 Path = tuple[str, ...]
 WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
-"""What people call the forms."""
+"""The names of the forms in messages."""
 
 _LINE_END = re.compile("\r\n?|\n")
 
@@ -27,7 +27,7 @@ _LINE_END = re.compile("\r\n?|\n")
 class Member(NamedTuple):
     """One key and its value, as offsets into the text (ends are exclusive).
 
-    An element of a list has its index for a key, which takes no room.
+    The key of a list element is its index. It has no length in the text.
     """
 
     key: str
@@ -38,32 +38,33 @@ class Member(NamedTuple):
 
 
 class Spans(Protocol):
-    """Where things stand in one text. Each form has its own, made for one valid text."""
+    """The places in one valid text. Each form has its own class."""
 
     @property
     def root(self) -> int:
         """The offset at which the content begins."""
 
     def members(self, path: Path) -> tuple[Member, ...]:
-        """The members of the map or list at ``path``, as written, doubles included.
+        """Return the members of the map or list at ``path``, as written, with doubled keys.
 
-        The path follows the values of the document; of a doubled key the last one counts.
-        Raises KeyError where no map or list stands there.
+        The path follows the values of the document. Of a doubled key the last one counts. KeyError
+        if there is no map or list at the path.
         """
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
-        """Every key written more than once in one map, with the offsets of all its places."""
+        """Yield the path of every key that is doubled in one map, with the offsets of all its
+        places.
+        """
 
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """A text in one of the written forms, and the values it holds.
+    """A text in one of the written forms, and its values.
 
-    ``values`` keeps the order of the keys; where a key is written twice the last one wins and
-    ``doubled`` is true (see ``duplicates``). ``file`` is the name that messages show. ``form`` is
-    the name of the form (``json``, ``smsl``, ``yaml``), ``spans_of`` finds where things stand.
-    ``stands_in`` names the file in which this text was found, where that is not ``file``: the new
-    text of a save that has not come to its end.
+    ``values`` keeps the order of the keys. If a key is doubled, the last value counts and
+    ``doubled`` is true (see ``duplicates``). ``file`` is the name in messages. ``form`` is the name
+    of the form (``json``, ``smsl`` or ``yaml``), and ``spans_of`` finds the places. ``stands_in``
+    is the file with this text, if it is not ``file``: the new text of a save that is not finished.
     """
 
     text: str
@@ -76,7 +77,7 @@ class Document:
 
     @cached_property
     def spans(self) -> Spans:
-        """Where things stand; worked out now if nobody asked before."""
+        """The places in the text. They are computed at the first use."""
         return self.spans_of(self.text)
 
     @property
@@ -85,21 +86,23 @@ class Document:
         return {key: value for key, value in self.values.items() if key.startswith("_")}
 
     def members(self, path: Path = ()) -> tuple[Member, ...]:
-        """The members of the map at ``path``, in order, doubles included.
+        """Return the members of the map at ``path``, in order, with doubled keys.
 
-        Raises KeyError where no map stands at ``path``.
+        KeyError if there is no map at ``path``.
         """
         return self.spans.members(path)
 
     def member(self, path: Path) -> Member:
-        """The member at ``path`` (the last one, where its key is doubled); KeyError if none."""
+        """Return the member at ``path``, the last one of a doubled key. KeyError if there is
+        none.
+        """
         above = path[:-1]
         if above not in self._latest:
             self._latest[above] = {member.key: member for member in self.members(above)}
         return self._latest[above][path[-1]]
 
     def place(self, path: Path) -> Place:
-        """Where the key at ``path`` stands, or the nearest one above it that exists."""
+        """Return the place of the key at ``path``, or of the nearest existing key above it."""
         while path:
             try:
                 return self.place_at(self.member(path).key_start)
@@ -108,7 +111,7 @@ class Document:
         return self.place_at(self.spans.root)
 
     def place_at(self, offset: int) -> Place:
-        """Line and column of an offset; a BOM is no column."""
+        """Return line and column of an offset. A BOM has no column."""
         starts = self._line_starts
         line = bisect_right(starts, offset) - 1
         column = offset - starts[line] + 1
@@ -117,7 +120,7 @@ class Document:
         return Place(self.file, line + 1, column)
 
     def duplicates(self) -> tuple[tuple[Path, tuple[Place, ...]], ...]:
-        """Every key that is written more than once in one map, with all its places."""
+        """Return every key that is doubled in one map, with all its places."""
         if not self.doubled:
             return ()
         return tuple(
@@ -125,12 +128,12 @@ class Document:
         )
 
     def encoded(self) -> bytes:
-        """The bytes of the file."""
+        """Return the bytes of the file."""
         return self.text.encode("utf-8")
 
     @cached_property
     def newline(self) -> str:
-        """The line end this text uses."""
+        """The line end of this text."""
         if "\r" not in self.text:
             return "\n"
         if "\r\n" in self.text:
@@ -139,7 +142,7 @@ class Document:
 
     @cached_property
     def _latest(self) -> dict[Path, dict[str, Member]]:
-        """The members of every map that was asked about, by key: each map is read once."""
+        """The members of every map that was asked for, by key, so that each map is read once."""
         return {}
 
     @cached_property
@@ -148,7 +151,7 @@ class Document:
 
 
 def _line_starts(text: str) -> list[int]:
-    """Where each line begins. A line ends with LF, CR or both."""
+    """Return the offset at which each line begins. A line ends with LF, CR or both."""
     if text.count("\r") != text.count("\r\n"):
         return [0, *(end.end() for end in _LINE_END.finditer(text))]
     starts, at = [0], text.find("\n")
@@ -159,7 +162,9 @@ def _line_starts(text: str) -> list[int]:
 
 
 def decode(raw: bytes, file: str) -> str:
-    """The text of a file; ReadError with the place of the first byte that is no UTF-8."""
+    """Return the text of a file. ReadError, with the place of the first wrong byte, if it is not
+    UTF-8.
+    """
     try:
         return raw.decode("utf-8")
     except UnicodeDecodeError as error:

@@ -1,7 +1,7 @@
-"""Which keys of a map live on, and where: what every form's splicing has in common.
+"""The order of keys in a map after an edit, for all forms.
 
-A map in a text is a row of slots, one for each member. Keys that begin with ``_``, and the
-``header`` key where a map has one, keep their slot; all others follow the order of the new values.
+The members of a map in a text are a row of slots. Keys that begin with ``_``, and the ``header``
+key of a map that has one, keep their slots. All other keys follow the order of the new values.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ Json = Any
 
 
 class Placed(NamedTuple):
-    """A key in the new row: in an old slot, or (no slot) new, near an old one if there is any."""
+    """A key in the new row. It is in an old slot, or it is new (``slot`` None) and near an old
+    slot.
+    """
 
     key: str
     slot: int | None
@@ -23,14 +25,14 @@ class Placed(NamedTuple):
 
 
 def is_fixed(key: str, header: str = "") -> bool:
-    """Whether a key keeps its slot whatever the order of the new values."""
+    """Return whether a key keeps its slot whatever the order of the new values is."""
     return key.startswith("_") or (key == header and key != "")
 
 
 def survivors(old: Iterable[str], new: Mapping[str, Json], header: str = "") -> dict[str, str]:
-    """Which old key lives on under which new key; removed ones are absent.
+    """Return the new key of each old key that is kept. Removed keys are missing.
 
-    A key that goes and one that comes behind the same anchor are a rename.
+    A removed key and a new key after the same anchor are a renaming.
     """
     before = list(old)
     known = set(before)
@@ -45,7 +47,7 @@ def survivors(old: Iterable[str], new: Mapping[str, Json], header: str = "") -> 
 def _by_anchor(
     keys: Iterable[str], anchors: Iterable[str], header: str
 ) -> dict[tuple[str | None, bool], list[str]]:
-    """The keys that are no anchors, by the anchor of their own kind before them."""
+    """Return the keys that are no anchors, by the last anchor of their kind before them."""
     found: dict[tuple[str | None, bool], list[str]] = {}
     latest: dict[bool, str | None] = {True: None, False: None}
     known = set(anchors)
@@ -59,9 +61,10 @@ def _by_anchor(
 
 
 def permuted(keys: Sequence[str], new: Mapping[str, Json], header: str = "") -> list[int]:
-    """For each slot the slot whose content it takes, so that the order is that of the new values.
+    """Return for each slot the slot whose content it takes, so that the order is that of the new
+    values.
 
-    ``keys`` are those of the slots, under their new names, doubles included.
+    ``keys`` are the keys of the slots under their new names, with doubled keys.
     """
     places = [index for index, key in enumerate(keys) if not is_fixed(key, header)]
     result = list(range(len(keys)))
@@ -76,7 +79,9 @@ def permuted(keys: Sequence[str], new: Mapping[str, Json], header: str = "") -> 
 
 
 def arranged(keys: Sequence[str], new: Mapping[str, Json], header: str = "") -> list[Placed]:
-    """The slots with the new keys put in, each behind the key it follows in the new values."""
+    """Return the slots with the new keys inserted, each after the key that it follows in the new
+    values.
+    """
     present = set(keys)
     after: dict[str, list[str]] = {}
     first: list[str] = []
@@ -111,7 +116,9 @@ def arranged(keys: Sequence[str], new: Mapping[str, Json], header: str = "") -> 
 
 
 def _begin_of_movable(keys: Sequence[str], header: str) -> int:
-    """The index of the first movable slot; behind the header or at the end where there is none."""
+    """Return the index of the first movable slot. Without one it is after the header, or at the
+    end.
+    """
     for index, key in enumerate(keys):
         if not is_fixed(key, header):
             return index
@@ -124,7 +131,7 @@ def _begin_of_movable(keys: Sequence[str], header: str) -> int:
 def _put(
     result: list[Placed], keys: list[str], after: Mapping[str, list[str]], near: int | None
 ) -> None:
-    """Add new keys, and behind each those that follow it."""
+    """Add new keys, each with the keys that follow it."""
     waiting = keys[::-1]
     while waiting:
         key = waiting.pop()
@@ -133,7 +140,9 @@ def _put(
 
 
 def aligned(old: Sequence[Json], new: Sequence[Json]) -> list[str]:
-    """For each new element of a list the place of the old one it continues, or a key of its own."""
+    """Return for each new element of a list the index of the old element that it continues, or a
+    new key.
+    """
     shorter = min(len(old), len(new))
     head = 0
     while head < shorter and same(old[head], new[head]):

@@ -1,4 +1,4 @@
-"""The fault of a text that exceeds the limits of a file (see ``limits``)."""
+"""The error for a text that exceeds the limits of a file (see ``limits``)."""
 
 from __future__ import annotations
 
@@ -8,17 +8,19 @@ from smsl_studio.smsl.document.limits import MAX_CHARACTERS, TOO_LONG, too_many_
 
 
 def over_budget(text: str) -> tuple[str, str]:
-    """What is wrong with a text that is beyond the budget, and what to do."""
+    """Return the sentence and the advice for a text that exceeds a limit."""
     return TOO_LONG if len(text) > MAX_CHARACTERS else too_many_values(text)
 
 
 def share_of_budget(document: Document) -> int:
-    """How many names and values a document holds, or somewhat more: told by its marks alone."""
+    """Return the number of names and values of a document, or slightly more. Only its marks are
+    counted.
+    """
     marks = {"json": ",{[", "smsl": ("->", "[", "{", "#", ","), "yaml": (":", ",", "- ", "[")}
     return sum(map(document.text.count, marks[document.form]))
 
 
 def refused_by_budget(document: Document, at: int) -> ReadError:
-    """The one fault of a text that is beyond the budget from an offset on."""
+    """Return the error for a text that exceeds a limit from an offset on."""
     sentence, advice = over_budget(document.text)
     return ReadError(sentence, document.place_at(at), advice)

@@ -1,8 +1,9 @@
-"""Comments: which element each belongs to, so that a text that is written anew keeps them.
+"""Comments and the elements that they belong to, so that they are kept in a text that is written
+anew.
 
-A comment on a line of its own belongs to the member below it, or to the end of the map or list that
-closes first; one behind something belongs to that line. Elements are named by their paths, so that
-comments can go from one written form to another.
+A comment on its own line belongs to the member below it, or to the end of the map or list that
+closes first. A comment after something belongs to that line. Elements are named by their paths, so
+that comments can go from one form to another.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ _Where = dict[Path, list[str]]
 
 @dataclass(frozen=True)
 class Comments:
-    """The words of comments, without the marks, by the path of what they belong to.
+    """The words of comments, without the marks, by the path of the element that they belong to.
 
-    ``over`` stand above a member, ``beside`` behind it, ``under`` at the end of a map or list.
+    ``over`` are above a member, ``beside`` after it, and ``under`` at the end of a map or list.
     """
 
     over: _Where = field(default_factory=dict)
@@ -34,17 +35,17 @@ class Comments:
         return sum(len(found) for where in every for found in where.values())
 
     def of_elements(self, path: Path, count: int) -> bool:
-        """Whether an element of the list at ``path`` has a comment."""
+        """Return whether an element of the list at ``path`` has a comment."""
         if not self.over and not self.beside:
             return False
         below = ((*path, str(index)) for index in range(count))
         return any(one in self.over or one in self.beside for one in below)
 
     def moved(self, moved: Callable[[Path], Path | None]) -> Comments:
-        """The same comments at other paths; those of a path that is gone go with it."""
+        """Return the same comments at other paths. Those whose path becomes None are left out."""
 
         def all_of(where: _Where) -> _Where:
-            """The comments of one kind at their new paths."""
+            """Return the comments of one kind at their new paths."""
             pairs = ((moved(path), found) for path, found in where.items())
             return {path: found for path, found in pairs if path is not None}
 
@@ -55,7 +56,7 @@ NO_COMMENTS = Comments()
 
 
 class Leaf(NamedTuple):
-    """A name or single value: where it stands, whose it is, and what a comment above speaks of."""
+    """A name or a single value: its place, its path, and the path for a comment above it."""
 
     start: int
     end: int
@@ -64,7 +65,7 @@ class Leaf(NamedTuple):
 
 
 class Holder(NamedTuple):
-    """A map or list: where it stands and whose it is; ``column`` is that of a block's members."""
+    """A map or list: its place, its path, and the ``column`` of the members of a block."""
 
     start: int
     end: int
@@ -75,30 +76,30 @@ class Holder(NamedTuple):
 def comments_between(
     text: str, leaves: Iterable[Leaf], holders: Iterable[Holder], mark: re.Pattern[str]
 ) -> Comments:
-    """The comments of a text, which can only stand between its names and values.
+    """Return the comments of a text, which can only be between its names and values.
 
-    ``mark`` matches a whole comment; its group 1 is what it says. Inner holders come before outer
+    ``mark`` matches a whole comment, and its group 1 is the words. Inner holders come before outer
     ones.
     """
     return _Placing(text, sorted(leaves), holders).found(mark)
 
 
 class _Placing:
-    """Looks for the element that each comment belongs to."""
+    """Finds the element that each comment belongs to."""
 
     def __init__(self, text: str, leaves: list[Leaf], holders: Iterable[Holder]) -> None:
         self._text, self._leaves = text, leaves
         self._starts = [leaf.start for leaf in leaves]
         self._closing: dict[int, list[Holder]] = {}
-        """For each leaf the maps and lists whose last leaf it is."""
+        """For each leaf the maps and lists that it is the last leaf of."""
         for holder in holders:
             last = bisect_left(self._starts, holder.end) - 1
             while last + 1 < len(leaves) and leaves[last + 1][:2] == (holder.end, holder.end):
-                last += 1  # a value that is nothing
+                last += 1  # an empty value
             self._closing.setdefault(last, []).append(holder)
 
     def found(self, mark: re.Pattern[str]) -> Comments:
-        """All comments that ``mark`` matches, each with the element that it belongs to."""
+        """Return all comments that ``mark`` matches, each with its element."""
         comments, at = Comments(), 0
         for index in range(len(self._leaves) + 1):
             leaf = self._leaves[index] if index < len(self._leaves) else None
@@ -131,5 +132,5 @@ class _Placing:
 
 
 def _parted(text: str, start: int, end: int) -> bool:
-    """Whether a line ends between two offsets."""
+    """Return whether a line ends between two offsets."""
     return "\n" in text[start:end] or "\r" in text[start:end]

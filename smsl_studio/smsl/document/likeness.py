@@ -1,4 +1,4 @@
-"""When two values are written alike: equal in type, content and order of keys."""
+"""Strict equality of values: in type, content and order of keys."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Json = Any
 
 
 def same(old: Json, new: Json) -> bool:
-    """Whether two values are equal in type, content and order of keys."""
+    """Return whether two values are equal in type, content and order of keys."""
     if old is new:
         return True
     if type(old) is not type(new):
@@ -24,6 +24,8 @@ def same(old: Json, new: Json) -> bool:
 
 
 def _all_same(old: Collection[Json], new: Collection[Json]) -> bool:
-    """The same of all values of two rows of one length; nearly all are the very same objects."""
+    """Return the same for all values of two rows of equal length. Nearly all are the same
+    objects.
+    """
     others = compress(zip(old, new, strict=True), map(is_not, old, new))
     return all(same(one, other) for one, other in others)

@@ -1,4 +1,4 @@
-"""Pieces of a text that give way to others."""
+"""Replacements of pieces of a text."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Piece(NamedTuple):
-    """What stands between two offsets of a text gives way to another text."""
+    """The text between two offsets is replaced by another text."""
 
     start: int
     end: int
@@ -15,12 +15,12 @@ class Piece(NamedTuple):
 
     @property
     def growth(self) -> int:
-        """By how many characters the text gets longer."""
+        """The number of characters that the text gets longer by."""
         return len(self.text) - (self.end - self.start)
 
 
 def spliced(text: str, pieces: Iterable[Piece], start: int = 0, end: int | None = None) -> str:
-    """The text between two offsets with all that gives way in it, in order."""
+    """Return the text between two offsets with the pieces replaced. The pieces are in order."""
     found: list[str] = []
     for piece in pieces:
         found += (text[start : piece.start], piece.text)

@@ -1,4 +1,4 @@
-"""Where two rows of keys differ: only these stretches have to be arranged anew."""
+"""Finds where two rows of keys differ. Only these stretches must be arranged again."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ Json = Any
 
 
 class Stretch(NamedTuple):
-    """The keys from ``begin`` to ``end`` of the old row give way to those from ``first`` to
-    ``last`` of the new one (ends are exclusive)."""
+    """The keys from ``begin`` to ``end`` of the old row are replaced by those from ``first`` to
+    ``last`` of the new row (ends are exclusive).
+    """
 
     begin: int
     end: int
@@ -23,15 +24,16 @@ class Stretch(NamedTuple):
 
 
 def whole(old: Sequence[str], new: Sequence[str]) -> Stretch:
-    """All of both rows."""
+    """Return the stretch with all of both rows."""
     return Stretch(0, len(old), 0, len(new))
 
 
 def stretches(old: Sequence[str], new: Sequence[str], header: str = "") -> list[Stretch]:
-    """Where the keys of two rows differ, each with the neighbours that say where new keys go.
+    """Return where the keys of two rows differ. Each stretch includes the neighbours that decide
+    where new keys go.
 
-    Outside of them both rows have the same keys in the same order. To arrange each stretch by
-    itself (see ``arrangement``) comes to the same as to arrange the whole rows.
+    Outside of the stretches both rows have the same keys in the same order. Arranging each stretch
+    alone (see ``arrangement``) gives the same result as arranging the whole rows.
     """
     if old == new:
         return []
@@ -52,12 +54,12 @@ def stretches(old: Sequence[str], new: Sequence[str], header: str = "") -> list[
 
 
 def differing(old: Iterable[Json], new: Iterable[Json]) -> Iterator[int]:
-    """The places at which two rows of values do not hold the very same object."""
+    """Yield the indices at which two rows of values do not have the same object."""
     return compress(count(), map(is_not, old, new))
 
 
 def _differing_stretch(old: Sequence[str], new: Sequence[str]) -> Stretch:
-    """The least stretch outside of which both rows have the same keys."""
+    """Return the smallest stretch outside of which both rows have the same keys."""
     shorter = min(len(old), len(new))
     head = next(compress(count(), map(ne, old, new)), shorter)
     tail = next(compress(count(), map(ne, reversed(old), reversed(new))), shorter)
@@ -66,7 +68,7 @@ def _differing_stretch(old: Sequence[str], new: Sequence[str]) -> Stretch:
 
 
 def _parts(found: Stretch, gone: Sequence[str], come: Sequence[str]) -> list[Stretch]:
-    """A stretch in parts, where keys were replaced in their places and none went elsewhere."""
+    """Return a stretch in parts, if keys were replaced in their places and none has moved."""
     if len(gone) != len(come):
         return [found]
     runs: list[list[int]] = []
@@ -89,8 +91,9 @@ def _parts(found: Stretch, gone: Sequence[str], come: Sequence[str]) -> list[Str
 
 
 def _neighbours(keys: Sequence[str], begin: int, end: int, header: str) -> tuple[int, int]:
-    """A stretch with the nearest key before it that may move; where there is none, with the
-    nearest one behind it."""
+    """Return a stretch with the nearest movable key before it, or else with the nearest one after
+    it.
+    """
     while begin:
         begin -= 1
         if not is_fixed(keys[begin], header):

@@ -1,6 +1,6 @@
-"""The JSON form, ``{SB: {"HEADER": {...}, STATE: {OPERATION: TARGET}}}``: lossless.
+"""The JSON form, ``{SB: {"HEADER": {...}, STATE: {OPERATION: TARGET}}}``. It is lossless.
 
-The functions here are the doors of a form; see ``forms.Form``.
+The functions are those of ``forms.Form``.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from smsl_studio.smsl.json_form.splice import keep_winner, reconcile
 
 parse_json, write_json = parse, write
-"""The names under which those call them who want this form and no other."""
+"""Names for callers that need this form and no other."""
 
 __all__ = [
     "comments_in",
@@ -30,7 +30,7 @@ __all__ = [
     "write_json",
 ]
 
-# What only edits need is loaded with the first one, so that `check` starts quickly.
+# Modules for edits are loaded with the first edit, so that ``check`` starts quickly.
 _OF_EDITS = {"keep_winner": "splice", "reconcile": "splice", "tidy": "canonical"}
 
 

@@ -1,7 +1,7 @@
-"""The open brackets of a broken JSON text while it is read, and what a closing one means.
+"""The open brackets of a faulty JSON text during reading, and the meaning of a closing one.
 
-It counts the brackets still to come and compares indentation. So a missing bracket is reported
-where the next key stands too far left, and an extra one where it stands.
+The brackets that are still to come are counted, and indentation is compared. So a missing bracket
+is reported where the next key is too far left, and an extra one where it is.
 """
 
 from __future__ import annotations
@@ -25,24 +25,24 @@ from smsl_studio.smsl.json_form.tokens import (
 
 Json = Any
 NOTHING = object()
-"""What stands for a value that could not be read."""
+"""The placeholder of a value that could not be read."""
 
 _MOST_REMOVED = 2000
-"""A text with so many pieces that belong nowhere is no JSON, and is not read to its end."""
+"""With so many pieces that belong nowhere, a text is not JSON, and reading ends."""
 
 _FEW = 8
-"""Where more closing brackets are missing, the kind of a value says nothing about their places."""
+"""If more closing brackets are missing, the kinds of values are no evidence for their places."""
 
 _CLOSER = {"{": "}", "[": "]"}
 
 
 class JsonFaultLimit(Exception):  # noqa: N818
-    """So many faults, or one after which nothing makes sense, that reading ends here."""
+    """Reading ends here: there are too many faults, or nothing makes sense after this one."""
 
 
 @dataclass(slots=True)
 class OpenBracket:
-    """An object or list that is open: where it began, what it holds, and what comes next."""
+    """An open object or list: its beginning, its content, and what is expected next."""
 
     token: JsonToken
     holds: dict[str, Json] | list[Json]
@@ -60,7 +60,7 @@ class OpenBracket:
 
 
 class Brackets:
-    """One reading of one text, token by token; ``values`` and ``faults`` when it is done."""
+    """Reads one text, token by token. ``values`` and ``faults`` are the results."""
 
     def __init__(self, text: str) -> None:
         self._text = text
@@ -75,7 +75,7 @@ class Brackets:
         self._removed = 0
 
     def _hear(self, fault: JsonFault) -> None:
-        """A fault within a token; one that was looked at ahead may be looked at again."""
+        """Note a fault within a token. A token may be read twice, but its fault counts once."""
         if fault.at not in self._heard:
             self._heard.add(fault.at)
             self._say(fault)
@@ -111,7 +111,7 @@ class Brackets:
 
     @property
     def _excess(self) -> int:
-        """How many closing brackets are still to come, beyond those that are open now."""
+        """The number of closing brackets still to come, minus the brackets that are open now."""
         return self._balance - len(self._frames)
 
     # --- opening, filling, closing -----------------------------------------------------------
@@ -124,8 +124,9 @@ class Brackets:
         self._frames.append(OpenBracket(token, holds, token.indent, last_end=token.end, name=key))
 
     def _took_whole(self, frame: OpenBracket, token: JsonToken) -> bool:
-        """Read an object that holds nothing but names in one stride, where its end is beyond
-        doubt: under its beginning, or anywhere where no bracket of the file is amiss.
+        """Read an object with nothing but names in one step, and return whether this was possible.
+        Its end must be certain: it is under its beginning, or no bracket of the file is missing or
+        extra.
         """
         found = flat_object(self._text, token.start)
         if found is None:
@@ -147,7 +148,7 @@ class Brackets:
             self.values = frame.holds
 
     def _put(self, frame: OpenBracket, value: Json, end: int) -> None:
-        """A value of the frame is complete; without a key it is left out."""
+        """Put a complete value into the frame. Without a key it is left out."""
         if isinstance(frame.holds, list):
             if value is not NOTHING:
                 frame.holds.append(value)
@@ -156,14 +157,14 @@ class Brackets:
         frame.key, frame.comma, frame.expects, frame.last_end = None, None, "next", end
 
     def _fold(self) -> None:
-        """Close what is still open, so that what was read of it is kept."""
+        """Close everything that is open, so that what was read is kept."""
         while self._frames:
             self._pop(self._taken_to)
         if not isinstance(self.values, dict):
             self.values = {}
 
     def _remove(self, token: JsonToken) -> None:
-        """Say that a token does not belong where it stands; neighbours are one fault."""
+        """Report a token that does not belong here. Neighbouring tokens are one fault."""
         self._removed += 1
         if self._removed > _MOST_REMOVED:
             raise JsonFaultLimit
@@ -182,7 +183,7 @@ class Brackets:
         self._fault(token._replace(start=start), f"{found} does not belong here", "Remove it.", fix)
 
     def _close(self, frame: OpenBracket, token: JsonToken) -> None:
-        """A closing bracket: the right one, one too many, or one that comes too early."""
+        """Handle a closing bracket: the right one, an extra one, or one that comes too early."""
         if token.kind == frame.closer:
             if self._is_extra(frame, token):
                 self._drop_closer(token)
@@ -203,7 +204,7 @@ class Brackets:
             self._pop(self._take().end)
 
     def _is_extra(self, frame: OpenBracket, token: JsonToken) -> bool:
-        """Whether this closing bracket is one too many."""
+        """Return whether this closing bracket is extra."""
         if self._excess <= 0:
             return False
         return token.kind != frame.closer or self._is_stray(frame, token)
@@ -219,7 +220,9 @@ class Brackets:
         return self._would_misplace()
 
     def _would_misplace(self) -> bool:
-        """Whether what follows this bracket would stand a level too high, told by its kind."""
+        """Return whether the next member would be one level too high after this bracket, judged by
+        its kind.
+        """
         comma, name = self._peek(1), self._peek(2)
         if comma.kind != "," or name.value.startswith("_") or not self._begins_member(2):
             return False
@@ -234,7 +237,7 @@ class Brackets:
         self._take()
 
     def _missing_closer(self, frame: OpenBracket, token: JsonToken, behind: str = "") -> None:
-        """The frame should have ended before this token."""
+        """Report that the frame should have ended before this token."""
         at, closers, opener = frame.last_end, "", frame.token
         while True:
             closers += self._on_its_line(frame, token.start) if token.first else frame.closer
@@ -250,13 +253,13 @@ class Brackets:
         self._fault(token, words, f"Write {marks} before it.", fix)
 
     def _closes_further_out(self, frame: OpenBracket, token: JsonToken) -> bool:
-        """Whether a bracket stands so far left that it closes something around the frame."""
+        """Return whether a bracket is so far left that it closes something around the frame."""
         if self._excess >= 0 or len(self._frames) < 2:
             return False
         return token.first and token.indent < frame.indent
 
     def _ends_before(self, frame: OpenBracket, token: JsonToken) -> bool:
-        """Whether a key stands so far left, or has such a value, that its object has ended."""
+        """Return whether a key is so far left, or has such a value, that its object has ended."""
         if self._excess >= 0 or len(self._frames) < 2:
             return False
         if token.first and frame.token.line != token.line and token.indent <= frame.indent:
@@ -273,11 +276,11 @@ class Brackets:
         return in_state and opens and (self._peek(3).kind == "}" or self._begins_member(3))
 
     def _begins_member(self, index: int) -> bool:
-        """Whether a name and a colon stand there."""
+        """Return whether a name and a colon come at this index."""
         return self._peek(index).kind in (TEXT, WORD) and self._peek(index + 1).kind == ":"
 
     def _unfinished(self, frame: OpenBracket, token: JsonToken) -> None:
-        """The text ends while brackets are open."""
+        """Report that the text ends while brackets are open."""
         closers = "".join(one.closer for one in reversed(self._frames))
         what = f"{len(closers)} brackets are" if len(closers) > 1 else "a bracket is"
         end = self._taken_to
@@ -295,7 +298,9 @@ class Brackets:
         self._fault(token._replace(start=max(0, end - 1), end=end), sentence, advice, fix)
 
     def _on_its_line(self, frame: OpenBracket, end: int) -> str:
-        """The closing bracket of a frame, under the line that opens it where that is another."""
+        """Return the closing bracket of a frame. It gets a line of its own, below the line that
+        opens it, if the frame has several lines.
+        """
         if self._text.find("\n", frame.token.start, end) < 0:
             return frame.closer
         newline = "\r\n" if "\r\n" in self._text else "\n"

@@ -1,4 +1,4 @@
-"""A JSON text in the canonical layout: four spaces, one member a line."""
+"""The canonical layout of a JSON text: four spaces, one member on each line."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ _UNIT = "    "
 
 
 def tidy(document: Document) -> Document:
-    """The document in the canonical layout.
+    """Return the document in the canonical layout.
 
-    Only white space changes: names and numbers stay as they are spelled, doubled keys stay
-    doubled, and so do a BOM and the kind of line end.
+    Only white space changes. Names and numbers keep their spelling. Doubled keys, a BOM and the
+    kind of line end stay.
     """
     tidier = _JsonTidier(document)
     bom = "\ufeff" if document.text.startswith("\ufeff") else ""
@@ -28,7 +28,7 @@ class _JsonTidier:
         self._newline = document.newline
 
     def container(self, start: int, indent: str) -> str:
-        """The object or list that opens at ``start``, on a line that is indented so."""
+        """Return the object or list that opens at ``start``, for a line with this indentation."""
         text = self._text
         members = tuple(scan_container(text, start))
         left, right = ("{", "}") if text[start] == "{" else ("[", "]")

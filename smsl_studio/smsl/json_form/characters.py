@@ -1,24 +1,24 @@
-"""Half a surrogate pair: no file could hold what it would be written back as."""
+"""Halves of surrogate pairs, which no file can hold."""
 
 from __future__ import annotations
 
 import re
 
 HALF = re.compile("[\ud800-\udfff]")
-"""A half that stands in a text as it is; only a text that came from no file can hold one."""
+"""A half as a character. Only a text that came from no file can have one."""
 
 ESCAPED_HALF = re.compile(r"\\u[dD][89a-fA-F]")
 HALF_PAIR = (
     "half a surrogate pair is no character",
     "Write the character itself, or both halves of the pair.",
 )
-"""What is told of one, and what to do."""
+"""The sentence and the advice."""
 
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
 
 
 def half_pair(text: str, start: int, end: int) -> int | None:
-    """The offset of the first escaped surrogate between start and end that stands alone."""
+    """Return the offset of the first escaped surrogate that stands alone, None if there is none."""
     high: int | None = None
     for escape in _ESCAPE.finditer(text, start, end):
         code = int(escape[1], 16) if escape[1] else 0

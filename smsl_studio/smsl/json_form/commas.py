@@ -1,4 +1,4 @@
-"""What stands between members of an object and elements of a list alike: commas, scalars."""
+"""Commas and single values, for members of objects and elements of lists."""
 
 from __future__ import annotations
 
@@ -12,10 +12,12 @@ Json = Any
 
 
 class Commas(Brackets):
-    """A reading of a text that finds missing and extra commas."""
+    """Reads a text and finds missing and extra commas."""
 
     def _is_glued(self, token: JsonToken) -> bool:
-        """Whether a bare word touches a text behind it: a stray character, no name."""
+        """Return whether a bare word touches a text after it. Then it is a stray character and no
+        name.
+        """
         after = self._peek(1)
         return token.kind in (WORD, NUMBER) and after.kind == TEXT and after.start == token.end
 
@@ -46,7 +48,7 @@ class Commas(Brackets):
         self._close(frame, token)
 
     def _scalar(self, token: JsonToken) -> Json:
-        """The value of a text, number or word; what is none is told."""
+        """Return the value of a text, number or word. A wrong value is reported."""
         value, wrong = scalar_of(token)
         if wrong is not None:
             self._say(wrong)

@@ -1,7 +1,7 @@
-"""One object or list of a JSON text with other values: which pieces of the text give way to what.
+"""Gives one object or list of a JSON text other values: which pieces of the text are replaced.
 
-Members that stay as they are cost nothing: the rows of keys are compared as a whole (see
-``stretches``), and only where they differ members are taken apart.
+Unchanged members cost nothing. The rows of keys are compared as a whole (see ``stretches``), and
+only differing members are examined.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Values = dict[str, Json]
 
 
 class Written(NamedTuple):
-    """Values as they stand in the text afterwards, and what has to be changed in it, in order."""
+    """The values as they are in the new text, and the replaced pieces in order."""
 
     values: Json
     pieces: list[Piece]
@@ -43,22 +43,22 @@ class Splicer:
 
     @cached_property
     def style(self) -> JsonStyle:
-        """The layout of what is new."""
+        """The layout of new elements."""
         return self._given or style_of(self._document, self.spans)
 
     def change(
         self, path: Path, member: Member, old: Json, new: Json, indent: str
     ) -> Written | None:
-        """Give the member at ``path`` another value; None where it is the same.
+        """Give the member at ``path`` another value. None if it is the same.
 
-        ``indent`` is that of the line on which its key stands.
+        ``indent`` is the indentation of the line with its key.
         """
         if same(old, new):
             return None
         if isinstance(old, dict) and isinstance(new, dict):
             return self.container(path, member.value_start, old, new)
         if isinstance(old, list) and isinstance(new, list):
-            # A list is written as an object whose keys are the places of its old elements.
+            # A list is handled as an object whose keys are the indices of its old elements.
             before = {str(index): value for index, value in enumerate(old)}
             after = dict(zip(aligned(old, new), new, strict=True))
             pieces = self.container(path, member.value_start, before, after).pieces
@@ -69,25 +69,26 @@ class Splicer:
         return Written(new, pieces)
 
     def container(self, path: Path, start: int, old: Values, new: Values) -> Written:
-        """The object (or list) at ``path``, which opens at ``start``, with other values."""
+        """Give the object (or list) at ``path``, which opens at ``start``, other values."""
         container = _Container(self, path, start, old, new)
         values = container.written()
         self._rows[path] = container.row_after()
         return Written(values, container.pieces)
 
     def move(self, path: Path, key: str | None) -> None:
-        """The member at ``path`` has another key; None: whatever was known below it is not any
-        more."""
+        """Note the new key of the member at ``path``. None means that everything known below it is
+        not valid any more.
+        """
         self._moved[path] = key
 
     def rows_after(self) -> dict[Path, MemberRow]:
-        """The long rows that are known of the new text."""
+        """Return the long rows of the new text that are known, by their paths."""
         known = {**self.spans.long_rows, **self._rows}
         found = ((self._after(path), row) for path, row in known.items() if row.is_long)
         return {path: row for path, row in found if path is not None}
 
     def _after(self, path: Path) -> Path | None:
-        """A path as it is afterwards; None where that is not known."""
+        """Return the new path of an old path, None if it is not known."""
         now: list[str] = []
         for depth, key in enumerate(path, start=1):
             moved = self._moved.get(path[:depth], key)
@@ -99,17 +100,17 @@ class Splicer:
 
 @dataclass(slots=True)
 class _Slot:
-    """One member of the object that is being written: an old one, or a new one (no member)."""
+    """One member of the object that is being written. ``member`` is None for a new one."""
 
     key: str
     member: Member | None
     gap: str | None = None
-    """What stands between this slot and the next."""
+    """The text between this slot and the next."""
     wins: bool = True
 
 
 class _Container:
-    """An object or list that gets other values. ``pieces`` are what has to be changed for it."""
+    """An object or list that gets other values. ``pieces`` are the replaced pieces."""
 
     def __init__(self, splicer: Splicer, path: Path, start: int, old: Values, new: Values) -> None:
         self.pieces: list[Piece] = []
@@ -119,13 +120,13 @@ class _Container:
         self._parts, self._lengths = list(self._row.parts), list(self._row.lengths)
         self._arranged: list[tuple[Stretch, list[str], list[SpanPart]]] = []
         self._values: Values = {}
-        """The values that are not the very objects of the new ones."""
+        """The values that are not the same objects as the new ones."""
         self._header = "HEADER" if len(path) == 1 else ""
         self._free = len(path) == 2 and path[1] == "HEADER"
-        """Whether the order of its keys means nothing, so that they stay in that of the text."""
+        """Whether the order of its keys has no meaning, so that they keep the order of the text."""
 
     def written(self) -> Values:
-        """Find what has to be changed; the values as they stand in the text afterwards."""
+        """Find the replaced pieces. Return the values as they are in the new text."""
         old, new, keys, wanted = self._old, self._new, self._row.keys, list(self._new)
         if keys != list(old) or (self._free and keys != wanted):
             parts = [whole(keys, wanted)]
@@ -145,7 +146,7 @@ class _Container:
         return {key: self._values.get(key, new[key]) for key in order}
 
     def row_after(self) -> MemberRow:
-        """Its members as they stand in the text afterwards."""
+        """Return its members as they are in the new text."""
         if not self.pieces:
             return self._row
         for part, _, parts in reversed(self._arranged):
@@ -154,7 +155,7 @@ class _Container:
         return MemberRow(self._order(), self._parts, self._lengths)
 
     def _order(self) -> list[str]:
-        """Its keys in the order of the text afterwards."""
+        """Return its keys in the order of the new text."""
         if not self._arranged:
             return self._row.keys
         keys = list(self._row.keys)
@@ -165,7 +166,7 @@ class _Container:
     # one member ---------------------------------------------------------------------------------
 
     def _change(self, index: int, old: Json, new: Json) -> None:
-        """Give a member that stays where it is another value."""
+        """Give another value to a member that keeps its place."""
         key, member = self._row.keys[index], self._row.member(index, self._start)
         changed = self._splicer.change((*self._path, key), member, old, new, self._indent)
         if changed is None:
@@ -177,14 +178,14 @@ class _Container:
         self._resize(index, value=self._parts[index].value + growth)
 
     def _resize(self, index: int, **lengths: int) -> None:
-        """Note other lengths of a member."""
+        """Note new lengths of a member."""
         part = self._parts[index] = self._parts[index]._replace(**lengths)
         self._lengths[index] = sum(part)
 
     # several members ----------------------------------------------------------------------------
 
     def _arrange(self, part: Stretch, wanted: list[str]) -> None:
-        """Put other members, or the same in another order, in the place of some."""
+        """Replace some members by others, or by the same in another order."""
         row, gap = self._row, self._gap
         members = [row.member(index, self._start) for index in range(part.begin, part.end)]
         following = row.member(part.end, self._start) if part.end < len(row) else None
@@ -215,7 +216,7 @@ class _Container:
         if following is not None:
             self._resize(part.end, before=before)
         if members:
-            # An object that gets empty loses what stood before its first member.
+            # An empty object also loses the text before its first member.
             start = members[0].key_start if slots or following else self._start + 1
             end = following.key_start if following else members[-1].value_end
             self.pieces.append(Piece(start, end, "".join(pieces)))
@@ -241,7 +242,7 @@ class _Container:
         ]
 
     def _key(self, slot: _Slot, back: Mapping[str, str]) -> tuple[str, str]:
-        """The key of a slot, and what stands between it and the value."""
+        """Return the key of a slot, and the text between it and the value."""
         member, text = slot.member, self._text
         if text[self._start] == "[":
             return "", ""
@@ -253,7 +254,7 @@ class _Container:
         return text[member.key_start : member.key_end], middle
 
     def _value(self, slot: _Slot, former: Json, value: Json) -> str:
-        """The text of the value of a slot; ``former`` is what it held."""
+        """Return the text of the value of a slot. ``former`` is its former value."""
         member = slot.member
         if member is None:
             return render(value, self._splicer.style, self._indent, len(self._path) + 1)
@@ -274,19 +275,19 @@ class _Container:
 
     @cached_property
     def _inside(self) -> str:
-        """All that stands in it, where it has no members."""
+        """The text in it if it has no members."""
         return self._text[self._start + 1 : self._end]
 
     @cached_property
     def _broken(self) -> bool:
-        """Whether members begin a line, where it has none yet."""
+        """Whether members begin a new line, if it has none yet."""
         inline_from = self._splicer.style.inline_from
         opens = self._text[self._start] == "{"
         return self._splicer.newline in self._inside or (len(self._path) < inline_from and opens)
 
     @cached_property
     def _lead(self) -> str:
-        """What stands before the first member."""
+        """The text before the first member."""
         if len(self._row):
             return self._text[self._start + 1 : self._row.member(0, self._start).key_start]
         if self._broken:
@@ -295,7 +296,7 @@ class _Container:
 
     @cached_property
     def _trail(self) -> str:
-        """What stands behind the last member, where it has none yet."""
+        """The text after the last member, if it has none yet."""
         newline = self._splicer.newline
         if self._broken:
             return self._inside if newline in self._inside else newline + self._line_indent
@@ -303,7 +304,7 @@ class _Container:
 
     @cached_property
     def _gap(self) -> str:
-        """What stands between two new members."""
+        """The text between two new members."""
         count, newline = len(self._row), self._splicer.newline
         if count > 1:
             last = self._row.member(count - 1, self._start).key_start
@@ -313,7 +314,7 @@ class _Container:
 
     @cached_property
     def _indent(self) -> str:
-        """The white space that the line of a member begins with."""
+        """The white space at the beginning of a member's line."""
         newline = self._splicer.newline
         if newline in self._lead:
             return self._lead.rpartition(newline)[2]
@@ -321,7 +322,7 @@ class _Container:
 
     @cached_property
     def _line_indent(self) -> str:
-        """The white space that the line on which it opens begins with."""
+        """The white space at the beginning of the line on which it opens."""
         newline = self._splicer.newline
         start = self._text.rfind(newline, 0, self._start) + len(newline)
         if start < len(newline):
@@ -330,7 +331,7 @@ class _Container:
 
 
 def _permuted(slots: list[_Slot], contents: list[int]) -> list[_Slot]:
-    """The slots with the contents of others; the gaps stay where they are."""
+    """Return the slots with the contents of others. The gaps stay."""
     return [
         _Slot(slots[content].key, slots[content].member, slot.gap, slots[content].wins)
         for slot, content in zip(slots, contents, strict=True)
@@ -338,7 +339,7 @@ def _permuted(slots: list[_Slot], contents: list[int]) -> list[_Slot]:
 
 
 def _filled(slots: list[_Slot], row: list[Placed], gap: str) -> list[_Slot]:
-    """The slots in their row, with new ones that take the gap of the one they are near."""
+    """Return the slots in their new order. A new one gets the gap of the slot that it is near."""
     return [
         slots[placed.slot]
         if placed.slot is not None

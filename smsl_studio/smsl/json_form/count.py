@@ -1,4 +1,4 @@
-"""How many names and values a JSON text holds, counted before anything is made of them."""
+"""Counts the names and values of a JSON text before any are made."""
 
 from __future__ import annotations
 
@@ -11,12 +11,11 @@ _MARKS = re.compile(r'[,{\[]|"[^"\\]*+(?:\\.[^"\\]*+)*+"', re.DOTALL)
 
 
 def beyond_budget(text: str) -> int | None:
-    """The offset at which a text holds more than it may; None where it does not.
+    """Return the offset at which a text exceeds the limits, None if it does not.
 
-    A text that is too long is beyond it from its beginning.
-
-    Every member and element has a comma before it, or the bracket that it is the first in. Commas
-    and brackets in texts are left out where it depends on them.
+    A text that is too long exceeds them at its beginning. Every member and element has a comma
+    before it, or the opening bracket if it is the first. Commas and brackets inside texts are left
+    out if they matter.
     """
     if len(text) > MAX_CHARACTERS:
         return 0

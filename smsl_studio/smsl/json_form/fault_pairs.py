@@ -1,4 +1,4 @@
-"""Two halves of one fault: a wrong character is one too many, and one that is missing."""
+"""Merges two faults that are one: a wrong character counts as an extra and as a missing one."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from smsl_studio.smsl.json_form.tokens import COMMENT, JsonFault
 
 
 def merged(faults: list[JsonFault], text: str) -> list[JsonFault]:
-    """The faults in the order of the text, those that are one put together.
+    """Return the faults in the order of the text, with pairs merged.
 
-    What should go and what should come at the same place is one repair: write this, not that.
+    A removal and an insertion at the same place are one repair: a replacement.
     """
     coming: dict[int, int] = {}
     for index, fault in enumerate(faults):
@@ -42,7 +42,9 @@ def merged(faults: list[JsonFault], text: str) -> list[JsonFault]:
 
 
 def _first_of_run(text: str, fix: TextFix) -> int:
-    """Where the run of equal characters begins that the removed one stands in: any may go."""
+    """Return the first offset of the run of equal characters with the removed one. Any of them may
+    go.
+    """
     at = fix.start
     if fix.end == at + 1:
         while at > 0 and text[at - 1] == text[fix.start]:

@@ -1,9 +1,8 @@
-"""The quick way to the values of a JSON text, for where it cannot differ from the exact one.
+"""A fast reader of JSON values, used only if it gives the same result as the exact one.
 
-``orjson`` drops keys that are written twice in silence. Every member has one colon, behind a quote
-or a blank: where the text has no more of these than the values have members, no key is written
-twice. Where it has more, where orjson refuses the text, or reads a number otherwise, the exact way
-decides.
+``orjson`` silently drops doubled keys. Every member has one colon, after a quote or a blank. If the
+text has no more of these colons than the values have members, no key is doubled. In all other
+cases, and if orjson refuses the text or may read a number differently, the exact reader decides.
 """
 
 from __future__ import annotations
@@ -15,15 +14,15 @@ from typing import Any
 Json = Any
 
 LONG = 1 << 16
-"""Texts shorter than this are read before orjson is loaded."""
+"""Shorter texts are read by the exact reader, which is faster than loading orjson."""
 
 _CONTAINERS = {dict, list}
 _EXACT = float(2**63)
-"""Whole numbers beyond this become floats in orjson."""
+"""orjson turns larger whole numbers into floats."""
 
 
 def quick_values(text: str, max_depth: int) -> dict[str, Json] | None:
-    """The values of a text without doubled keys; None where only the exact way is sure."""
+    """Return the values of a text without doubled keys, None if the exact reader must decide."""
     import orjson
 
     try:
@@ -39,15 +38,16 @@ def quick_values(text: str, max_depth: int) -> dict[str, Json] | None:
 
 
 def _most_members(text: str) -> Iterator[int]:
-    """Ever closer numbers that the members written in a text cannot exceed."""
+    """Yield upper bounds of the number of members in a text, the second one closer."""
     yield text.count(":")
     yield sum(text.count(f"{before}:") for before in '" \t\n\r')
 
 
 def _counted(values: dict[str, Json], max_depth: int) -> int | None:
-    """How many members all maps have together; None where it is too deep or a number is in doubt.
+    """Return the number of members of all maps. None if they are nested too deep or a number is
+    uncertain.
 
-    Layer by layer, in the interpreter's own loops: only what is neither text nor map costs more.
+    It works layer by layer with built-in functions, because they are fast for texts and maps.
     """
     members = 0
     layer: list[Any] = [values]

@@ -1,4 +1,4 @@
-"""Reading JSON: text to Document. Where its values stand is found later (``spans``)."""
+"""Reads JSON: from text to Document. ``spans`` finds the places later."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ _BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
 
 
 def parse(text: str, file: str) -> Document:
-    """Read a JSON text; ReadError with all its faults where it is no JSON object.
+    """Read a JSON text. ReadError, with all its faults, if it is not a JSON object.
 
-    A BOM is accepted and kept. A key written twice opens: the last one wins, in the place of the
-    first, and ``Document.duplicates`` finds them all.
+    A BOM is accepted and kept. A doubled key is no error: the last value counts, in the place of
+    the first, and ``Document.duplicates`` finds all of them.
     """
     over = beyond_budget(text)
     if over is not None:
@@ -38,7 +38,9 @@ def parse(text: str, file: str) -> Document:
 
 
 def recover(text: str, file: str) -> Document:
-    """A document with what could be read of a faulty text, written canonically."""
+    """Return a document with everything that could be read of a faulty text, in the canonical
+    layout.
+    """
     from smsl_studio.smsl.json_form.recovery import Recovery
 
     values: Any = Recovery(text).values if beyond_budget(text) is None else {}
@@ -46,16 +48,18 @@ def recover(text: str, file: str) -> Document:
 
 
 def form_within(text: str) -> str:
-    """The other form in which a faulty text is clearly written; empty for one beyond the budget."""
+    """Return the other form in which a faulty text clearly is, or the empty text. It is empty too
+    for a text that exceeds the limits.
+    """
     from smsl_studio.smsl.json_form.refusals import other_form
 
     return other_form(text) if beyond_budget(text) is None else ""
 
 
 def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
-    """Values as a new text in the canonical layout: four spaces, one member a line.
+    """Return values as a new text in the canonical layout: four spaces, one member on each line.
 
-    JSON has no comments: those that are given are left behind.
+    JSON has no comments, so ``comments`` are ignored. ValueError if JSON cannot express a value.
     """
     from smsl_studio.smsl.json_form.style import CANONICAL, render
 
@@ -63,18 +67,20 @@ def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
 
 
 def comments_in(document: Document) -> Comments:
-    """None: JSON has no comments."""
+    """Return no comments, because JSON has none."""
     from smsl_studio.smsl.document.comments import NO_COMMENTS
 
     return NO_COMMENTS
 
 
 def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
-    """The values and whether a key is written twice, by the reader that knows every number."""
+    """Return the values, and whether a key is doubled, from the reader that reads every number
+    exactly.
+    """
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        """The object, and a note in ``doubled`` where a key comes twice in it."""
+        """Return the object, and set ``doubled`` if a key occurs twice in it."""
         nonlocal doubled
         found = dict(pairs)
         if len(found) != len(pairs):
@@ -113,7 +119,7 @@ def _whole_number(text: str) -> int:
 
 
 def _number(text: str) -> float:
-    """A float; ValueError where it is too large for one (Python would read infinity)."""
+    """Return a float. ValueError if it is too large (Python would read infinity)."""
     value = float(text)
     if not isfinite(value):
         raise ValueError(text)
@@ -127,7 +133,7 @@ def _refusal(text: str, file: str) -> ReadError:
 
 
 def _is_deep(values: Any) -> bool:
-    """Whether values are nested deeper than is allowed; far quicker than looking at the text."""
+    """Return whether values are nested too deep. This is much faster than searching the text."""
     layer = [values]
     for _ in range(MAX_DEPTH):
         objects = (one.values() if isinstance(one, dict) else one for one in layer)
@@ -138,7 +144,7 @@ def _is_deep(values: Any) -> bool:
 
 
 def _hides_depth(text: str) -> bool:
-    """Whether brackets are nested too deep also where a doubled key hides it from the values."""
+    """Return whether brackets are nested too deep, also in a value that a doubled key hides."""
     depth = 0
     for match in _BRACKET.finditer(text):
         if match[0] in "[{":
@@ -151,7 +157,7 @@ def _hides_depth(text: str) -> bool:
 
 
 def _has_half_pair(text: str) -> bool:
-    """Whether half a surrogate pair stands in the text: no file could hold it."""
+    """Return whether the text has half a surrogate pair, which no file can hold."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:

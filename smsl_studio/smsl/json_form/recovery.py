@@ -1,7 +1,7 @@
-"""Reading a broken JSON text: several faults in one pass, and whatever is whole between them.
+"""Reads a faulty JSON text: finds several faults in one pass, and everything sound between them.
 
-The reader never stops at a fault: it takes what was most probably meant, says so, and goes on.
-Nothing recurses, and no piece of the text is looked at more than a few times.
+The reader never stops at a fault. It assumes the most probable meaning, reports the fault, and goes
+on. Nothing is recursive, and no piece of the text is read more than a few times.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, Json
 
 Json = Any
 _COLONS = ("=", "->", "=>", ";")
-"""What people write where JSON has a colon."""
+"""Signs that people write instead of a colon."""
 _ENDS = (",", "}", "]", END)
 _VALUES = ("{", "[", TEXT, NUMBER, WORD)
 
 
 class Recovery(Commas):
-    """The steps of the reading: what may stand here, and what was meant by what does."""
+    """The steps of reading: what may come here, and the probable meaning of what comes."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -47,7 +47,7 @@ class Recovery(Commas):
     def _read(
         self, steps: Mapping[tuple[str, str], Callable[[OpenBracket, JsonToken], None]]
     ) -> None:
-        """Read on by what is open and what may come next there, until nothing is open."""
+        """Read on, by the open bracket and what it expects, until no bracket is open."""
         self._open_root()
         while self._frames:
             frame, token = self._frames[-1], self._peek()
@@ -124,7 +124,7 @@ class Recovery(Commas):
             self._remove(self._take())
 
     def _expect_another(self) -> None:
-        """What is open now goes on, with a name or an element, as if a comma had been there."""
+        """Let the open bracket expect a name or an element, as if a comma had come."""
         frame = self._frames[-1]
         frame.expects = "key" if frame.token.kind == "{" else "item"
 
@@ -137,7 +137,7 @@ class Recovery(Commas):
         frame.key, frame.comma, frame.expects = token, None, "colon"
 
     def _unnamed(self, frame: OpenBracket, token: JsonToken) -> None:
-        """A bracket opens where a name should stand."""
+        """Handle a bracket that opens where a name should be."""
         if self._excess < 0:
             self._remove(self._take())
             return
@@ -175,7 +175,7 @@ class Recovery(Commas):
         frame.expects = "value"
 
     def _is_stray_behind(self, key: JsonToken, token: JsonToken) -> bool:
-        """Whether a token stands between a name and its colon, and belongs to neither."""
+        """Return whether a token between a name and its colon belongs to neither."""
         if token.kind == WORD and token.start == key.end:
             return True
         if self._peek(1).kind != ":":
@@ -185,13 +185,15 @@ class Recovery(Commas):
         return token.kind in (WORD, NUMBER, ",") or self._excess > 0
 
     def _is_bracket_for_colon(self, token: JsonToken) -> bool:
-        """Whether a bracket stands where the colon was, told by how many there are."""
+        """Return whether a bracket is in the place of the colon, judged by the number of
+        brackets.
+        """
         value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
         wrong = self._excess < 0 if token.kind in ("{", "[") else self._excess > 0
         return token.kind in ("{", "[", "}", "]") and wrong and value_follows
 
     def _no_value(self, frame: OpenBracket, token: JsonToken) -> None:
-        """A name whose value is missing: it is left out."""
+        """Report a name without a value. It is left out."""
         advice = 'Write "Name": value, or remove it.'
         key = frame.key
         name = repr(short(key.value)) if key else "this"
@@ -224,7 +226,7 @@ class Recovery(Commas):
             self._no_value(frame, token)
 
     def _bracket_for_value(self, frame: OpenBracket, token: JsonToken) -> None:
-        """A mark stands where an object should open, and there are too many closing brackets."""
+        """Handle a mark in the place of an object, if there are too many closing brackets."""
         value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
         if value_follows:
             self._remove(self._take())
@@ -237,7 +239,7 @@ class Recovery(Commas):
             self._no_value(frame, token)
 
     def _unopened(self, frame: OpenBracket, start: int, end: int) -> None:
-        """The object of this member lacks its opening brace."""
+        """Report that the object of this member has no opening brace."""
         key = frame.key
         token = self._peek()
         fix = ("Write {", start, end, "{")
@@ -278,7 +280,7 @@ class Recovery(Commas):
             self._remove(self._take())
 
     def _stands_for_closer(self, frame: OpenBracket, token: JsonToken) -> bool:
-        """Whether something odd stands on a line of its own, where the closing bracket was."""
+        """Return whether something wrong is on its own line in the place of the closing bracket."""
         if self._excess >= 0 or len(self._frames) < 2 or self._begins_member(0):
             return False
         if token.kind == "," and self._peek(1).kind != ",":

@@ -1,4 +1,6 @@
-"""Why a text is no JSON file of ours: every fault with its place, or the form it really is in."""
+"""The errors of a text that is not in the JSON form: all faults with places, or the form that it
+has.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ _YAML = re.compile(
 
 
 def refusal(text: str, file: str) -> ReadError:
-    """What is wrong with a text that could not be read as JSON."""
+    """Return the error for a text that could not be read as JSON."""
     blank = Document(text, file, "json", {}, JsonSpans)
     start = skip_space(text, 1 if text.startswith("\ufeff") else 0)
     if start == len(text):
@@ -54,7 +56,7 @@ _FULL = {"smsl": f"native {WORDS['smsl']}", "yaml": WORDS["yaml"]}
 
 
 def other_form(text: str) -> str:
-    """The other form that a text is clearly written in; the empty text where it is not."""
+    """Return the other form in which a text clearly is, or the empty text."""
     text = text.removeprefix("\ufeff")
     if _HEADER_LINE.search(text) or _NATIVE_STATE.match(text):
         return "smsl"

@@ -1,4 +1,4 @@
-"""What a single value stands for, and what is wrong with one that is no JSON."""
+"""The value of a single token, and its fault if it is not valid JSON."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NO_VALUES = ("NaN", "Infinity", "-Infinity", "nan", "inf", "-inf", "undefined")
 
 
 def scalar_of(token: JsonToken) -> tuple[Json, JsonFault | None]:
-    """The value of a text, number or word, and what is wrong with it."""
+    """Return the value of a text, number or word, and its fault."""
     found, length = token.value, token.end - token.start
     if token.kind == TEXT:
         return found, None

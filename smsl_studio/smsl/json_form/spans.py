@@ -1,7 +1,7 @@
-"""Where things stand in a JSON text that is known to be valid.
+"""The places in a JSON text that is known to be valid.
 
-One object is walked at a time, and the C scanner jumps over each value, so that finding one element
-in a megabyte costs milliseconds, and nothing is spent on the rest.
+One object is scanned at a time, and the C scanner skips its values. So finding one element in a
+megabyte takes milliseconds.
 """
 
 from __future__ import annotations
@@ -23,14 +23,15 @@ _SKIP = json.JSONDecoder()
 
 
 def skip_space(text: str, at: int) -> int:
-    """The offset of the first character that is no white space."""
+    """Return the offset of the first character that is no white space."""
     match = _SPACE.match(text, at)
     return match.end() if match else at
 
 
 class SpanPart(NamedTuple):
-    """One member as four lengths: what stands before its key, the key, what stands between key and
-    value, the value."""
+    """One member as four lengths: the text before its key, the key, the text between key and value,
+    and the value.
+    """
 
     before: int
     key: int
@@ -39,13 +40,14 @@ class SpanPart(NamedTuple):
 
 
 LONG = 4096
-"""A row of fewer characters is found anew in a moment, so it is not handed on to the next text."""
+"""A shorter row is found again quickly, so it is not kept for the next text."""
 
 
 class MemberRow:
-    """The members of one object or list by their lengths, so that it holds wherever that stands.
+    """The members of one object or list as lengths, so that the row is valid wherever the object
+    is.
 
-    It is never changed: a text that was spliced has another one for what was changed in it.
+    A row never changes. After an edit the new text gets new rows for the changed objects.
     """
 
     def __init__(self, keys: list[str], parts: list[SpanPart], lengths: list[int]) -> None:
@@ -53,7 +55,7 @@ class MemberRow:
 
     @classmethod
     def of(cls, members: Iterable[Member], start: int) -> MemberRow:
-        """The row of the members in what opens at ``start``."""
+        """Return the row of the members of the object or list that opens at ``start``."""
         keys, parts, lengths, at = [], [], [], start + 1
         for key, key_start, key_end, value_start, value_end in members:
             keys.append(key)
@@ -70,37 +72,38 @@ class MemberRow:
 
     @property
     def is_long(self) -> bool:
-        """Whether it is worth keeping for the next text."""
+        """Whether the row is long enough to be kept for the next text."""
         return sum(self.lengths) >= LONG
 
     @cached_property
     def _offsets(self) -> list[int]:
-        """For each member where the one before it ends, from the opening bracket on; at last where
-        the last one ends."""
+        """For each member the end of the one before it, from the opening bracket. The last entry is
+        the end of the last member.
+        """
         return list(accumulate(self.lengths, initial=1))
 
     @cached_property
     def _last(self) -> dict[str, int]:
-        """The index of each key; of a doubled one that of the last."""
+        """The index of each key, the last index of a doubled key."""
         return dict(zip(self.keys, count(), strict=False))
 
     def index(self, key: str) -> int:
-        """The index of the last member of this key; KeyError where there is none."""
+        """Return the index of the last member with this key. KeyError if there is none."""
         return self._last[key]
 
     def end(self, start: int) -> int:
-        """The offset behind the last member, or behind the bracket that opens at ``start``."""
+        """Return the offset after the last member, or after the bracket that opens at ``start``."""
         return start + self._offsets[-1]
 
     def member(self, index: int, start: int) -> Member:
-        """One member of what opens at ``start``."""
+        """Return one member of the object or list that opens at ``start``."""
         before, key, middle, value = self.parts[index]
         at = start + self._offsets[index] + before
         value_start = at + key + middle
         return Member(self.keys[index], at, at + key, value_start, value_start + value)
 
     def members(self, start: int) -> tuple[Member, ...]:
-        """All members of what opens at ``start``."""
+        """Return all members of the object or list that opens at ``start``."""
         return tuple(self.member(index, start) for index in range(len(self.keys)))
 
 
@@ -108,9 +111,9 @@ NO_ROWS: Mapping[Path, MemberRow] = MappingProxyType({})
 
 
 class JsonSpans:
-    """The spans of one valid JSON text, object by object as they are asked for.
+    """The places in one valid JSON text. Each object is scanned when it is first asked for.
 
-    ``rows`` are those that are known already, by their paths.
+    ``rows`` are the rows that are known already, by their paths.
     """
 
     def __init__(self, text: str, rows: Mapping[Path, MemberRow] = NO_ROWS) -> None:
@@ -129,19 +132,19 @@ class JsonSpans:
         return {path: row for path, row in self._rows.items() if row.is_long}
 
     def members(self, path: Path) -> tuple[Member, ...]:
-        """See ``Spans``."""
+        """Return the members at a path (see ``Spans``)."""
         start = self._start(path)
         return self.row(path, start).members(start)
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
-        """See ``Spans``."""
+        """Yield the doubled keys (see ``Spans``)."""
         return self._doubles((), self.root)
 
     def row(self, path: Path, start: int) -> MemberRow:
-        """The row of the object or list at ``path``, which opens at offset ``start``.
+        """Return the row of the object or list at ``path``, which opens at offset ``start``.
 
-        The elements of a list are members whose key is their index and takes no room. KeyError
-        where neither opens.
+        The key of a list element is its index. It has no length. KeyError if no object or list
+        opens there.
         """
         found = self._rows.get(path)
         if found is None:
@@ -149,14 +152,16 @@ class JsonSpans:
         return found
 
     def first(self, path: Path, start: int, most: int) -> list[Member]:
-        """The first members of what opens at ``start``, ``most`` of them at most."""
+        """Return the first members, at most ``most``, of the object or list that opens at
+        ``start``.
+        """
         row = self._rows.get(path)
         if row is None:
             return list(islice(scan_container(self._text, start), most))
         return [row.member(index, start) for index in range(min(most, len(row)))]
 
     def end_of(self, row: MemberRow, start: int) -> int:
-        """The offset behind the object or list with this row that opens at ``start``."""
+        """Return the offset after the object or list with this row that opens at ``start``."""
         return skip_space(self._text, row.end(start)) + 1
 
     def _start(self, path: Path) -> int:
@@ -184,9 +189,10 @@ class JsonSpans:
 
 
 def scan_container(text: str, start: int) -> Iterator[Member]:
-    """The members of the object or list that opens at ``start`` in a text known to be valid JSON.
+    """Yield the members of the object or list that opens at ``start`` in a valid JSON text.
 
-    The elements of a list have their index for a key, which takes no room in the text.
+    The key of a list element is its index. It has no length in the text. KeyError if nothing opens
+    there.
     """
     mark = text[start : start + 1]
     if mark not in ("{", "["):

@@ -1,13 +1,12 @@
-"""Editing a JSON text: it gets other values, and only what differs is changed.
+"""Edits a JSON text: it gets other values, and only the differences are changed.
 
-Object by object: ``_`` keys and a branch's HEADER keep their slot, other keys follow the order of
-the new values (but for those in a HEADER, whose order means nothing). A key that goes and one that
-comes in the same gap are a rename: the key is spliced, then its value is reconciled. What is equal
-keeps its text to the character, and what is new takes the separators and indentation of its
-neighbours.
+It works object by object. ``_`` keys and an SB's HEADER keep their slots. Other keys follow the
+order of the new values, except in a HEADER, where order has no meaning. A removed key and a new key
+in the same gap are a renaming: the key is replaced, and its value is compared. Equal elements keep
+every character. New elements get the separators and the indentation of their neighbours.
 
-A key that is written twice stays written twice: its last, winning value is the one that changes;
-where it is removed, renamed or moved all its occurrences are.
+A doubled key stays doubled, and only its last value, which counts, is changed. If it is removed,
+renamed or moved, all its occurrences are.
 """
 
 from __future__ import annotations
@@ -27,9 +26,9 @@ Json = Any
 
 
 def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
-    """A document that reads to ``values``, its text changed only at the elements that differ.
+    """Return a document with ``values``. Its text is changed only at the elements that differ.
 
-    It knows where its long objects stand from the former document, and does not look for them.
+    It gets the places of its long objects from the former document, so they are not searched again.
     """
     if same(document.values, values):
         return document
@@ -41,22 +40,22 @@ def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
     if document.doubled:
         return parse(changed, document.file)
     after = Document(changed, document.file, document.form, written.values, JsonSpans)
-    # Kept there as the ``cached_property`` itself would keep them.
+    # This is where the ``cached_property`` would keep them.
     after.__dict__["spans"] = JsonSpans(changed, splicer.rows_after())
     return after
 
 
 def keep_winner(document: Document, path: tuple[str, ...]) -> Document:
-    """The document with the doubled key at ``path`` written once.
+    """Return the document with the doubled key at ``path`` written once.
 
-    The last, winning member takes the place of the first, because order has meaning: the
-    document reads to the same values in the same order. KeyError where no such key stands.
+    The last member counts. It takes the place of the first, because order has meaning: the values
+    and their order stay the same. KeyError if there is no such key.
     """
     return parse(winner_kept(document.text, path), document.file)
 
 
 def winner_kept(text: str, path: tuple[str, ...]) -> str:
-    """A JSON text with the doubled key at ``path`` written once; see ``keep_winner``."""
+    """Return a JSON text with the doubled key at ``path`` written once (see ``keep_winner``)."""
     members = JsonSpans(text).members(path[:-1])
     same_key = [index for index, member in enumerate(members) if member.key == path[-1]]
     if not same_key:
@@ -70,10 +69,12 @@ def winner_kept(text: str, path: tuple[str, ...]) -> str:
 
 
 def spliced_value(text: str, old: Json, new: Json) -> str:
-    """The text of one JSON value on one line, changed only where it differs from the old one."""
+    """Return the text of one JSON value on one line, changed only where it differs from the old
+    value.
+    """
     colon = ":" if '":' in text and '": ' not in text else ": "
     style = JsonStyle(unit="", colon=colon, comma="," if colon == ":" else ", ", inline_from=0)
     splicer = Splicer(Document(text, "", "json", {}, JsonSpans), style)
-    # Somewhere below an SB, where no member is called HEADER.
+    # The path is below an SB, where HEADER has no meaning.
     changed = splicer.change(("", "", ""), Member("", 0, 0, 0, len(text)), old, new, "")
     return text if changed is None else spliced(text, changed.pieces)

@@ -1,4 +1,4 @@
-"""Questions about a broken JSON text that need no look at every token."""
+"""Fast questions about a faulty JSON text, without reading every token."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ _PIECE = (
 )
 _PIECES = re.compile(_PIECE, re.DOTALL)
 _TO_A_LOST_QUOTE = re.compile(rf"(?:[^\"'/#]++|{_PIECE}|['/])*+\"", re.DOTALL)
-"""Up to the first quote that is not closed: asked once, it is not asked of every quote behind."""
+"""Matches up to the first quote that is not closed. The result is for the whole text, so that not
+every later quote is tried.
+"""
 _BRACKET = re.compile(r"[{}\[\]]")
 _NAME, _GAP = r'"[^"\\\x00-\x1f\ud800-\udfff]*"', r"[ \t\r\n]*"
 _MEMBER = rf"{_NAME}{_GAP}:{_GAP}{_NAME}{_GAP}"
@@ -23,14 +25,14 @@ _FLAT = re.compile(rf"\{{{_GAP}(?:{_MEMBER}(?:,{_GAP}{_MEMBER})*)?\}}")
 
 
 def balance_of(text: str) -> int:
-    """How many closing brackets a text has beyond the opening ones, outside of texts."""
+    """Return how many more closing than opening brackets a text has, outside of texts."""
     if _TO_A_LOST_QUOTE.match(text) is None:
         return _balance(_PIECES.sub("", text))
     return sum(map(_line_balance, text.split("\n")))
 
 
 def _line_balance(line: str) -> int:
-    """The balance of one line; where a quote is missing in it, token by token."""
+    """Return the balance of one line. If a quote is missing in it, its tokens are read."""
     if _BRACKET.search(line) is None:
         return 0
     if _TO_A_LOST_QUOTE.match(line) is None:
@@ -46,8 +48,11 @@ def _balance(bare: str) -> int:
 
 
 def flat_object(text: str, at: int) -> tuple[dict[str, str], int, int] | None:
-    """The object at ``at`` if it is whole and holds nothing but names, as nearly all states do:
-    its value, where it ends, and how far its last brace is indented (-1: not first on its line).
+    """Return the object at ``at`` if it is complete and has nothing but names, as nearly all states
+    do.
+
+    The result is its value, its end, and the indentation of its last brace (-1 if that is not the
+    first on its line). None for any other text.
     """
     found = _FLAT.match(text, at)
     if found is None:

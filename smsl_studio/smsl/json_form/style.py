@@ -1,4 +1,4 @@
-"""How a JSON text is laid out, and new values written in that layout."""
+"""The layout of a JSON text, and new values in that layout."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ _SAMPLED = 8
 class JsonStyle:
     """The layout of a text: line end, one step of indentation, separators.
 
-    Objects at depth ``inline_from`` and below stand on one line (the file is depth 0, an SB 1, a
-    state or HEADER 2).
+    Objects at depth ``inline_from`` and below are on one line. The file has depth 0, an SB 1, a
+    state or HEADER 2.
     """
 
     newline: str = "\n"
@@ -32,7 +32,7 @@ CANONICAL = JsonStyle()
 
 
 def render(value: Json, style: JsonStyle, indent: str, depth: int) -> str:
-    """A value as text; ``indent`` is that of the line its key stands on."""
+    """Return a value as text. ``indent`` is the indentation of the line with its key."""
     if isinstance(value, dict) and value:
         items = [
             f"{scalar(key)}{style.colon}{render(inner, style, indent + style.unit, depth + 1)}"
@@ -47,7 +47,9 @@ def render(value: Json, style: JsonStyle, indent: str, depth: int) -> str:
 
 
 def scalar(value: Json) -> str:
-    """A text, number, true, false, null or empty list; ValueError for what JSON has no word for."""
+    """Return a text, number, true, false, null or empty list. ValueError if JSON cannot express
+    it.
+    """
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
@@ -60,7 +62,7 @@ def _wrapped(marks: str, items: list[str], style: JsonStyle, indent: str, broken
 
 
 def style_of(document: Document, spans: JsonSpans) -> JsonStyle:
-    """The style a text is written in, learnt from its first objects."""
+    """Return the style of a text, from its first objects."""
     text, newline = document.text, document.newline
     lines = _First(text, newline, spans, ((), spans.root))
     if not lines.members:
@@ -85,10 +87,10 @@ class _First:
         self.members = spans.first(self._path, start, _SAMPLED)
         self.lead = text[start + 1 : self.members[0].key_start] if self.members else ""
         self.broken = newline in self.lead
-        """Whether it begins its members on a new line."""
+        """Whether its members begin on a new line."""
 
     def inner(self) -> list[_First]:
-        """The same of the objects in it that are not empty."""
+        """Return the same for the objects in it that are not empty."""
         places = [
             ((*self._path, one.key), one.value_start)
             for one in self.members
@@ -98,7 +100,7 @@ class _First:
         return [one for one in found if one.members]
 
     def inline_from(self) -> int:
-        """The depth from which the objects of the text stand on one line, if this is its root."""
+        """Return the depth from which objects are on one line, if this is the root of the text."""
         layer = [self]
         for depth in range(1, 5):
             layer = [inner for one in layer for inner in one.inner()]

@@ -1,7 +1,7 @@
-"""The tokens of a JSON text that may be broken, and what is wrong within each.
+"""The tokens of a JSON text that may be faulty, and the faults within each.
 
-Where a line has an odd number of quotes, one is missing or too many: there a string is looked at
-twice, because its closing quote may be the opening one of the next.
+If a line has an odd number of quotes, one is missing or extra. There the end of a string is checked
+again, because its closing quote may be the opening one of the next.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from smsl_studio.smsl.json_form.characters import HALF, HALF_PAIR, half_pair
 
 
 class JsonFault(NamedTuple):
-    """One thing that is wrong, at an offset of the text."""
+    """One fault at an offset of the text."""
 
     at: int
     length: int
@@ -26,10 +26,10 @@ class JsonFault(NamedTuple):
 
 
 class JsonToken(NamedTuple):
-    """A piece of the text; ``kind`` is a mark of JSON itself, or one of the words below.
+    """A piece of the text. ``kind`` is a mark of JSON, or one of the words below.
 
-    ``line`` is the offset at which its line begins, ``indent`` how many blanks that line begins
-    with, ``first`` whether nothing stands before it there.
+    ``line`` is the offset of the beginning of its line, and ``indent`` the number of blanks there.
+    ``first`` says that nothing comes before it on its line.
     """
 
     kind: str
@@ -67,7 +67,7 @@ _MARKS = " \t\r,:{}[]"
 
 
 class JsonTokens:
-    """The tokens of one text, in order; faults within them go to ``complain``."""
+    """Reads the tokens of one text, in order. Faults within them go to ``complain``."""
 
     def __init__(self, text: str, complain: Callable[[JsonFault], None]) -> None:
         self._text = text
@@ -77,7 +77,7 @@ class JsonTokens:
         self._counted, self._odd = 0, False
 
     def take(self) -> JsonToken:
-        """The next token; ``END`` at the end, again and again."""
+        """Return the next token. At the end it is always ``END``."""
         while True:
             self._skip()
             if self._at >= len(self._text):
@@ -88,7 +88,7 @@ class JsonTokens:
                 return token
 
     def jump(self, end: int) -> None:
-        """Go on behind an object that was read in one piece and ends there."""
+        """Go on after an object that was read in one step and ends at ``end``."""
         line = self._text.rfind("\n", self._line, end) + 1
         if line > self._line:
             self._line = line
@@ -100,7 +100,7 @@ class JsonTokens:
         return JsonToken(kind, start, end, value, self._line, self._indent, self._first)
 
     def _skip(self) -> None:
-        """Pass over white space and comments."""
+        """Skip white space and comments."""
         text = self._text
         while self._at < len(text):
             if gap := _GAP.match(text, self._at):
@@ -151,7 +151,7 @@ class JsonTokens:
         return self._made(ODD, at, end, self._text[at:end])
 
     def _word(self, at: int, end: int) -> JsonToken:
-        """A bare run: a number, a name without quotes, or one that lacks its opening quote."""
+        """Read a bare run: a number, a name without quotes, or a name without its opening quote."""
         closing = _AFTER_QUOTE.match(self._text, end)
         if closing and self._is_odd(at):
             name = HALF.sub("\ufffd", self._text[at:end])
@@ -182,7 +182,7 @@ class JsonTokens:
         return self._made(TEXT, at, end, value)
 
     def _behind_stray_quote(self, at: int, end: int) -> int:
-        """The end of a string that has a quote too many inside, or of one that has none."""
+        """Return the end of a string, after reporting an extra quote inside it, if there is one."""
         tail = _TAIL.match(self._text, end)
         if tail is None or self._text[end : end + 1] in " \t":
             return end
@@ -198,7 +198,7 @@ class JsonTokens:
         return tail.end()
 
     def _unclosed(self, at: int, content: str) -> JsonToken | None:
-        """A string whose closing quote is missing: it ends before the marks behind its name."""
+        """Read a string without a closing quote. It ends before the marks after its name."""
         inside = _VALUE_INSIDE.search(content)
         name = content[: inside.start()] if inside else content.rstrip(_MARKS)
         end = at + 1 + len(name)
@@ -211,14 +211,14 @@ class JsonTokens:
         return self._made(TEXT, at, end, self._read(at, end, closed=False))
 
     def _lone_quote(self, at: int) -> None:
-        """A quote that belongs to no text: it is told and passed over."""
+        """Report and skip a quote that belongs to no text."""
         fix = TextFix("Remove the quote", at, at + 1, "")
         advice = "Remove it, or write the text it should open."
         self._complain(JsonFault(at, 1, "this quote opens no text", advice, fix))
         self._at = at + 1
 
     def _read(self, at: int, end: int, *, closed: bool = True) -> str:
-        """The text that a string stands for; what it may not hold is told and left out."""
+        """Return the text of a string. Forbidden characters are reported and left out."""
         content = self._text[at + 1 : end - 1 if closed else end]
         if content.isprintable() and "\\" not in content and '"' not in content:
             return content
@@ -258,7 +258,7 @@ class JsonTokens:
         return _LINE_END.search(self._text, at).start()  # type: ignore[union-attr]
 
     def _is_odd(self, at: int) -> bool:
-        """Whether the line of ``at`` has an odd number of quotes."""
+        """Return whether the line of ``at`` has an odd number of quotes."""
         if at >= self._counted:
             self._counted = self._line_end(at)
             quotes = _QUOTE.finditer(self._text, self._line, self._counted)
@@ -271,10 +271,10 @@ def _inserted(at: int, sentence: str, advice: str, text: str, what: str) -> Json
 
 
 def quoted(content: str) -> str:
-    """A text as JSON spells it."""
+    """Return a text as JSON spells it."""
     return json.dumps(content, ensure_ascii=False)
 
 
 def short(text: str) -> str:
-    """A text as a message shows it."""
+    """Return a text for a message, shortened to 40 characters."""
     return text if len(text) <= 40 else f"{text[:39]}…"
