@@ -344,7 +344,12 @@ class Stage(QGraphicsView):
 
     def _repaint(self, rect: QRectF | None = None) -> None:
         """Repaint a part of the scene or all of it, including the cached background."""
-        self.scene().invalidate(rect if rect is not None else QRectF())
+        if rect is not None:
+            self.scene().invalidate(rect)
+            return
+        # ``QGraphicsScene.invalidate`` without a rectangle leaves the cached background as it is.
+        self.resetCachedContent()
+        self.viewport().update()
 
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
         """Paint the ground, the dots of the grid, and all edges and nodes without a highlight.

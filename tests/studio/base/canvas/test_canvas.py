@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import random
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.node_item import NodeItem
-from smsl_studio.studio.base.theme import DARK
+from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.shell import accessible_factory
 from tests.bombs.table import BY_NAME
 from tests.bombs.test_work import read
@@ -45,6 +46,13 @@ def on_screen(drawer: Drawer) -> QImage:
     for _ in range(3):
         QApplication.processEvents()
     return QApplication.primaryScreen().grabWindow(drawer.canvas.winId()).toImage()
+
+
+def painted_anew(drawer: Drawer) -> QImage:
+    """What stands on the screen after all of it was painted again, the kept background too."""
+    drawer.canvas.resetCachedContent()
+    drawer.canvas.viewport().update()
+    return on_screen(drawer)
 
 
 def alike(a: QImage, b: QImage) -> bool:
@@ -254,9 +262,7 @@ def test_only_what_changed_is_painted_and_nothing_stale_stays(hanoi3: Drawer) ->
             )
             QApplication.processEvents()
             seen = on_screen(hanoi3)
-            hanoi3.canvas.viewport().update()
-            QApplication.processEvents()
-            assert alike(on_screen(hanoi3), seen)
+            assert alike(painted_anew(hanoi3), seen)
             rect = hanoi3.canvas.lit_layer.shown()[hanoi3.sheet.picture.edge(address)].rect
             view = hanoi3.canvas.lit_layer.view
             assert view[0] <= rect[0]
@@ -285,9 +291,7 @@ def test_gestures_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
     def same_when_painted_whole(what: str) -> None:
         QApplication.processEvents()
         seen = on_screen(hfsm)
-        hfsm.canvas.viewport().update()
-        QApplication.processEvents()
-        assert alike(on_screen(hfsm), seen), what
+        assert alike(painted_anew(hfsm), seen), what
 
     hands, left = hfsm.hands_on, Qt.MouseButton.LeftButton
     none = Qt.KeyboardModifier.NoModifier
@@ -330,6 +334,31 @@ def test_gestures_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
     same_when_painted_whole("pan")
     hfsm.canvas.camera.zoom_at(1.3, QPointF(300, 300))
     same_when_painted_whole("zoom")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_edits_leave_nothing_stale_on_the_screen(hanoi3: Drawer, seed: int) -> None:
+    """Moves, edits, undo, other colours and another zoom, in any order."""
+    session, canvas, chance = hanoi3.session, hanoi3.canvas, random.Random(seed)
+
+    def drag() -> None:
+        start = hanoi3.place(chance.choice([*canvas.positions]))
+        hanoi3.drag(start, start + QPoint(chance.randint(-200, 200), chance.randint(-200, 200)))
+
+    def delete() -> None:
+        hanoi3.click(hanoi3.place(chance.choice([*canvas.positions])))
+        hanoi3.key(Qt.Key.Key_Delete)
+
+    def zoom() -> None:
+        canvas.camera.zoom_at(chance.choice([0.8, 1.25]), QPointF(300, 300))
+
+    steps = [drag, drag, delete, zoom, session.history.undo, session.history.redo]
+    steps += [lambda: canvas.set_tokens(chance.choice([LIGHT, DARK]))]
+    for _ in range(25):
+        step = chance.choice(steps)
+        step()
+        seen = on_screen(hanoi3)
+        assert alike(painted_anew(hanoi3), seen), step
 
 
 def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
