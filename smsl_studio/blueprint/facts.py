@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
-from itertools import compress, count
+from itertools import compress, count, repeat
 from operator import ne
 from typing import NamedTuple
 
@@ -20,6 +21,11 @@ def fact_string(name: str, num_facts: int | None) -> str:
     if "_" in name:
         return name.rpartition("_")[2]
     return name[-num_facts:] if num_facts else name
+
+
+def fact_strings(names: Iterable[str], num_facts: int | None) -> list[str]:
+    """The fact string of each name; most names begin alike, and take no call."""
+    return [name[6:] if name[:6] == "State_" else fact_string(name, num_facts) for name in names]
 
 
 def changed_digits(before: Sequence[str], after: Sequence[str]) -> tuple[int, ...]:
@@ -50,17 +56,30 @@ class FactShape(NamedTuple):
             return tuple(text)
         return tuple(text[i : i + self.width] for i in range(0, len(text), self.width))
 
+    def alphabet(self, states: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+        """The values each digit takes in these states, sorted; empty where there are none."""
+        if self.opaque:
+            names = tuple(sorted(set(states)))
+            return (names,) if names else ()
+        # One text of all states, cut by digit and not by state: there may be very many.
+        text, step = "".join(fact_strings(states, self.written)), self.num_facts * self.width
+        if not text:
+            return ()
+        cut = [text[place::step] for place in range(step)]
+        if self.width > 1:
+            digits = (cut[at : at + self.width] for at in range(0, step, self.width))
+            return tuple(tuple(sorted(map("".join, set(zip(*d, strict=True))))) for d in digits)
+        return tuple(tuple(sorted(set(digit))) for digit in cut)
+
 
 def shape_of(states: Iterable[str], num_facts: int | None) -> FactShape:
     """Return the shape that fits the names. It is opaque if none fits."""
     names = list(states)
-    lengths = {name: len(fact_string(name, num_facts)) for name in names}
-    counts: dict[int, int] = {}
-    for length in lengths.values():
-        counts[length] = counts.get(length, 0) + 1
+    lengths = list(map(len, fact_strings(names, num_facts)))
+    counts = Counter(lengths)
     common = max(counts, key=lambda n: (counts[n], n), default=0)
+    misfits = tuple(compress(names, map(ne, lengths, repeat(common))))
     if num_facts is None:
-        misfits = tuple(n for n in names if lengths[n] != common)
         if misfits or common == 0:
             return FactShape(1, 0, opaque=True, misfits=misfits or tuple(names))
         return FactShape(common, 1)
@@ -68,7 +87,6 @@ def shape_of(states: Iterable[str], num_facts: int | None) -> FactShape:
         return FactShape(1, 0, opaque=True, misfits=tuple(names), written=num_facts)
     if common == 0 or common % num_facts:
         return FactShape(1, 0, True, tuple(names), num_facts)
-    misfits = tuple(n for n in names if lengths[n] != common)
     if misfits:
         return FactShape(1, 0, True, misfits, num_facts)
     return FactShape(num_facts, common // num_facts, written=num_facts)

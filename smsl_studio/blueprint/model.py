@@ -115,6 +115,8 @@ class StateBranch:
     @cached_property
     def alphabet(self) -> tuple[tuple[str, ...], ...]:
         """The values of each digit in the states, sorted. Empty if there are no states."""
+        if self.shape.width or self.shape.opaque:
+            return self.shape.alphabet(self.table)
         columns = zip(*(self.facts(name) for name in self.table), strict=True)
         return tuple(tuple(sorted(set(column))) for column in columns)
 

@@ -45,6 +45,10 @@ class BranchGraph:
                 advice=did_you_mean(state, self.index),
             ) from None
 
+    def is_like(self, other: BranchGraph) -> bool:
+        """Whether the operations lead from and to the same states by number, in one order."""
+        return self.starts == other.starts and self.targets == other.targets
+
     def edges_out(self, state: int) -> range:
         """Return the numbers of the edges that leave a state."""
         return range(self.starts[state], self.starts[state + 1])

@@ -12,6 +12,7 @@ import math
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import count
+from typing import cast
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import graph_of
@@ -47,16 +48,16 @@ def place_states(
     where they would stand without ``_layout``. So moving one state by hand does not scatter the
     rest.
     """
-    fixed = {
-        name: at
-        for name, at in {**(former or {}), **branch.notes.layout}.items()
-        if name in branch.table
-    }
+    known = {**(former or {}), **branch.notes.layout}
+    places = list(map(known.get, branch.table))
+    if None not in places:
+        return dict(zip(branch.table, cast("list[Point]", places), strict=True))
+    fixed = {name: at for name, at in known.items() if name in branch.table}
     if not fixed:
         return place_anew(branch)
     if not former and 2 * len(fixed) < len(branch.table):
         fixed = {**place_anew(branch), **fixed}
-    elif len(fixed) < len(branch.table):
+    else:
         fixed = _joined(branch, fixed)
     return {name: fixed[name] for name in branch.table}
 

@@ -84,9 +84,9 @@ def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
     crowded = np.zeros(len(at), dtype=bool)
     crowded[a[~apart_full]] = True
     crowded[b[~apart_full]] = True
-    nearest = np.full(len(at), np.inf)
-    np.minimum.at(nearest, a, np.hypot(dx, dy))
-    np.minimum.at(nearest, b, np.hypot(dx, dy))
+    nearest, apart = np.full(len(at), np.inf), np.hypot(dx, dy)
+    np.minimum.at(nearest, a, apart)
+    np.minimum.at(nearest, b, apart)
     widths = (compact[a] + compact[b]) / 2
     return Spacing(
         roomy=bool(crowded.mean() <= 0.25),

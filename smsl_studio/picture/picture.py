@@ -6,13 +6,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, repeat
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.picture.crowd import MOST_CAREFUL
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
@@ -62,17 +63,17 @@ class Picture:
         self.blueprint, self.crowd = blueprint, crowd
         self.branch: StateBranch = blueprint[branch]
         self.names = tuple(self.branch.table)
-        self.index = {name: i for i, name in enumerate(self.names)}
-        table = self.branch.table
+        numbers, table = numbers_of(self.branch), self.branch.table
+        self.index, targets = numbers.of, numbers.targets
+        if numbers.dangles:
+            targets = [-1 if target is None else target for target in targets]
         counts = np.fromiter(map(len, table.values()), np.int32, len(self.names))
-        targets = chain.from_iterable(edges.values() for edges in table.values())
-        numbers = map(self.index.get, targets, repeat(-1))
         self.source: Ints = np.repeat(np.arange(len(self.names), dtype=np.int32), counts)
-        self.target: Ints = np.fromiter(numbers, np.int32, len(self.source))
+        self.target: Ints = np.array(targets, dtype=np.int32)
         self.first: Ints = np.cumsum(counts, dtype=np.int32) - counts
         """The number of the first edge out of each state; the others follow it."""
         self.operations = tuple(chain.from_iterable(table.values()))
-        self.prefix = shared_prefix(set(self.operations))
+        self.prefix = shared_prefix(self.branch.operation_names)
         self._faces: dict[int, Face] = {}
         self._kinds: dict[int, str] = {}
 

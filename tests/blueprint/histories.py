@@ -83,9 +83,13 @@ def _branch(chance: random.Random, files: int) -> dict[str, Json]:
 
 def stand(blueprint: Blueprint) -> str:
     """Everything that must be the same again: texts, digests, layout, order."""
-    layouts = [[one.name, sorted(one.notes.layout.items())] for one in blueprint]
+    states = [
+        [one.name, list(one.notes.layout.items()), one.shape, one.alphabet,
+         [one.facts(name) for name in one.table]]
+        for one in blueprint
+    ]  # fmt: skip
     texts = [[one.file, one.text] for one in blueprint.documents]
-    return json.dumps([texts, digests(blueprint).as_json(), layouts, list(blueprint.branches)])
+    return json.dumps([texts, digests(blueprint).as_json(), states, list(blueprint.branches)])
 
 
 @dataclass

@@ -160,6 +160,11 @@ def _panels(window: Window) -> Iterator[str]:
     wanted = [session.fact or (session.branch, None)] if blueprint.branches else []
     if marked != wanted:
         yield f"the outline marks {marked}, not {wanted}"
+    if blueprint.branches:
+        for combo in (window.properties.header.initial, window.properties.header.activating):
+            choices = [combo.itemText(at) for at in range(1, combo.count())]
+            if choices != list(blueprint[session.branch].table):
+                yield f"the header offers {choices}"
     counts = [part.text() for part in window.status_line.counts[:3]]
     numbers = [len(blueprint), blueprint.state_count, blueprint.operation_count]
     if [int(words.split()[0].replace(",", "")) for words in counts] != numbers:

@@ -8,10 +8,10 @@ the form of the text when they are first asked for, because usually nobody asks.
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 from typing import Any, NamedTuple, Protocol
 
 from smsl_studio.errors import Place, ReadError
@@ -21,7 +21,8 @@ Path = tuple[str, ...]
 WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
 """The names of the forms in messages."""
 
-_LINE_END = re.compile("\r\n?|\n")
+_LONE_CR = re.compile("\r(?!\n)")
+_BLOCK = 2048
 
 
 class Member(NamedTuple):
@@ -51,10 +52,29 @@ class Spans(Protocol):
         if there is no map or list at the path.
         """
 
+    def member(self, path: Path) -> Member:
+        """The member at ``path``, of a doubled key the last one; KeyError where there is none."""
+
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
         """Yield the path of every key that is doubled in one map, with the offsets of all its
         places.
         """
+
+
+class LatestMembers:
+    """By their keys the members of every map of one text that was asked about: each is listed
+    once."""
+
+    def __init__(self, members: Callable[[Path], tuple[Member, ...]]) -> None:
+        self._members = members
+        self._latest: dict[Path, dict[str, Member]] = {}
+
+    def member(self, path: Path) -> Member:
+        """The member at ``path``, of a doubled key the last one; KeyError where there is none."""
+        above = path[:-1]
+        if above not in self._latest:
+            self._latest[above] = {member.key: member for member in self._members(above)}
+        return self._latest[above][path[-1]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,10 +116,7 @@ class Document:
         """Return the member at ``path``, the last one of a doubled key. KeyError if there is
         none.
         """
-        above = path[:-1]
-        if above not in self._latest:
-            self._latest[above] = {member.key: member for member in self.members(above)}
-        return self._latest[above][path[-1]]
+        return self.spans.member(path)
 
     def place(self, path: Path) -> Place:
         """Return the place of the key at ``path``, or of the nearest existing key above it."""
@@ -112,12 +129,10 @@ class Document:
 
     def place_at(self, offset: int) -> Place:
         """Return line and column of an offset. A BOM has no column."""
-        starts = self._line_starts
-        line = bisect_right(starts, offset) - 1
-        column = offset - starts[line] + 1
-        if line == 0 and self.text.startswith("\ufeff"):
+        line, column = self._lines.at(offset)
+        if line == 1 and self.text.startswith("\ufeff"):
             column = max(1, column - 1)
-        return Place(self.file, line + 1, column)
+        return Place(self.file, line, column)
 
     def duplicates(self) -> tuple[tuple[Path, tuple[Place, ...]], ...]:
         """Return every key that is doubled in one map, with all its places."""
@@ -141,24 +156,23 @@ class Document:
         return "\r" if "\n" not in self.text else "\n"
 
     @cached_property
-    def _latest(self) -> dict[Path, dict[str, Member]]:
-        """The members of every map that was asked for, by key, so that each map is read once."""
-        return {}
-
-    @cached_property
-    def _line_starts(self) -> list[int]:
-        return _line_starts(self.text)
+    def _lines(self) -> _Lines:
+        return _Lines(self.text)
 
 
-def _line_starts(text: str) -> list[int]:
-    """Return the offset at which each line begins. A line ends with LF, CR or both."""
-    if text.count("\r") != text.count("\r\n"):
-        return [0, *(end.end() for end in _LINE_END.finditer(text))]
-    starts, at = [0], text.find("\n")
-    while at >= 0:
-        starts.append(at + 1)
-        at = text.find("\n", at + 1)
-    return starts
+class _Lines:
+    """The members of every map that was asked for, by key, so that each map is read once."""
+
+    def __init__(self, text: str) -> None:
+        self._text = _LONE_CR.sub("\n", text) if "\r" in text else text
+        counts = (self._text.count("\n", at, at + _BLOCK) for at in range(0, len(text), _BLOCK))
+        self._before = list(accumulate(counts, initial=0))
+
+    def at(self, offset: int) -> tuple[int, int]:
+        """Line and column of an offset, both from 1."""
+        block = min(offset // _BLOCK, len(self._before) - 1)
+        before = self._before[block] + self._text.count("\n", block * _BLOCK, offset)
+        return before + 1, offset - self._text.rfind("\n", 0, offset)
 
 
 def decode(raw: bytes, file: str) -> str:
@@ -169,8 +183,7 @@ def decode(raw: bytes, file: str) -> str:
         return raw.decode("utf-8")
     except UnicodeDecodeError as error:
         before = raw[: error.start].decode("utf-8").removeprefix("\ufeff")
-        starts = _line_starts(before)
-        line, column = len(starts), len(before) - starts[-1] + 1
+        line, column = _Lines(before).at(len(before))
         raise ReadError(
             f"byte 0x{raw[error.start]:02x} is no UTF-8",
             Place(file, line, column),

@@ -37,7 +37,7 @@ def stretches(old: Sequence[str], new: Sequence[str], header: str = "") -> list[
     """
     if old == new:
         return []
-    found = _differing_stretch(old, new)
+    found = differing_stretch(old, new)
     gone, come = old[found.begin : found.end], new[found.first : found.last]
     if header and (header in gone or header in come):
         return [whole(old, new)]
@@ -58,7 +58,7 @@ def differing(old: Iterable[Json], new: Iterable[Json]) -> Iterator[int]:
     return compress(count(), map(is_not, old, new))
 
 
-def _differing_stretch(old: Sequence[str], new: Sequence[str]) -> Stretch:
+def differing_stretch(old: Sequence[str], new: Sequence[str]) -> Stretch:
     """Return the smallest stretch outside of which both rows have the same keys."""
     shorter = min(len(old), len(new))
     head = next(compress(count(), map(ne, old, new)), shorter)

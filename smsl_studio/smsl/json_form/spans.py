@@ -136,6 +136,12 @@ class JsonSpans:
         start = self._start(path)
         return self.row(path, start).members(start)
 
+    def member(self, path: Path) -> Member:
+        """See ``Spans``. The others of its object are not made for it."""
+        start = self._start(path[:-1])
+        row = self.row(path[:-1], start)
+        return row.member(row.index(path[-1]), start)
+
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
         """Yield the doubled keys (see ``Spans``)."""
         return self._doubles((), self.root)

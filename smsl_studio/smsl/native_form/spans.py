@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from smsl_studio.smsl.document import Member, Path
+from smsl_studio.smsl.document import LatestMembers, Member, Path
 from smsl_studio.smsl.json_form.spans import scan_container
 from smsl_studio.smsl.native_form import tokens
 from smsl_studio.smsl.native_form.elements import Element, ElementShapes, PlacedShapes
@@ -35,6 +35,7 @@ class NativeSpans:
         self._branches: dict[int, _Branch] = {}
         self._scanned: dict[int, dict[str, Member]] = {}
         self._members: dict[Path, tuple[Member, ...]] = {}
+        self._latest_members = LatestMembers(self.members)
 
     @property
     def root(self) -> int:
@@ -65,6 +66,10 @@ class NativeSpans:
         if path not in self._members:
             self._members[path] = self._find(path)
         return self._members[path]
+
+    def member(self, path: Path) -> Member:
+        """See ``Spans``."""
+        return self._latest_members.member(path)
 
     def _find(self, path: Path) -> tuple[Member, ...]:
         if not path:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from smsl_studio.smsl.document import Member, Path
+from smsl_studio.smsl.document import LatestMembers, Member, Path
 from smsl_studio.smsl.yaml_form.levels import FILE, below, is_map, members
 from smsl_studio.smsl.yaml_form.nodes import Tree, YamlNode
 
@@ -17,6 +17,7 @@ class YamlSpans:
         self.tree = tree
         self._listed: dict[Path, tuple[tuple[Member, YamlNode], ...]] = {}
         self._last: dict[Path, dict[str, YamlNode]] = {}
+        self._latest_members = LatestMembers(self.members)
 
     @cached_property
     def root(self) -> int:
@@ -29,6 +30,10 @@ class YamlSpans:
     def members(self, path: Path) -> tuple[Member, ...]:
         """See ``Spans``."""
         return tuple(member for member, _ in self.listed(path))
+
+    def member(self, path: Path) -> Member:
+        """See ``Spans``."""
+        return self._latest_members.member(path)
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
         """See ``Spans``."""

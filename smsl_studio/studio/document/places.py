@@ -7,10 +7,13 @@ are remembered here, so that an edit never moves a state that nobody moved.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import compress, filterfalse
+from operator import ne
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.graph.layout import place_states
+from smsl_studio.graph.build import graph_of
+from smsl_studio.graph.layout import SMALL, place_states
 
 Position = tuple[float, float]
 TENTH = 0.1
@@ -37,8 +40,8 @@ class Places:
         else:
             self._follow_rename(branch, former)
         places = place_states(branch, former)
-        for name, place in places.items():
-            former.setdefault(name, place)
+        new = list(filterfalse(former.__contains__, places))
+        former.update(zip(new, map(places.__getitem__, new), strict=True))
         self._placed[branch.name] = former
         self._order[branch.name] = tuple(branch.table)
         return places
@@ -79,9 +82,10 @@ class Places:
         before, now = self._order[branch.name], tuple(branch.table)
         if len(before) != len(now):
             return
-        gone, fresh = set(before) - set(now), set(now) - set(before)
-        for old, new in zip(before, now, strict=True):
-            if old in gone and new in fresh and old in former:
+        others = list(compress(zip(before, now, strict=True), map(ne, before, now)))
+        were, are = {old for old, _ in others}, {new for _, new in others}
+        for old, new in others:
+            if old not in are and new not in were and old in former:
                 former[new] = former[old]
 
     def rename_branch(self, before: str, after: str) -> None:
@@ -94,14 +98,26 @@ class Places:
 def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
     """Whether everything that a layout depends on is equal.
 
-    Comparing two layouts themselves would be too slow.
+    Comparing two layouts themselves would be too slow. Only columns depend on names, and they have
+    at most ``SMALL`` states.
     """
     if a is b:
         return True
-    if a.initial != b.initial or a.notes.layout != b.notes.layout or list(a.table) != list(b.table):
+    if list(a.table) == list(b.table):
+        if a.initial != b.initial:
+            return False
+    elif len(b.table) <= SMALL or _ends(a) != _ends(b):
         return False
-    both = zip(a.table.values(), b.table.values(), strict=True)
-    return all(list(one.values()) == list(other.values()) for one, other in both)
+    one, other = a.notes.layout, b.notes.layout
+    if (one or other) and list(map(one.get, a.table)) != list(map(other.get, b.table)):
+        return False
+    return graph_of(a).is_like(graph_of(b))
+
+
+def _ends(branch: StateBranch) -> tuple[int | None, int | None]:
+    """INITIAL and ACTIVATING by number."""
+    index = graph_of(branch).index
+    return index.get(branch.initial), index.get(branch.activating)
 
 
 def _elsewhere(places: Mapping[str, Position], others: Mapping[str, Position]) -> bool:

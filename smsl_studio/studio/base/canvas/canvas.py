@@ -112,8 +112,7 @@ class Canvas(BranchView):
         self.overlays.forget()
         sheet.picture.blueprint = blueprint
         sheet.picture.branch = blueprint[branch]
-        index = sheet.picture.index
-        sheet.move({index[n]: at for n, at in positions.items() if n in index})
+        sheet.stand(positions)
         # After a save under another name the breadcrumb shows the new file.
         self.overlays.breadcrumb.show_branch(blueprint, branch)
         self.settle()

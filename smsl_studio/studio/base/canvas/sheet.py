@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import chain, repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,9 +56,7 @@ class Sheet:
     ) -> None:
         """``former`` is the sheet of the same SB before an edit; its routing is reused."""
         self.picture, self.ink = picture, ink
-        self.at: Floats = np.array(
-            [positions.get(name, (0.0, 0.0)) for name in picture.names], dtype=np.float64
-        ).reshape(-1, 2)
+        self.at: Floats = self._places(positions)
         self.looks = Looks(picture, marks)
         self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
         self.version = 0
@@ -113,6 +112,19 @@ class Sheet:
                 geometry.boxes[state, :2] = self.at[state]
             edges.update(dict.fromkeys(geometry.forget(places)))
         return list(edges)
+
+    def stand(self, positions: Mapping[str, Position]) -> None:
+        """Put all states where they belong, after a move or its undo."""
+        at = self._places(positions)
+        moved = np.nonzero((at != self.at).any(axis=1))[0].tolist()
+        self.move({state: tuple(at[state].tolist()) for state in moved})
+
+    def _places(self, positions: Mapping[str, Position]) -> Floats:
+        """Positions by number."""
+        places = map(positions.get, self.picture.names, repeat((0.0, 0.0)))
+        return np.fromiter(chain.from_iterable(places), np.float64, 2 * len(self.picture)).reshape(
+            -1, 2
+        )
 
     @property
     def routings(self) -> dict[tuple[bool, float], Routing]:

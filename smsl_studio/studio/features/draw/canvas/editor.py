@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import compress
+from operator import is_not
 
 from PySide6.QtCore import QObject, QPointF, QRectF
 
@@ -370,7 +372,10 @@ def _same_picture(before: StateBranch, after: StateBranch) -> bool:
         return False
     if list(before.table) != list(after.table):
         return False
-    if any(list(before.table[n].items()) != list(after.table[n].items()) for n in before.table):
+    # An edit takes over the very operations of the states that it leaves alone.
+    rows = before.table.values(), after.table.values()
+    others = compress(zip(*rows, strict=True), map(is_not, *rows))
+    if any(list(one.items()) != list(other.items()) for one, other in others):
         return False
 
     def rest(branch: StateBranch) -> dict[str, object]:

@@ -14,6 +14,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.legible import plain_text
+from smsl_studio.smsl.document.stretches import differing_stretch
 from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.lines.line import FormLine, Sentence, ShownValue
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine
@@ -51,7 +52,7 @@ class HeaderForm(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Branch header", parent)
         self._session = session
-        self._states: tuple[str, ...] | None = None
+        self._states: tuple[str, ...] = ()
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(6)
         self._branch_name = label("", "second")
@@ -128,7 +129,6 @@ class HeaderForm(Panel):
         self.home.setToolTip(tip_text(home))
 
     def _another(self, _: str) -> None:
-        self._states = None
         self.refusal.say("")
         self.show_header()
 
@@ -141,16 +141,18 @@ class HeaderForm(Panel):
 
     def _show_states(self, branch: StateBranch) -> None:
         states = tuple(branch.table)
-        same = states == self._states
+        gone = differing_stretch(self._states, states)
         self._states = states
         for combo, written, default in (
             (self.initial, branch.header.initial, next(iter(states), "none yet")),
             (self.activating, branch.header.activating, next(reversed(states), "none yet")),
         ):
             first = f"Default ({default})"
-            if not same:
-                combo.clear()
-                combo.addItems([first, *states])
+            # The first choice is none of the states. There may be thousands, of which few change.
+            if not combo.count():
+                combo.addItem(first)
+            combo.model().removeRows(gone.begin + 1, gone.end - gone.begin)
+            combo.insertItems(gone.begin + 1, states[gone.first : gone.last])
             combo.setItemText(0, first)
             if written is not None and written not in branch.table:
                 combo.setItemText(0, f"{written} (no such state)")

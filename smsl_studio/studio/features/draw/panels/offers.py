@@ -9,9 +9,7 @@ from smsl_studio.studio.features.draw.panels.library import LibraryEntry
 
 def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
     """Every operation that plugins offer, with the names of the blueprint that it matches."""
-    names = sorted(
-        {name for branch in blueprint for table in branch.table.values() for name in table}
-    )
+    names = sorted({name for branch in blueprint for name in branch.operation_names})
     found = []
     for plugin in loaded.plugins:
         for entry in plugin.library.operations:

@@ -1,0 +1,50 @@
+"""What was worked out about an SB before an edit, and holds after it: it is not worked out again.
+
+It is kept in the SB's own dictionary, as the ``cached_property`` itself would keep it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import compress
+from operator import is_not
+from typing import cast
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.notes import Notes
+
+_SHAPE = ("shape", "_facts", "alphabet")
+_TABLES = ("_facts", "_states", "_operations")
+
+
+def hand_on(before: StateBranch, after: StateBranch) -> None:
+    """Give an SB after an edit what still holds of the one before."""
+    known = before.__dict__
+    same_states = before.fields.get("_states") is after.fields.get("_states")
+    if same_states and before.header == after.header and list(before.table) == list(after.table):
+        after.__dict__.update((key, known[key]) for key in _SHAPE if key in known)
+    if "notes" in known and not before.notes.faults:
+        notes = _notes(before, after)
+        if notes is not None:
+            after.__dict__["notes"] = notes
+
+
+def _notes(before: StateBranch, after: StateBranch) -> Notes | None:
+    """The notes of an SB whose edit changed none but the places of its states; else None."""
+    old, new = before.fields, after.fields
+    if any(old.get(key) is not new.get(key) for key in _TABLES):
+        return None
+    notes, former, table = before.notes, old.get("_layout", {}), new.get("_layout", {})
+    if former is table:
+        return notes
+    if not isinstance(table, dict):
+        return None
+    layout = dict(zip(table, map(notes.layout.get, table), strict=True))
+    moved = list(compress(table, map(is_not, table.values(), map(former.get, table))))
+    if moved:
+        from smsl_studio.blueprint.annotations import point_of
+
+        layout.update((name, point_of(table[name])) for name in moved)
+    if None in layout.values():
+        return None
+    return replace(notes, layout=cast("dict[str, tuple[float, float]]", layout))
