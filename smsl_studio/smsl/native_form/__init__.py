@@ -1,6 +1,6 @@
-"""The native form, ``.smsl``: State Branches in braces, header lines, states, edges. Lossless.
+"""The native form, ``.smsl``: State Branches in braces, header lines, states and edges.
 
-The functions here are the doors of a form; see ``forms.Form``.
+It loses nothing of a text. The functions are those of ``forms.Form``.
 """
 
 from smsl_studio.smsl.native_form.canonical import tidy

@@ -1,7 +1,7 @@
-"""One State Branch of a native text with other values: which pieces of the text give way to what.
+"""Gives one State Branch of a native text other values: which pieces of the text are replaced.
 
-Only the stretches of elements that differ are taken apart (see ``document.stretches``), with as
-many neighbours as it takes to see how elements are parted there.
+Only the stretches of elements that differ are examined (see ``document.stretches``). Their
+neighbours show how elements are separated there.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Json = Any
 
 
 class _Change(NamedTuple):
-    """The elements from ``begin`` to ``end`` are written anew by a piece."""
+    """The elements from ``begin`` to ``end``, and the new text in their place."""
 
     begin: int
     end: int
@@ -33,10 +33,10 @@ class _Change(NamedTuple):
 
 
 class BranchSplice:
-    """One SB that gets other values (``maps``: before, after) under a name.
+    """One SB that gets other values under a name. ``maps`` are the values before and after.
 
-    ``pieces`` are what has to be changed in the text for it, ``values`` what it holds afterwards.
-    ``shapes`` are its elements.
+    ``pieces`` are the replaced pieces of the text. ``values`` are the values as they are in the new
+    text. ``shapes`` are the elements of the SB.
     """
 
     def __init__(
@@ -65,11 +65,13 @@ class BranchSplice:
 
     @property
     def pieces(self) -> list[Piece]:
-        """What has to be changed in the text, in order."""
+        """The replaced pieces of the text, in order."""
         return [change.piece for change in self._changes]
 
     def shape_after(self, text: str, grown: int, former: ElementShape) -> ElementShape:
-        """Its shape in the new text, which grew by so many characters before it."""
+        """Return the shape of the SB in the new text, which has ``grown`` more characters before
+        it.
+        """
         start = self._branch.start + grown
         patches = []
         for begin, end, piece in self._changes:
@@ -92,7 +94,9 @@ class BranchSplice:
     # which elements -----------------------------------------------------------------------------
 
     def _spliced(self, old: Map, new: Map) -> Map:
-        """Find what has to be changed; the members and their values afterwards."""
+        """Find the replaced pieces. Return the members with their values as they are in the new
+        text.
+        """
         keys, places = self._shapes.keys, self._shapes.members
         before, after, wanted = list(old.values()), list(new.values()), list(new)
         parts = self._parts(list(old), wanted, before, after)
@@ -115,13 +119,13 @@ class BranchSplice:
     def _parts(
         self, old: list[str], wanted: list[str], before: list[Json], after: list[Json]
     ) -> list[Stretch]:
-        """The stretches of members that are taken apart, with their neighbours."""
+        """Return the stretches of members that are written anew, with their neighbours."""
         keys, places = self._shapes.keys, self._shapes.members
         lines_first = not places or len(self._elements) - places[0] == len(places)
         if keys != old or self._name != self._branch.key or not lines_first:
             return [whole(keys, wanted)]
         parts = stretches(keys, wanted)
-        # A state whose name begins with _ becomes a line.
+        # A state whose name begins with _ becomes a # line.
         odd = [
             Stretch(index, index + 1, to, to + 1)
             for index, to in _kept(parts, before, after)
@@ -131,7 +135,9 @@ class BranchSplice:
         return _with_neighbours(sorted([*header, *parts, *odd]), len(keys))
 
     def _one(self, index: int, old: Json, new: Json) -> Json:
-        """Give an element that stays where it is another value; what it holds afterwards."""
+        """Give an element that keeps its place another value. Return the value as it is in the new
+        text.
+        """
         if same(old, new):
             return old
         element = self._elements[index]
@@ -142,8 +148,10 @@ class BranchSplice:
         return after
 
     def _several(self, part: Stretch, old: Map, new: Map) -> Map:
-        """Put other members, or the same in another order, in the place of some; what stands there
-        afterwards."""
+        """Replace some members by others, or by the same in another order.
+
+        Return these members as they are in the new text.
+        """
         keys, places, splicer = self._shapes.keys, self._shapes.members, self._splicer
         begin = places[part.begin] if part.begin else 0
         end = len(self._elements) if part.end == len(keys) else places[part.end - 1] + 1
@@ -158,13 +166,15 @@ class BranchSplice:
                 self._header = self._bring_header(row)
 
         def fresh(key: str, value: Json, indent: str) -> str:
-            """The text of a new member of the SB: a ``_`` field or a state."""
+            """Return the text of a new member of the SB: a ``_`` field or a state."""
             if key.startswith("_"):
                 return splicer.style.field(key, value)
             return splicer.style.state(self._name, key, value, indent)
 
         def state_value(slot: Slot, old: Json, new: Json) -> Json:
-            """Change the text of one state of this SB; the values that it holds afterwards."""
+            """Change the text of one state of this SB. Return its values as they are in the new
+            text.
+            """
             return splicer.state_value(self._name, slot, old, new)
 
         slots = [slot for slot in row.slots if slot.element and slot.element.is_member]
@@ -176,7 +186,9 @@ class BranchSplice:
         return merged
 
     def _bring_header(self, row: ElementRow) -> Map:
-        """Bring the header lines to the new values; their order is free."""
+        """Change the header lines to the new values. Lines that are already there keep their
+        order.
+        """
         old, new, branch, style = self._header_before, self._header, self._name, self._splicer.style
         kept = survivors(old, new)
         lines = [slot.element is not None and slot.element.kind == "header" for slot in row.slots]
@@ -213,7 +225,9 @@ class BranchSplice:
 def _kept(
     parts: Sequence[Stretch], before: Sequence[Json], after: Sequence[Json]
 ) -> Iterator[tuple[int, int]]:
-    """The places, before and after, of members outside of some stretches whose values differ."""
+    """Yield the indices, before and after, of members outside of the stretches whose values
+    differ.
+    """
     at = to = 0
     for part in (*parts, Stretch(len(before), len(before), len(after), len(after))):
         for offset in differing(before[at : part.begin], after[to : part.first]):
@@ -222,7 +236,10 @@ def _kept(
 
 
 def _with_neighbours(parts: Iterable[Stretch], count: int) -> list[Stretch]:
-    """Stretches with the two members before each, and the one behind it, where there are any."""
+    """Return stretches that include up to two members before each, and one after it.
+
+    Stretches that then overlap become one.
+    """
     merged: list[Stretch] = []
     for part in parts:
         begin, end = max(0, part.begin - 2), min(count, part.end + 1)

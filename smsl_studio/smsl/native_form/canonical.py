@@ -1,8 +1,8 @@
-"""A native text in the canonical layout: comments, order and doubled keys as they were.
+"""Writes a native text in the canonical layout. Comments, order and doubled keys stay.
 
-Names and values stay as they are spelled, but for the white space in maps and JSON. A comment
-inside an edge, or between the name and the bracket of a state, comes to stand above it. One empty
-line between two elements stays.
+Names and values keep their spelling, except for white space in maps and JSON. A comment inside an
+edge, or between the name and the bracket of a state, moves to a line above it. One empty line
+between two elements stays.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _JSON_TOKEN = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"|[\[\]{},:]|[^\s\[\]{},:"]
 
 
 def tidy(document: Document) -> Document:
-    """The document in the canonical layout; a BOM and the kind of line end stay."""
+    """Return the document in the canonical layout. A BOM and the kind of line end stay."""
     text = document.text
     spans = NativeSpans(text)
     start = 1 if text.startswith("\ufeff") else 0
@@ -41,7 +41,7 @@ class _NativeTidier:
         self._spans = spans
 
     def rows(self, row: ElementRow, indent: str) -> Iterator[str]:
-        """The lines of a row, commas and comments with them."""
+        """Yield the lines of a row, with commas and comments."""
         parted = [slot for slot in row.slots if not slot.line]
         only_lines = True
         for index, slot in enumerate(row.slots):
@@ -69,13 +69,13 @@ class _NativeTidier:
         yield from (indent + line if line else "" for line in foot)
 
     def _inside(self, element: Element) -> Iterator[str]:
-        """The comments between the tokens of an edge, or before the bracket of a state."""
+        """Yield the comments inside an edge, or before the bracket of a state."""
         if element.kind in ("edge", "state"):
             between = self._text[element.key_end : element.value_start]
             yield from (mark[0].rstrip() for mark in _MARK.finditer(between) if mark[0][0] == "/")
 
     def _element(self, element: Element, indent: str) -> Sequence[str]:
-        """The lines of one element."""
+        """Return the lines of one element."""
         text = self._text
         key = text[element.key_start : element.key_end]
         value = text[element.value_start : element.value_end]
@@ -108,14 +108,14 @@ def _has_comment(slot: Slot) -> bool:
 
 
 def _behind(comment: str) -> str:
-    """A comment behind something on its line."""
+    """Return a comment as it follows something on its line, with a space before it."""
     words = comment.strip(" \t,")
     words = words[words.find("//") :].rstrip() if "//" in words else ""
     return f" {words}" if words else ""
 
 
 def _above(head: str) -> list[str]:
-    """The comment lines of a head, and an empty one wherever there are some."""
+    """Return the comment lines of a head, with one empty line for one or more empty lines."""
     lines: list[str] = []
     breaks = 0
     for mark in _MARK.finditer(head):
@@ -130,7 +130,7 @@ def _above(head: str) -> list[str]:
 
 
 def _value(raw: str) -> str:
-    """The value of a line, with canonical white space in a map or in JSON."""
+    """Return the value of a line, with canonical white space in a map or in JSON."""
     if raw[:1] in ("{", "["):
         tokens = (match[0] for match in _JSON_TOKEN.finditer(raw))
         return "".join({",": ", ", ":": ": "}.get(token, token) for token in tokens)

@@ -1,4 +1,6 @@
-"""The comments of a native text: found by what they belong to, and written into another text."""
+"""The comments of a native text: finds them with their elements, and writes them into another
+text.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ _UNIT = "    "
 
 
 def comments_in(document: Document) -> Comments:
-    """The comments of a native document."""
+    """Return the comments of a native document with their elements."""
     if "//" not in document.text:
         return NO_COMMENTS
     leaves: list[Leaf] = []
@@ -26,7 +28,7 @@ def comments_in(document: Document) -> Comments:
             leaves.append(Leaf(element.key_start, element.key_end, path, path))
             holders.append(Holder(element.value_start, element.value_end, path))
         elif element.kind == "edge":
-            # A comment may stand on either side of the arrow.
+            # A comment may be on either side of the arrow.
             leaves.append(Leaf(element.key_start, element.key_end, path, path))
             leaves.append(Leaf(element.value_start, element.value_end, path, path))
         else:
@@ -35,7 +37,9 @@ def comments_in(document: Document) -> Comments:
 
 
 def with_comments(text: str, comments: Comments) -> str:
-    """A text in the canonical layout, without comments, with these put in line by line."""
+    """Return a text with comments put in. The text is in the canonical layout and has no comments
+    yet.
+    """
     put = _Putting(text)
     for path, words in comments.over.items():
         put.above(path, words)
@@ -47,7 +51,7 @@ def with_comments(text: str, comments: Comments) -> str:
 
 
 def _elements(spans: NativeSpans) -> Iterator[tuple[Path, Element]]:
-    """Every element with its path, inner ones first."""
+    """Yield every element with its path, inner elements first."""
     for outer in spans.elements:
         for element in outer.elements:
             if element.kind == "header":
@@ -61,7 +65,7 @@ def _elements(spans: NativeSpans) -> Iterator[tuple[Path, Element]]:
 
 
 class _Putting:
-    """Puts comments into a text: above a line, or behind it."""
+    """Puts comments into a text: above a line, or at its end."""
 
     def __init__(self, text: str) -> None:
         self._lines = text.split("\n")[:-1]
@@ -73,11 +77,13 @@ class _Putting:
         self._behind: dict[int, list[str]] = {}
 
     def above(self, path: Path, words: list[str]) -> None:
-        """Above the line on which an element begins."""
+        """Put comments above the line on which an element begins."""
         self._put_above(self._range(path)[0], words)
 
     def behind(self, path: Path, words: list[str]) -> None:
-        """On the line of an element; above it where the line is a value to its end."""
+        """Put comments at the end of the line of an element. They go above a # line and above a
+        brace.
+        """
         line = self._range(path)[0]
         if self._lines[line].lstrip()[:1] in ("#", "{"):
             self._put_above(line, words)
@@ -85,7 +91,9 @@ class _Putting:
             self._behind.setdefault(line, []).extend(words)
 
     def at_end(self, path: Path, words: list[str]) -> None:
-        """Before the line that closes an element; behind one that stands on a single line."""
+        """Put comments before the line that closes an element. If it has one line only, they go to
+        its end.
+        """
         if not path:
             self._put_above(len(self._lines), words)
             return
@@ -96,7 +104,7 @@ class _Putting:
             self._put_above(last, words, _UNIT)
 
     def text(self) -> str:
-        """The text with all that was put in."""
+        """Return the text with all its comments."""
         lines = []
         for number, line in enumerate([*self._lines, None]):
             lines += self._before.get(number, [])
@@ -111,7 +119,9 @@ class _Putting:
         self._before.setdefault(line, []).extend(f"{indent}//{one}" for one in words)
 
     def _range(self, path: Path) -> tuple[int, int]:
-        """The lines of an element, or of the nearest one above it that has lines of its own."""
+        """Return the first and the last line of an element, or of the nearest known element above
+        it.
+        """
         while path not in self._places:
             path = path[:-1]
             if not path:

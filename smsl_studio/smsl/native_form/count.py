@@ -1,4 +1,4 @@
-"""How many names and values a native text holds, counted before anything is made of them."""
+"""Counts the names and values of a native text before anything is made of them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _IN_A_LINE = re.compile(rf"[,{{\[(]|{QUOTED}")
 
 
 def beyond_budget(text: str) -> int | None:
-    """The offset at which a text holds more than it may; None where it does not.
+    """Return the offset at which a text exceeds the limits, None if it does not.
 
-    A text that is too long is beyond it from its beginning.
+    It is 0 for a text that is too long.
 
-    Each operation has an arrow, each state and SB a bracket, each line a ``#``; in a line a comma
-    or a bracket stands before every value of a map or list.
+    Each operation has an arrow, each state and SB a bracket, each line a ``#``. In a line, a comma
+    or a bracket is before every value of a map or list.
     """
     if len(text) > MAX_CHARACTERS:
         return 0

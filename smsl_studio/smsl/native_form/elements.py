@@ -1,5 +1,6 @@
-"""Elements of a native text: with their offsets, and by their lengths, which hold wherever they
-stand."""
+"""Elements of a native text: with offsets, and as lengths, which are valid wherever the elements
+are.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +15,10 @@ Kind = Literal["branch", "state", "edge", "field", "header", "name", "entry"]
 
 
 class Element(NamedTuple):
-    """One thing that is written: from where to where it goes, its key and its value.
+    """One element as offsets into the text, with its key and its value.
 
-    The value of a branch is all of it, that of a state is its brackets. ``elements`` are the
-    lines and states of a branch.
+    The value of a branch is the whole branch. The value of a state is its brackets. ``elements``
+    are the lines and states of a branch.
     """
 
     kind: Kind
@@ -37,13 +38,16 @@ class Element(NamedTuple):
 
     @property
     def is_member(self) -> bool:
-        """Whether it is a state or field of a branch, and no part of its header."""
+        """Whether it is a state or field of a branch, not a part of its header."""
         return self.kind in ("state", "field")
 
 
 class ElementShape(NamedTuple):
-    """An element by its lengths: ``before`` is how far it begins behind the end of the one before
-    it. Its other offsets are counted from its own begin."""
+    """An element as lengths, in characters.
+
+    ``before`` is the distance from the end of the element before it. The other offsets count from
+    its own beginning.
+    """
 
     kind: Kind
     key: str
@@ -57,7 +61,7 @@ class ElementShape(NamedTuple):
     """The lines and states of a branch."""
 
     def at(self, start: int) -> Element:
-        """The element where it begins at ``start``."""
+        """Return the element at the offset ``start``."""
         kind, key, _, length, key_start, key_end, value_start, value_end, inner = self
         elements = () if inner is None else PlacedShapes(inner, start + 1)
         return Element(
@@ -67,9 +71,9 @@ class ElementShape(NamedTuple):
 
 
 class ElementShapes:
-    """The elements of a file or branch by their lengths.
+    """The elements of a file or branch as lengths.
 
-    It is never changed: a text that was spliced has another one for what was changed in it.
+    It never changes. After an edit the new text gets a new one for the changed branches.
     """
 
     def __init__(self, shapes: list[ElementShape], lengths: list[int]) -> None:
@@ -77,7 +81,7 @@ class ElementShapes:
 
     @classmethod
     def of(cls, elements: Iterable[Element], at: int) -> ElementShapes:
-        """The shapes of elements that stand one after another behind the offset ``at``."""
+        """Return the shapes of elements that follow each other after the offset ``at``."""
         shapes, lengths = [], []
         for kind, key, start, end, key_start, key_end, value_start, value_end, inside in elements:
             inner = cls.of(inside, start + 1) if kind == "branch" else None
@@ -91,7 +95,9 @@ class ElementShapes:
 
     @cached_property
     def ends(self) -> list[int]:
-        """For each element where the one before it ends; at last where the last one ends."""
+        """For each element the end of the one before it. The last entry is the end of the last
+        element.
+        """
         return list(accumulate(self.lengths, initial=0))
 
     @cached_property
@@ -108,8 +114,11 @@ class ElementShapes:
         return [shapes[index][1] for index in self.members]
 
     def patched(self, changes: Sequence[tuple[int, int, ElementShapes]]) -> ElementShapes:
-        """With others in the place of some elements: two indices and what stands there now, in
-        order."""
+        """Return the shapes with some elements replaced.
+
+        A change is the first index, the index after the last, and the new shapes. Changes are in
+        order.
+        """
         shapes, lengths = list(self.shapes), list(self.lengths)
         for begin, end, now in reversed(changes):
             shapes[begin:end], lengths[begin:end] = now.shapes, now.lengths
@@ -117,7 +126,9 @@ class ElementShapes:
 
 
 class PlacedShapes(Sequence[Element]):
-    """The elements of a file or branch whose content begins at an offset, made when asked for."""
+    """The elements of a file or branch whose content begins at an offset. They are made when
+    needed.
+    """
 
     def __init__(self, shapes: ElementShapes, start: int) -> None:
         self.shapes, self.start = shapes, start

@@ -1,4 +1,4 @@
-"""What is wrong with a text, gathered while parsing goes on."""
+"""The faults of a native text, collected while it is read."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from smsl_studio.smsl.document.limits import MAX_FAULTS
 
 
 class NativeFaultLimit(Exception):  # noqa: N818
-    """Too many faults: what follows in the text is not worth reporting."""
+    """Too many faults: the rest of the text is not reported."""
 
 
 class Faults:
-    """The faults of one text, in the order in which they were met."""
+    """The faults of one text, in the order in which they are found."""
 
     def __init__(self, place_at: Callable[[int], Place]) -> None:
         self._place_at = place_at
@@ -25,7 +25,11 @@ class Faults:
     def add(
         self, at: int, end: int, sentence: str, advice: str, fix: TextFix | None = None
     ) -> None:
-        """One fault, of the characters from ``at`` to ``end``; a second at one place is an echo."""
+        """Add one fault of the characters from ``at`` to ``end``.
+
+        A second fault at one of the last places is ignored, because it follows from the first.
+        NativeFaultLimit if there are too many faults.
+        """
         if any(at == known for known, _ in self._found[-3:]):
             return
         length = max(1, end - at)
@@ -35,7 +39,7 @@ class Faults:
             raise NativeFaultLimit
 
     def error(self) -> ReadError | None:
-        """All of them as one error, in the order of the text; None where there are none."""
+        """Return all faults as one error, in the order of the text. None if there are no faults."""
         if not self._found:
             return None
         return ReadError.of([error for _, error in sorted(self._found, key=lambda item: item[0])])

@@ -1,4 +1,4 @@
-"""What a ``#`` line says, or may have meant, kept in the map that it belongs to."""
+"""Keeps the value of a ``#`` line, or its probable value, in the map that it belongs to."""
 
 from __future__ import annotations
 
@@ -11,21 +11,22 @@ Json = Any
 
 
 class HashFields:
-    """Fills the maps of one text; ``doubled`` says whether a key came twice in one of them."""
+    """Fills the maps of one text. ``doubled`` is true if a key occurs twice in one of them."""
 
     def __init__(self, text: str, faults: Faults) -> None:
         self._text, self._faults = text, faults
         self.doubled = False
 
     def keep(self, table: dict[str, Json], key: str, value: Json) -> None:
-        """Keep a value under its key: the last one wins, in the place of the first."""
+        """Keep a value under its key. The last value counts, in the place of the first."""
         if key in table:
             self.doubled = True
         table[key] = value
 
     def line(self, table: dict[str, Json], line: HashLine, depth: int) -> int:
-        """Keep what a line says; where that cannot be read, tell it, and keep what it may have
-        meant. The offset to go on at.
+        """Keep the value of a line. Return the offset at which reading goes on.
+
+        If the value cannot be read, a fault is reported, and the probable value is kept.
         """
         try:
             value, _, doubled = read_value(self._text, line, depth)

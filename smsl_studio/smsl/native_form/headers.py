@@ -1,4 +1,4 @@
-"""A header line with another key or value."""
+"""Gives a header line another key or value."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ Json = Any
 
 
 def respelled_header(slot: Slot, text: str, branch: str, key: str, old: Json, new: Json) -> None:
-    """Let the header line in a slot say ``new`` under ``key``, where it said ``old``."""
+    """Give the header line in a slot the key ``key`` and the value ``new``. It had the value
+    ``old``.
+    """
     line = slot.element
     assert line is not None
     renamed = key != slot.key
@@ -31,13 +33,16 @@ def respelled_header(slot: Slot, text: str, branch: str, key: str, old: Json, ne
     elif not renamed and written[:1] == fresh[:1] and fresh[:1] in ("{", "["):
         fresh = spliced_value(written, old, new)
     slot.text = start + fresh
-    slot.commas = ""  # behind a text without quotes a comma would be part of it
+    slot.commas = ""  # After a text without quotes a comma would be a part of the text.
     if slot.comment and not slot.comment[0].isspace():
         slot.comment = f" {slot.comment}"
 
 
 def _spliced_map(written: str, old: dict[str, int], new: dict[str, int]) -> str | None:
-    """A map in round brackets, spliced where entries are renamed, changed or added at its end."""
+    """Return a map in round brackets with only the differences changed.
+
+    None if entries are removed, reordered or doubled, or if new ones are not at the end.
+    """
     members = list(entries(written, 0))
     kept = survivors(old, new)
     keys = [kept[member.key] for member in members if member.key in kept]

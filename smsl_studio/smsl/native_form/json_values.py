@@ -1,4 +1,4 @@
-"""JSON values on one line: what ``_`` lines hold, and header values of no other spelling."""
+"""JSON values on one line: those of ``_`` lines, and header values that have no other spelling."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _BRACKET = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"|[\[\]{}]', re.DOTALL)
 
 
 class BadJson(ValueError):  # noqa: N818
-    """Why a value cannot be read, and where it begins to go wrong."""
+    """A value cannot be read: the reason, and the offset at which it begins to be wrong."""
 
     def __init__(self, at: int, length: int, sentence: str, advice: str) -> None:
         super().__init__(sentence)
@@ -30,14 +30,16 @@ class _BadNumber(Exception):  # noqa: N818
 
 
 def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
-    """The JSON value a text begins with, where it ends, and whether a key is doubled in it.
+    """Return the JSON value at the beginning of a text, its end, and whether a key is doubled in
+    it.
 
-    The value stands ``depth`` levels deep in its document, which counts for how deep it may be.
+    The value is ``depth`` levels deep in its document. This counts towards the limit of nesting.
+    BadJson if it cannot be read.
     """
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        """The object, and a note in ``doubled`` where a key comes twice in it."""
+        """Return the object, and set ``doubled`` if a key occurs twice in it."""
         nonlocal doubled
         found = dict(pairs)
         doubled = doubled or len(found) != len(pairs)
@@ -67,7 +69,7 @@ def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
 
 
 def one_line(value: Json) -> str:
-    """A value in JSON, on one line."""
+    """Return a value as JSON on one line."""
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 

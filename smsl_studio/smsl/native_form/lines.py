@@ -26,7 +26,7 @@ Json = Any
 Level = Literal["name", "header", "field"]
 
 NAME_KEYS = ("INITIAL", "ACTIVATING")
-"""Header keys whose value is the name of a state, whatever it looks like."""
+"""Header keys whose value is always read as the name of a state."""
 
 INTEGER = r"-?(?:0|[1-9][0-9]*+)"
 ENTRY = rf"({NAME})\s*+:\s*+({INTEGER})(?=[\s,)])"
@@ -45,7 +45,7 @@ _COMMENT = re.compile(r"(?:^|(?<=\s))//")
 
 
 class HashLine(NamedTuple):
-    """A ``#`` line, as offsets into the text; ``end`` is that of the line."""
+    """A ``#`` line, as offsets into the text. ``end`` is the end of the line."""
 
     level: Level
     key: str
@@ -57,7 +57,7 @@ class HashLine(NamedTuple):
 
 
 class Value(NamedTuple):
-    """What a line says, the offset behind it, and whether a key is doubled in it."""
+    """The value of a line, the offset after it, and whether a key is doubled in it."""
 
     value: Json
     end: int
@@ -67,8 +67,8 @@ class Value(NamedTuple):
 class BadValue(Exception):  # noqa: N818
     """A value that cannot be read.
 
-    ``guess`` is what it may have meant, None where nobody knows. ``resume`` is where parsing goes
-    on, 0 for the next line.
+    ``guess`` is its probable value, None if there is none. ``resume`` is the offset at which
+    reading goes on, 0 for the next line.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class BadValue(Exception):  # noqa: N818
 
 
 def line_at(text: str, at: int) -> HashLine | None:
-    """The line whose ``#`` stands at ``at``; None where it is no such line."""
+    """Return the line whose ``#`` is at ``at``, None if there is no such line."""
     match = _LINE.match(text, at)
     if match is None:
         return None
@@ -104,7 +104,7 @@ def line_at(text: str, at: int) -> HashLine | None:
 
 
 def read_value(text: str, line: HashLine, depth: int) -> Value:
-    """The value of a line that stands ``depth`` levels deep; BadValue where it has none."""
+    """Return the value of a line that is ``depth`` levels deep. BadValue if it cannot be read."""
     raw = text[line.value_start : line.end]
     if line.key.startswith("_") and line.level != "name":
         return _field(text, raw, line, depth)
@@ -122,12 +122,14 @@ def read_value(text: str, line: HashLine, depth: int) -> Value:
 
 
 def is_map(raw: str) -> bool:
-    """Whether a value is a map in round brackets, and not a text that begins with one."""
+    """Return whether a value is a map in round brackets, and not a text that begins with one."""
     return _MAP.fullmatch(raw) is not None
 
 
 def entries(text: str, start: int) -> Iterator[Member]:
-    """The members of the map in round brackets that opens at ``start``, known to be valid."""
+    """Yield the members of the map in round brackets that opens at ``start``. It is known to be
+    valid.
+    """
     match = _MAP.match(text, start)
     for entry in _ENTRY.finditer(text, start, match.end() if match else start):
         (key_start, key_end), (value_start, value_end) = entry.span(1), entry.span(2)
@@ -135,7 +137,7 @@ def entries(text: str, start: int) -> Iterator[Member]:
 
 
 def _field(text: str, raw: str, line: HashLine, depth: int) -> Value:
-    """A value in JSON; one that goes over several lines is told with its repair."""
+    """Return a value in JSON. A value over several lines is a BadValue with a repair."""
     try:
         return _json(raw, line, depth)
     except BadValue as error:
@@ -252,7 +254,10 @@ def _text(raw: str, line: HashLine) -> Value:
 
 
 def _without_comment(raw: str) -> str:
-    """The text of a line: up to a comment that begins it or stands behind white space."""
+    """Return the text of a line without its comment.
+
+    A comment is at the beginning or after white space.
+    """
     comment = _COMMENT.search(raw)
     return (raw[: comment.start()] if comment else raw).rstrip()
 

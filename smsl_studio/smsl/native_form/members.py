@@ -1,4 +1,4 @@
-"""The members of one container of a native text get other values: states, fields, edges."""
+"""Gives the members of one container of a native text other values: states, fields, edges."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from smsl_studio.smsl.native_form.tokens import spelled
 Json = Any
 Map = dict[str, Json]
 Change = Callable[[Slot, Json, Json], Json]
-"""Writes a new value into a slot that held an old one; gives what it holds afterwards."""
+"""Writes a new value into a slot with an old one. Returns the value as it is in the new text."""
 
 
 class MemberSplicer:
-    """Writes members of one document anew, reusing every piece of text that still holds."""
+    """Writes members of one document anew, and keeps every piece of text that is still valid."""
 
     def __init__(self, document: Document) -> None:
         spans = document.spans
@@ -33,11 +33,11 @@ class MemberSplicer:
 
     @cached_property
     def style(self) -> NativeStyle:
-        """The layout of what is new."""
+        """The layout of new elements."""
         return style_of(self._document, self.spans)
 
     def state_value(self, branch: str, slot: Slot, old: Json, new: Json) -> Json:
-        """Change the text of one state of an SB; the values that it holds afterwards."""
+        """Change the text of one state of an SB. Return its values as they are in the new text."""
         state = slot.element
         assert state is not None
         if slot.key.startswith("_"):
@@ -58,13 +58,13 @@ class MemberSplicer:
         indent = row.indent(outer + self.style.unit)
 
         def fresh(key: str, value: Json, indent: str) -> str:
-            """The text of a new member of the state: a ``_`` field or an operation."""
+            """Return the text of a new member of the state: a ``_`` field or an operation."""
             if key.startswith("_"):
                 return self.style.field(key, value)
             return self.style.edge(branch, slot.key, key, value)
 
         def target(edge: Slot, old: Json, new: Json) -> Json:
-            """Change the target of one operation; ConvertError where it is not a name."""
+            """Change the target of one operation. ConvertError if it is not a text."""
             if edge.key.startswith("_"):
                 return self.field_value(edge, old, new)
             if type(new) is not str:
@@ -83,7 +83,7 @@ class MemberSplicer:
         return merged
 
     def field_value(self, slot: Slot, old: Json, new: Json) -> Json:
-        """A ``# _KEY`` line with another value, or in the place of an odd element."""
+        """Give a ``# _KEY`` line another value. An element of another kind becomes such a line."""
         found = slot.element
         assert found is not None
         if found.kind != "field":
@@ -102,7 +102,11 @@ class MemberSplicer:
         change: Change,
         fresh: Callable[[str, Json, str], str],
     ) -> Map:
-        """Bring those slots of a row that are its members from the old values to the new ones."""
+        """Change the members of a row from the old values to the new ones. ``slots`` are these
+        members.
+
+        Return the values as they are in the new text.
+        """
         old, new = maps
         kept = survivors(old, new)
         latest = {slot.key: slot for slot in slots}
@@ -145,7 +149,9 @@ class MemberSplicer:
         indent: str,
         fresh: Callable[[str, Json, str], str],
     ) -> set[int]:
-        """Put new members into a row, each behind the one it follows; which slots are theirs."""
+        """Put new members into a row, each after the member that it follows. Return the ids of
+        their slots.
+        """
         slots: list[Slot] = []
         old, done = row.slots, 0
         waiting: list[Slot] = []
@@ -156,7 +162,7 @@ class MemberSplicer:
                 waiting.append(Slot(key, None, text, key.startswith("_")))
                 continue
             place = places[placed.slot]
-            if done and waiting:  # behind the member before, and before what follows that
+            if done and waiting:  # New members go directly after the member before them.
                 slots += waiting
                 waiting = []
             slots += old[done:place]
@@ -173,7 +179,7 @@ class MemberSplicer:
 
 
 def respell_key(slot: Slot, old: str, new: str, value: bool = False) -> None:
-    """Write another name into an element (the value of a NAME line where ``value`` says so)."""
+    """Write another name into an element. ``value`` is true for the value of a NAME line."""
     found = slot.element
     if found is None or old == new:
         return

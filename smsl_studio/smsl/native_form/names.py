@@ -1,4 +1,4 @@
-"""Names where something is wrong with them: quotes that do not close, names that need quotes."""
+"""Reads faulty names: quotes that are not closed, and names that need quotes."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from smsl_studio.smsl.native_form.tokens import NEEDS_QUOTES, NO_TEXT, bare, dec
 BEFORE_BRACKET = re.compile(r"[^\S\r\n]*+:")
 BEFORE_ARROW = re.compile(r"[^\S\r\n]*+(?:->|=>)")
 BEFORE_COMMA = re.compile(r"[^\S\r\n]*+(?:[,\]\r\n]|//|$)")
-"""What stands behind the name of a state, of an operation, and behind a target."""
+"""The text that follows the name of a state, the name of an operation, and a target."""
 
 _LINE = re.compile(r"[^\r\n]*+")
 _RUN = re.compile(r'[^\r\n{}\[\],#"]*+')
 
 
 def read(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tuple[str, int] | None:
-    """The name at ``at`` and the offset behind it; None where there is no name.
+    """Return the name at ``at`` and the offset after it, None if there is no name.
 
-    A name whose quotes do not close, or that should have some, is told and read as it was meant:
-    up to what should stand ``behind`` it.
+    If the quotes are not closed, or are missing, a fault is reported. The name then ends before the
+    text that should follow it (``behind``).
     """
     if text[at : at + 1] == '"':
         return _quoted(text, at, faults, behind)
@@ -44,9 +44,11 @@ def read(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tuple[s
 
 
 def torn_target(text: str, before: tuple[int, int], at: int, faults: Faults) -> int | None:
-    """A target with a space or a sign in it, written without quotes; the offset behind it.
+    """Report a target with a space or a sign in it, written without quotes. Return the offset after
+    it.
 
-    ``before`` is the span of what was read as the target, ``at`` where the rest of it begins.
+    None if it is no such target. ``before`` is the span of the part that was read as the target.
+    ``at`` is the offset of the rest.
     """
     start, end = before
     if text[end:at].strip(" \t") or text[start] == '"' or text[at] in "#[]{}":
@@ -66,7 +68,7 @@ def _tell(faults: Faults, at: int, whole: str) -> None:
 
 
 def _cut(run: str, behind: re.Pattern[str]) -> int | None:
-    """Where in a run of characters the name ends that stands before ``behind``."""
+    """Return the length of the name at the beginning of ``run``. It ends before ``behind``."""
     match = behind.search(run)
     if match is None and behind is BEFORE_COMMA:
         return len(run)

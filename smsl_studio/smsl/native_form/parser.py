@@ -1,8 +1,8 @@
-"""Reading the native form: text to Document, with all that is wrong with a text at once.
+"""Reads the native form: from text to Document. It finds all faults of a text in one pass.
 
-Well-formed states, which is nearly everything, are read by one regular expression each. What
-does not fit goes the slow way (``states``, ``strays``), where every fault is told and parsing
-goes on behind it. Where things stand is found later (``spans``).
+One regular expression reads a well-formed state, which nearly every state is. Everything else is
+read slowly (``states``, ``strays``): every fault is reported, and reading goes on after it.
+``spans`` finds the places later.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ Json = Any
 
 
 def parse(text: str, file: str) -> Document:
-    """Read a native text; ReadError, with all its faults, where it is none.
+    """Read a native text. ReadError, with all its faults, if it is not one.
 
-    A key written twice opens: the last one wins, in the place of the first.
+    A doubled key is no error: the last value counts, in the place of the first.
     """
     parser = NativeParser(text, file)
     error = parser.faults.error()
@@ -39,7 +39,7 @@ def parse(text: str, file: str) -> Document:
 
 
 class NativeParser:
-    """What could be read of one text, and what is wrong with it."""
+    """Reads one text: its values and its faults."""
 
     def __init__(self, text: str, file: str) -> None:
         self.text = text
@@ -56,7 +56,7 @@ class NativeParser:
 
     @property
     def doubled(self) -> bool:
-        """Whether a key came twice in one map."""
+        """Whether a key occurs twice in one map."""
         return self._keeping.doubled
 
     def _is_sound(self) -> bool:
@@ -88,7 +88,7 @@ class NativeParser:
             at = skip_separator(text, at)
 
     def _line_outside(self, at: int) -> int:
-        """A ``#`` line between branches."""
+        """Read a ``#`` line between branches. Return the offset after it."""
         line = line_at(self.text, at)
         if line is None:
             return strays.broken_line(self.text, at, self.faults)
@@ -103,7 +103,7 @@ class NativeParser:
         return self._branch(at, at, braced=False)
 
     def _branch(self, start: int, at: int, braced: bool = True) -> int:
-        """The State Branch whose brace stands at ``start``; the offset behind it."""
+        """Read the State Branch whose brace is at ``start``. Return the offset after it."""
         text = self.text
         name: str | None = None
         header: dict[str, Json] = {}

@@ -1,4 +1,4 @@
-"""What can be saved of a faulty text."""
+"""Recovers the sound parts of a faulty text."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from smsl_studio.smsl.native_form.writer import write
 
 
 def recover(text: str, file: str) -> Document:
-    """A document of its own with everything that could be read of a faulty text."""
+    """Return a new document with everything that could be read of a faulty text."""
     return parse(write(NativeParser(text, file).values), file)

@@ -1,4 +1,4 @@
-"""A text under the name of a native one that is clearly in another form."""
+"""Detects a text in another form under a native name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.smsl.native_form.tokens import content_start
 
 
 def form_within(text: str) -> str:
-    """The form that a text which is no native one is clearly in; the empty text for none."""
+    """Return the other form in which a text clearly is, or the empty text."""
     form = other_form(text)
     if form == "smsl":
         return ""
@@ -23,7 +23,7 @@ def form_within(text: str) -> str:
 
 
 def misnamed(text: str, file: str) -> ReadError | None:
-    """The one thing that is wrong with a text in another form; None where it is in none."""
+    """Return the one fault of a text that is in another form. None if it is in no other form."""
     form = form_within(text)
     if not form:
         return None

@@ -1,8 +1,8 @@
-"""A row of elements with what stands between them: taken apart, changed, and put together again.
+"""A row of elements and the text between them: taken apart, changed, and put together again.
 
-What follows an element on its line (commas, a comment) is its tail; what stands between that and
-the next element is that one's head; what is left before the closing bracket is the foot. Comments
-on lines of their own stay when the element below them goes; the one on its own line goes along.
+The tail of an element is the rest of its line: commas and a comment. The head of an element is the
+text between the tail before it and the element. The foot is the text before the closing bracket. If
+an element is removed, the comments on the lines above it stay, and the comment on its line goes.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ _BREAK = re.compile(r"\r\n|\r|\n")
 
 @dataclass(slots=True, eq=False)
 class Slot:
-    """One element in its row: an old one, or a new one (no element). A ``line`` ends its line."""
+    """One element in its row. A new one has no ``element``. A ``line`` extends to the end of its
+    line.
+    """
 
     key: str
     element: Element | None
@@ -36,14 +38,16 @@ class Slot:
     wins: bool = True
 
     def take(self, other: Slot) -> None:
-        """Hold what another slot holds; head and commas stay those of the place."""
+        """Take the content of another slot. Head and commas stay."""
         self.key, self.element, self.text = other.key, other.element, other.text
         self.line, self.comment, self.wins = other.line, other.comment, other.wins
 
 
 class RowFrame:
-    """The elements between two brackets (or of the file), and what holds for all of them. Of many
-    only as many are looked at as it takes to tell."""
+    """The elements between two brackets, or those of the file, and the layout that they share.
+
+    It looks only at the elements that are needed to know this.
+    """
 
     def __init__(
         self,
@@ -58,7 +62,9 @@ class RowFrame:
         self.newline, self.outermost = newline, outermost
 
     def gap(self, index: int) -> str:
-        """What stands before an element; behind the last one for the index that follows it."""
+        """Return the text before an element. For the index after the last one, the text behind the
+        last.
+        """
         start = self.elements[index - 1].end if index else self.start
         end = self.elements[index].start if index < len(self.elements) else self.end
         return self.text[start:end]
@@ -72,29 +78,31 @@ class RowFrame:
 
     @cached_property
     def broken(self) -> bool:
-        """Whether a line ends somewhere between the elements."""
+        """Whether a line ends between two of the elements."""
         return self.outermost or any(map(has_break, self._gaps()))
 
     @cached_property
     def first(self) -> int:
-        """The index of the first element that commas part from others; behind all for none."""
+        """The index of the first element that is no ``#`` line. The number of elements if there is
+        none.
+        """
         found = (index for index, one in enumerate(self.elements) if not _is_line(one))
         return next(found, len(self.elements))
 
     @cached_property
     def last(self) -> int:
-        """The index of the last element that commas part from others; -1 for none."""
+        """The index of the last element that is no ``#`` line. -1 if there is none."""
         every = range(len(self.elements) - 1, -1, -1)
         return next((index for index in every if not _is_line(self.elements[index])), -1)
 
     @cached_property
     def trailing(self) -> bool:
-        """Whether a comma stands behind the last one of these."""
+        """Whether a comma follows the last element that is no ``#`` line."""
         return self.last >= 0 and bool(_tail(self.gap(self.last + 1))[0])
 
     @cached_property
     def commas(self) -> bool | None:
-        """Whether commas part the elements; None where there are too few to tell."""
+        """Whether commas separate the elements. None if there are too few to know."""
         if self.first >= self.last:
             return None
         before = False
@@ -105,7 +113,9 @@ class RowFrame:
         return False
 
     def indent(self, otherwise: Callable[[], str]) -> str:
-        """The indentation of the elements that begin a line."""
+        """Return the indentation of the elements that begin a line. ``otherwise`` gives it if there
+        are none.
+        """
         for _, gap in zip(self.elements, self._gaps(), strict=False):
             if has_break(gap):
                 return _last_indent(gap)
@@ -113,7 +123,7 @@ class RowFrame:
 
 
 class ElementRow:
-    """The elements of a frame from ``begin`` to ``end``, free to be changed."""
+    """The elements of a frame from ``begin`` to ``end``. They can be changed."""
 
     def __init__(self, frame: RowFrame, begin: int = 0, end: int | None = None) -> None:
         self.frame, self.newline, self.outermost = frame, frame.newline, frame.outermost
@@ -134,13 +144,15 @@ class ElementRow:
         self.foot = self._after(text[at : self.end])
         self._begun = begin > frame.first
         self._goes_on = frame.last >= stop
-        """Whether what is changed here may neither begin nor end what commas part."""
+        """Whether elements with commas follow after the part that is changed here."""
         self._last = self.slots[frame.last - begin] if begin <= frame.last < stop else None
         self.commas = frame.commas
-        """Whether commas part the elements; None where there are too few to tell."""
+        """Whether commas separate the elements. None if there are too few to know."""
 
     def _after(self, gap: str) -> str:
-        """The head of what follows a gap; the tail of what is before it is put there."""
+        """Give the tail in a gap to the element before it. Return the rest: the head of the next
+        one.
+        """
         commas, comment = _tail(gap)
         end = len(commas) + len(comment)
         if self.slots:
@@ -152,8 +164,8 @@ class ElementRow:
         return gap[end:]
 
     def remove(self, kept: Sequence[bool]) -> None:
-        """Take away the slots that are not kept; comments above them stay."""
-        heads, left = [self.foot], []  # from the last one to the first
+        """Remove the slots that are not kept. Comments above them stay."""
+        heads, left = [self.foot], []  # The order is from the last to the first.
         for index, slot in reversed([*enumerate(self.slots)]):
             if kept[index]:
                 left.append(slot)
@@ -170,14 +182,14 @@ class ElementRow:
             slot.head = head
 
     def settle(self) -> None:
-        """Put the commas right after elements have gone."""
+        """Correct the commas after elements were removed."""
         self._part(set())
 
     def permute(self, places: Sequence[int], contents: Sequence[int]) -> None:
-        """Let the slot at each of the places hold what ``contents`` says.
+        """Give the slots at some places the contents of others.
 
-        The comments right above an element and on its line go with it; a preamble of the file
-        stays.
+        The comments directly above an element, and on its line, move with it. The comments at the
+        beginning of the file stay.
         """
         if list(contents) == list(range(len(places))):
             return
@@ -195,14 +207,14 @@ class ElementRow:
             self.slots[place].head = above + about + indent
 
     def fill(self, slots: list[Slot], indent: str) -> None:
-        """Hold these slots, some of them new: those take heads like their neighbours'."""
+        """Take these slots. New ones get heads like those of their neighbours."""
         new = {id(slot) for slot in slots} - {id(slot) for slot in self.slots}
         only_lines = not self._begun
         for index, slot in enumerate(slots):
             if id(slot) in new:
                 slot.head = self._head(slots, index, indent)
                 if only_lines and index > 1 and not slot.line:
-                    slot.head = self.newline + slot.head  # the first state, behind a header
+                    slot.head = self.newline + slot.head  # An empty line is before the first state.
             only_lines = only_lines and slot.line
         if slots and id(slots[0]) in new:
             self._begin(slots, new, indent)
@@ -210,7 +222,7 @@ class ElementRow:
         self._part(new)
 
     def _head(self, slots: list[Slot], index: int, indent: str) -> str:
-        """The head of the new slot at an index."""
+        """Return the head of the new slot at an index."""
         plain = self.newline + indent if self.frame.broken or slots[index].line else " "
         if index == 0 or slots[index].line or slots[index - 1].line:
             return plain
@@ -222,7 +234,7 @@ class ElementRow:
         return plain
 
     def _begin(self, slots: list[Slot], new: set[int], indent: str) -> None:
-        """Let the first slot, a new one, begin the row; what stands above stays above."""
+        """Let a new first slot begin the row. The text above it stays above it."""
         former = next((slot for slot in slots if id(slot) not in new), None)
         if former is None:
             if self.outermost:
@@ -236,13 +248,15 @@ class ElementRow:
             slots[0].head, former.head = former.head, slots[0].head
 
     def _like(self, head: str, indent: str) -> str:
-        """A head with the white space of another, but not its comments and commas."""
+        """Return a head with the white space of another, without its comments and commas."""
         if not head.strip():
             return head or " "
         return self.newline + indent if has_break(head) else " "
 
     def _part(self, new: set[int]) -> None:
-        """Put commas behind new elements, and where an element is or was the last."""
+        """Put commas behind new elements, and correct those of the former and the new last
+        element.
+        """
         parted = [index for index, slot in enumerate(self.slots) if not slot.line]
         for index in parted if self._goes_on else parted[:-1]:
             slot = self.slots[index]
@@ -257,8 +271,10 @@ class ElementRow:
                 last.commas = ""
 
     def whole(self, indent: str, closing: str | None) -> str:
-        """The row as text. ``closing`` is the indentation of the bracket behind it, None at the
-        end of a file."""
+        """Return the row as text.
+
+        ``closing`` is the indentation of the bracket after it, None at the end of a file.
+        """
         pieces = [self.opener]
         ends = bool(self.opener.strip())
         before = ""
@@ -277,7 +293,9 @@ class ElementRow:
         return "".join([*pieces, foot])
 
     def indent(self, otherwise: str) -> str:
-        """The indentation of the elements that begin a line."""
+        """Return the indentation of the elements that begin a line, ``otherwise`` if there are
+        none.
+        """
         for slot in self.slots:
             if has_break(slot.head):
                 return _last_indent(slot.head)
@@ -285,18 +303,18 @@ class ElementRow:
 
 
 def _last_indent(gap: str) -> str:
-    """The white space behind the last line end of a gap."""
+    """Return the indentation after the last line end of a gap."""
     line = gap[_last_break(gap) :].lstrip("\r\n")
     return line[: len(line) - len(line.lstrip())]
 
 
 def _is_line(element: Element) -> bool:
-    """Whether an element ends its line, so that no comma parts it from the next."""
+    """Return whether an element ends its line, so that no comma follows it."""
     return element.kind in ("field", "header", "name")
 
 
 def _tail(gap: str) -> tuple[str, str]:
-    """The commas and the comment that follow an element on its line."""
+    """Return the commas and the comment that follow an element on its line."""
     commas = _COMMAS.match(gap)
     end = commas.end() if commas else 0
     comment = _COMMENT.match(gap, end)
@@ -304,12 +322,12 @@ def _tail(gap: str) -> tuple[str, str]:
 
 
 def has_break(text: str) -> bool:
-    """Whether a line ends in a text."""
+    """Return whether a line ends in a text."""
     return "\n" in text or "\r" in text
 
 
 def _last_break(text: str) -> int:
-    """Where the last line end of a text begins, -1 where there is none."""
+    """Return the offset of the last line end of a text, -1 if there is none."""
     last = -1
     for match in _BREAK.finditer(text):
         last = match.start()
@@ -317,7 +335,9 @@ def _last_break(text: str) -> int:
 
 
 def _in_three(head: str) -> tuple[str, str, str]:
-    """A head as what stands above, the comment lines right above its element, its indentation."""
+    """Return a head in three parts: the text above, the comment lines directly above, the
+    indentation.
+    """
     match = _ABOUT.search(head)
     if match is None or (match.start() and head[match.start() - 1] not in "\r\n"):
         return head, "", ""
@@ -325,7 +345,9 @@ def _in_three(head: str) -> tuple[str, str, str]:
 
 
 def _joined(gone: str, behind: str, first: bool, at_foot: bool) -> str:
-    """The head of an element when the one before it goes, whose head was ``gone``."""
+    """Return the new head of an element if the one before it, with the head ``gone``, is
+    removed.
+    """
     cut = _last_break(gone)
     if not has_break(behind):
         return gone if cut >= 0 or (first and not at_foot) else behind

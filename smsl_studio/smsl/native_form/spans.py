@@ -1,6 +1,6 @@
-"""Where things stand in a native text that is known to be valid.
+"""The places in a native text that is known to be valid.
 
-Elements are found container by container, and only when somebody asks.
+The elements of a container are found when they are first needed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from smsl_studio.smsl.native_form.tokens import content_start, decoded, skip_sep
 
 
 class _Branch(NamedTuple):
-    """What stands in a branch: its header lines, and its lines, states and fields by key."""
+    """The elements of a branch: its header lines, and its lines, states and fields by key."""
 
     lines: tuple[Element, ...]
     headers: dict[str, Element]
@@ -26,8 +26,9 @@ class _Branch(NamedTuple):
 
 
 class NativeSpans:
-    """The spans of one valid native text. ``known`` has the elements of the file, where they are
-    known already."""
+    """The places in one valid native text. ``known`` are the elements of the file if they are
+    known.
+    """
 
     def __init__(self, text: str, known: ElementShapes | None = None) -> None:
         self._text, self._known = text, known
@@ -51,16 +52,19 @@ class NativeSpans:
 
     @cached_property
     def shapes(self) -> ElementShapes:
-        """The same by their lengths."""
+        """The branches and lines of the file as lengths."""
         return ElementShapes.of(self.elements, 0) if self._known is None else self._known
 
     @cached_property
     def _latest(self) -> dict[str, Element]:
-        """The branches and lines of the file by key; of a doubled one the last."""
+        """The branches and lines of the file by key, the last one of a doubled key."""
         return by_key(self.elements)
 
     def members(self, path: Path) -> tuple[Member, ...]:
-        """See ``Spans``. The key of a branch is its NAME; HEADER is its header lines together."""
+        """Return the members at a path (see ``Spans``).
+
+        The key of a branch is its NAME. HEADER is all its header lines.
+        """
         if len(path) > 1:
             return self._find(path)
         if path not in self._members:
@@ -105,14 +109,14 @@ class NativeSpans:
         return self._branches[branch.start]
 
     def inside(self, state: Element) -> tuple[Element, ...]:
-        """The edges and lines of a state."""
+        """Return the edges and lines of a state."""
         if state.start not in self._inside:
             found, _ = _state_elements(self._text, state.value_start + 1)
             self._inside[state.start] = tuple(found)
         return self._inside[state.start]
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
-        """See ``Spans``."""
+        """Yield the doubled keys (see ``Spans``)."""
         yield from _doubled((), tuple(element.member for element in self.elements))
         for element in self.elements:
             path = (element.key,)
@@ -148,7 +152,7 @@ class NativeSpans:
             yield from self._doubled_values((*path, member.key), member.value_start)
 
     def _values(self, start: int, path: Path) -> tuple[Member, ...]:
-        """The members of the map or list that opens at ``start``, or of one inside it."""
+        """Return the members of the map or list that opens at ``start``, or of one inside it."""
         for key in path:
             if start not in self._scanned:
                 self._scanned[start] = {member.key: member for member in self._scan(start)}
@@ -162,12 +166,12 @@ class NativeSpans:
 
 
 def in_values(elements: Iterable[Element]) -> tuple[Element, ...]:
-    """Those elements of a branch that are no part of its header."""
+    """Return the elements of a branch that are no part of its header."""
     return tuple(element for element in elements if element.is_member)
 
 
 def header_member(elements: Iterable[Element]) -> tuple[Member, ...]:
-    """The HEADER of a branch as one member: its first header lines together; none without any."""
+    """Return the HEADER of a branch as one member: its first header lines. Empty if it has none."""
     first: Element | None = None
     end = 0
     for element in elements:
@@ -180,7 +184,7 @@ def header_member(elements: Iterable[Element]) -> tuple[Member, ...]:
 
 
 def by_key(elements: Iterable[Element]) -> dict[str, Element]:
-    """Elements by their keys; of a doubled one the last."""
+    """Return elements by their keys, the last one of a doubled key."""
     return {element.key: element for element in elements}
 
 
@@ -231,7 +235,7 @@ def _state(text: str, at: int) -> Element:
 
 
 def _state_elements(text: str, at: int) -> tuple[list[Element], int]:
-    """The edges and lines from behind a bracket on, and the offset behind the closing one."""
+    """Return the edges and lines after the bracket before ``at``, and the offset after its end."""
     found: list[Element] = []
     at = skip_separator(text, at)
     while text[at] != "]":
@@ -254,14 +258,14 @@ def _line(text: str, at: int, depth: int) -> Element:
 
 
 def line_element(text: str, line: HashLine, depth: int) -> Element:
-    """A ``#`` line as an element."""
+    """Return a ``#`` line as an element."""
     end = read_value(text, line, depth).end
     start = line.value_start
     return Element(line.level, line.key, line.start, end, line.key_start, line.key_end, start, end)
 
 
 def elements_between(text: str, at: int, end: int) -> Iterator[Element]:
-    """The lines and states of a branch that stand between two offsets."""
+    """Yield the lines and states of a branch between two offsets."""
     at = skip_separator(text, at)
     while at < end:
         element = _line(text, at, 2) if text[at] == "#" else _state(text, at)

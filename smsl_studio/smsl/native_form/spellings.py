@@ -1,4 +1,4 @@
-"""How single names and values are spelled in the native form, and what has no spelling."""
+"""The spelling of single names and values in the native form, and the errors if there is none."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ Json = Any
 
 
 def edge_text(branch: str, state: str, name: str, target: Json, arrow: str = " -> ") -> str:
-    """An operation; ConvertError where its target is no text."""
+    """Return an operation as text. ConvertError if its target is not a text."""
     if type(target) is not str:
         raise no_spelling((branch, state, name), "its target is not the name of a state")
     return f"{spelled(name)}{arrow}{spelled(target)}"
 
 
 def header_key(key: str) -> str:
-    """A header key as it is written."""
+    """Return a header key as it is written."""
     if key.startswith("_") or key == "NAME":
         return f"HEADER.{spelled(key)}"
     return f'"{key}"' if key.startswith("HEADER.") and is_bare(key) else spelled(key)
 
 
 def header_value(branch: str, key: str, value: Json) -> str:
-    """The value of a header key as it is written; ConvertError where it cannot be."""
+    """Return the value of a header key as it is written. ConvertError if it cannot be written."""
     if key.startswith("_"):
         return one_line(value)
     if key in NAME_KEYS and not isinstance(value, dict | list):
@@ -44,13 +44,13 @@ def header_value(branch: str, key: str, value: Json) -> str:
 
 
 def map_text(value: Mapping[str, int]) -> str:
-    """A map of numbers in round brackets."""
+    """Return a map of numbers in round brackets."""
     inner = ", ".join(f"{spelled(key)}: {number}" for key, number in value.items())
     return f"({inner})" if inner else "( )"
 
 
 def _reads_as_itself(key: str, text: str) -> bool:
-    """Whether a text may stand there without quotes."""
+    """Return whether a text without quotes is read as the same text under this key."""
     if not text or not text.isprintable() or text[0] in '"({[':
         return False
     line = line_at(f"# {header_key(key)}: {text}", 0)
@@ -64,13 +64,13 @@ def _reads_as_itself(key: str, text: str) -> bool:
 
 
 def must_be_map(path: Path, value: Json, what: str) -> None:
-    """ConvertError where a value that has to be a map is none."""
+    """Raise ConvertError if a value is not a map. ``what`` names what it should be."""
     if not isinstance(value, dict):
         raise no_spelling(path, f"it is not {what}")
 
 
 def no_spelling(path: Path, why: str) -> ConvertError:
-    """What the native form cannot hold, by its path."""
+    """Return the error of a value that the native form cannot express, with its path."""
     where = "/".join(part.replace("~", "~0").replace("/", "~1") for part in path)
     return ConvertError(
         f"{where} cannot be written in the native form: {why}",

@@ -1,9 +1,9 @@
-"""Editing a native text: it gets other values, and only what differs is changed.
+"""Edits a native text: it gets other values, and only the differences are changed.
 
-Row by row, as in the JSON form (see ``arrangement``): what is equal keeps its text to the
-character, a rename splices the name, and what is new takes the layout of its neighbours. Comments
-stay, but for those inside of what is removed and on its line. What was written as an element whose
-name begins with ``_`` becomes a ``# _KEY`` line when its value changes.
+It works row by row, as the JSON form does (see ``arrangement``). Equal elements keep every
+character. A renaming replaces the name. New elements get the layout of their neighbours. Comments
+stay, except those inside a removed element and on its line. A state or edge whose name begins with
+``_`` becomes a ``# _KEY`` line if its value changes.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ Json = Any
 
 
 def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
-    """A document that reads to ``values``, its text changed only at the elements that differ.
+    """Return a document with ``values``. Its text is changed only at the elements that differ.
 
-    ConvertError for what has no spelling in the native form. A HEADER with nothing in it says as
-    much as none, and is left out. Where nothing differs but what stands in SBs, it knows from the
-    former document where things stand in the new one.
+    ConvertError if the native form cannot express them. An empty HEADER is left out, because it
+    means the same as none. If only the contents of SBs differ, the new document gets its places
+    from the former one.
     """
     if same(document.values, values):
         return document
@@ -44,19 +44,21 @@ def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
         return parse(text, document.file)
     after = replace(document, text=text, values=merged)
     if splicer.shapes is not None:
-        # Kept there as the ``cached_property`` itself would keep them.
+        # This is where the ``cached_property`` would keep them.
         after.__dict__["spans"] = NativeSpans(text, splicer.shapes)
     return after
 
 
 class _FileSplicer(MemberSplicer):
-    """Writes the SBs and fields of one document anew. ``shapes`` are the elements of the new text,
-    where they are known."""
+    """Writes the SBs and fields of one document anew.
+
+    ``shapes`` are the elements of the new text if they are known.
+    """
 
     shapes: ElementShapes | None = None
 
     def file(self, old: Map, new: Map) -> tuple[str, Map]:
-        """The text of the file for the new values, and these in the order of the text."""
+        """Return the text for the new values, and the values in the order of the text."""
         if list(old) == list(new) and len(old) == len(self.spans.elements):
             changed = {key for key in new if not same(old[key], new[key])}
             if not any(key.startswith("_") for key in changed):
@@ -69,7 +71,7 @@ class _FileSplicer(MemberSplicer):
             row.commas = self.style.branch_commas
 
         def fresh(key: str, value: Json, indent: str) -> str:
-            """The text of a new member of the file: a ``_`` field or an SB."""
+            """Return the text of a new member of the file: a ``_`` field or an SB."""
             if key.startswith("_"):
                 return self.style.field(key, value)
             return self.style.branch(key, value, indent)
@@ -81,7 +83,7 @@ class _FileSplicer(MemberSplicer):
         return text[:start] + row.whole("", None), merged
 
     def _some(self, changed: Collection[str], old: Map, new: Map) -> tuple[str, Map]:
-        """The same where only these SBs differ, and all keep their names and places."""
+        """Return the same if only some SBs differ, and all SBs keep their names and places."""
         shapes, pieces, found = self.spans.shapes, list[Piece](), list[tuple[int, BranchSplice]]()
         merged = dict(old)
         for index, key in enumerate(old):
@@ -117,12 +119,14 @@ class _FileSplicer(MemberSplicer):
 
     @cached_property
     def _indices(self) -> dict[int, int]:
-        """The indices of the elements of the file, by where they begin."""
+        """The indices of the elements of the file, by their offsets."""
         return {element.start: index for index, element in enumerate(self.spans.elements)}
 
 
 def _as_read(branch: Map) -> Map:
-    """A branch as it reads from a text: HEADER first, and only with something in it."""
+    """Return a branch as it is read from a text: HEADER comes first, and an empty one is left
+    out.
+    """
     if "HEADER" not in branch or (branch["HEADER"] and next(iter(branch)) == "HEADER"):
         return branch
     rest = {key: value for key, value in branch.items() if key != "HEADER"}

@@ -1,4 +1,4 @@
-"""Reading states: whole ones at once, others token by token, telling every fault on the way."""
+"""Reads states: well-formed ones at once, others token by token with all their faults."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ _NOT_ARROW = re.compile(r"(?:[=~\u2013\u2014]++|-\s++)?>|[=→⇒⟶➔]++>?|:|-
 
 
 class ReadState(NamedTuple):
-    """A state that was read (no key where nothing could be made of it), and the offset behind."""
+    """A state that was read, and the offset after it. ``key`` is None if no state was
+    recognized.
+    """
 
     key: str | None
     value: dict[str, Json]
@@ -37,7 +39,7 @@ class StateReader:
         self._same: dict[str, str] = {}
 
     def whole(self, at: int) -> tuple[str, dict[str, Json], int] | None:
-        """The state at ``at`` if it is well formed and holds nothing but edges."""
+        """Return the state at ``at`` if it is well formed and has only edges, else None."""
         match = self._match(self._text, at)
         if match is None:
             return None
@@ -58,7 +60,9 @@ class StateReader:
         return key, table, match.end()
 
     def odd(self, at: int) -> ReadState:
-        """Whatever begins at ``at``, where a state should: read as far as sense can be made."""
+        """Read what is at ``at`` in the place of a state, as far as possible. Faults are
+        reported.
+        """
         key, at, closer = self._head(at)
         if closer is None:
             return ReadState(key, {}, at)
@@ -67,9 +71,10 @@ class StateReader:
         return ReadState(key, table, at)
 
     def _head(self, at: int) -> tuple[str | None, int, str | None]:
-        """Name, colon and bracket: the name, the offset behind, and what closes the state.
+        """Read name, colon and bracket. Return the name, the offset after them, and the closing
+        bracket.
 
-        Nothing closes it where no bracket opens it.
+        The closing bracket is None if no bracket opens the state.
         """
         text, faults = self._text, self._faults
         found = names.read(text, at, faults, names.BEFORE_BRACKET)
@@ -92,7 +97,10 @@ class StateReader:
         return key, *self._bracket(bracket, colon + 1, key)
 
     def _bracket(self, at: int, colon: int, key: str) -> tuple[int, str | None]:
-        """Behind the bracket of a state, and what closes it."""
+        """Return the offset after the bracket that opens a state, and the closing bracket.
+
+        The closing bracket is None if no bracket opens the state.
+        """
         text, faults = self._text, self._faults
         mark = text[at : at + 1]
         if mark == "[":
@@ -111,7 +119,7 @@ class StateReader:
         return (at if at > colon else colon), None
 
     def _nameless(self, at: int) -> tuple[int, str | None]:
-        """A bracket or colon where a state's name should stand."""
+        """Report a bracket or colon in the place of a state's name. Return as ``_bracket`` does."""
         text, faults = self._text, self._faults
         opened = at
         if text[at] == ":":
@@ -123,10 +131,12 @@ class StateReader:
         return opened + 1, "]"
 
     def _edges(self, at: int, closer: str, key: str, table: dict[str, Json]) -> int:
-        """The inside of a state from behind its bracket; the offset behind the closing one."""
+        """Read the content of a state, from after its bracket. Return the offset after its closing
+        bracket.
+        """
         text = self._text
         opened, last = at - 1, at
-        before: tuple[int, int] | None = None  # the target that was read last
+        before: tuple[int, int] | None = None  # The span of the last target.
         while True:
             at = skip_separator(text, last)
             match = tokens.edge.match(text, at)
@@ -148,21 +158,21 @@ class StateReader:
             before = None
 
     def _begins_other(self, at: int) -> bool:
-        """Whether a new state, or a line that stands in no state, begins at ``at``."""
+        """Return whether a new state, or a line that is in no state, begins at ``at``."""
         if self._text[at] == "#":
             line = line_at(self._text, at)
             return line is not None and line.level != "field"
         return _NEXT_STATE.match(self._text, at) is not None
 
     def _line(self, at: int, table: dict[str, Json]) -> int:
-        """A ``# _KEY: json`` line inside a state."""
+        """Read a ``# _KEY: json`` line in a state. Return the offset after it."""
         line = line_at(self._text, at)
         if line is None:
             return strays.broken_line(self._text, at, self._faults)
         return self._keeping.line(table, line, 3)
 
     def _odd_edge(self, at: int, before: tuple[int, int] | None, table: dict[str, Json]) -> int:
-        """Something in a state that is no edge as it should be; the offset behind it."""
+        """Report something in a state that is not a correct edge. Return the offset after it."""
         text, faults = self._text, self._faults
         if before and (fixed := names.torn_target(text, before, at, faults)):
             return fixed
@@ -182,7 +192,7 @@ class StateReader:
         return self._rest_of_edge(at, *found, table)
 
     def _rest_of_edge(self, at: int, name: str, behind: int, table: dict[str, Json]) -> int:
-        """An edge from behind its name, where something is wrong with it."""
+        """Read an edge with a fault, from after its name. Return the offset after it."""
         text, faults = self._text, self._faults
         arrow = skip_gap(text, behind)
         advice = "An operation is Operation -> State."
@@ -190,7 +200,8 @@ class StateReader:
             target_at = skip_gap(text, arrow + 2)
         else:
             if text[behind - 1 : behind] in ("=", "~", "-") and text[behind : behind + 1] == ">":
-                arrow, name = behind - 1, name[:-1]  # a=>b: the sign was read with the name
+                # In a=>b the sign was read as a part of the name.
+                arrow, name = behind - 1, name[:-1]
             wrong = _NOT_ARROW.match(text, arrow)
             next_name = tokens.name.match(text, arrow)
             if wrong:

@@ -1,4 +1,4 @@
-"""What stands where nothing of its kind can: told with a repair, and passed over."""
+"""Reports text in a place where it is not possible, with a repair, and skips it."""
 
 from __future__ import annotations
 
@@ -24,22 +24,26 @@ _HEADER_KEY = re.compile(r"#\s*(?:NAME|INITIAL|ACTIVATING|NUM_FACTS|NUM_STATES|S
 
 
 def begins_state(text: str, at: int) -> bool:
-    """Whether a name and a colon stand at ``at``."""
+    """Return whether a name and a colon are at ``at``."""
     return _STATE.match(text, at) is not None
 
 
 def outside(text: str, at: int, faults: Faults) -> int:
-    """Something between State Branches that can stand there nowhere; the offset behind it."""
+    """Report something that is not possible between State Branches. Return the offset after it."""
     return _stray(text, at, faults, _ADVICE["outside"])
 
 
 def inside(text: str, at: int, faults: Faults) -> int:
-    """The same inside a State Branch or state."""
+    """Report something that is not possible in a State Branch or state. Return the offset after
+    it.
+    """
     return _stray(text, at, faults, _ADVICE["state"])
 
 
 def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
-    """A name in a State Branch that no colon or bracket follows; the offset to go on at."""
+    """Report a name in a State Branch without colon and bracket. Return the offset to read on
+    from.
+    """
     arrow = tokens.edge.match(text, at)
     if arrow:
         return _edges_outside(text, at, faults)
@@ -53,7 +57,9 @@ def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
 
 
 def _edges_outside(text: str, at: int, faults: Faults) -> int:
-    """Operations that stand in no state, and the ] that would have closed it."""
+    """Report operations outside a state. Return the offset after them and after a ] that
+    follows.
+    """
     end, behind = at, at
     while edge := tokens.edge.match(text, behind):
         end = edge.end()
@@ -64,7 +70,7 @@ def _edges_outside(text: str, at: int, faults: Faults) -> int:
 
 
 def broken_line(text: str, at: int, faults: Faults) -> int:
-    """A ``#`` that begins no line of the form; the offset behind it."""
+    """Report a ``#`` that begins no valid line. Return the offset after the line."""
     line = tokens.rest_of_line.match(text, at)
     end = line.end() if line else at + 1
     key = tokens.name.match(text, end - len(text[at + 1 : end].lstrip()))
@@ -81,13 +87,13 @@ def broken_line(text: str, at: int, faults: Faults) -> int:
 
 
 def meant_name(text: str, at: int) -> str | None:
-    """The name that a broken NAME line meant to give; None where it is another line."""
+    """Return the probable name in a broken NAME line, None if it is another line."""
     match = _NAME_LINE.match(text, at)
     return match[1].strip(' \t":=') or None if match else None
 
 
 def second_name(text: str, at: int, line: HashLine, faults: Faults) -> None:
-    """A second NAME in one State Branch: the next one begins here."""
+    """Report a second NAME in one State Branch. Probably the next State Branch begins here."""
     fix = TextFix("Begin a State Branch", at, at, "}\n{\n")
     sentence = "this State Branch has a NAME already"
     advice = "Close it with }, and open the next one with {, or take one NAME away."
@@ -95,7 +101,9 @@ def second_name(text: str, at: int, line: HashLine, faults: Faults) -> None:
 
 
 def not_closed(text: str, start: int, at: int, name: str | None, faults: Faults) -> None:
-    """A State Branch that ends where the next one begins, or the file does."""
+    """Report a State Branch without a closing brace. It ends at the next one or at the end of the
+    file.
+    """
     end = _behind_last(text, start, at)
     where = f"the State Branch {name!r}" if name else "the State Branch"
     fix = TextFix("Close it with }", end, end, "\n}")
@@ -104,7 +112,7 @@ def not_closed(text: str, start: int, at: int, name: str | None, faults: Faults)
 
 
 def state_not_closed(text: str, opened: int, last: int, at: int, name: str, faults: Faults) -> None:
-    """A state that ends where something begins that stands in no state."""
+    """Report a state without a closing bracket. It ends before something that is in no state."""
     end = max(last, opened + 1)
     fix = TextFix("Close it with ]", end, end, "]")
     sentence = f"the state {name!r} is not closed: ] is missing"
@@ -112,7 +120,7 @@ def state_not_closed(text: str, opened: int, last: int, at: int, name: str, faul
 
 
 def no_name(text: str, start: int, known: Container[str], faults: Faults | None) -> str:
-    """A name for a State Branch without one."""
+    """Return a new name for a State Branch without one, and report it if there are ``faults``."""
     name = free_name(known)
     if faults is not None:
         behind = tokens.rest_of_line.match(text, start + 1)
@@ -124,7 +132,7 @@ def no_name(text: str, start: int, known: Container[str], faults: Faults | None)
 
 
 def free_name(known: Container[str]) -> str:
-    """The first of SB1, SB2 ... that is not known."""
+    """Return the first of SB1, SB2 ... that is not known."""
     number = 1
     while f"SB{number}" in known:
         number += 1
@@ -151,7 +159,9 @@ def _stray(text: str, at: int, faults: Faults, advice: str) -> int:
 
 
 def _behind_last(text: str, start: int, at: int) -> int:
-    """The offset behind the last token before ``at``, its comma and the comment on its line."""
+    """Return the offset after the last token before ``at``, its comma and the comment on its
+    line.
+    """
     end = start + 1
     for match in _TOKEN.finditer(text, start + 1, at):
         if not match[0].startswith("//"):
@@ -161,5 +171,7 @@ def _behind_last(text: str, start: int, at: int) -> int:
 
 
 _TOKEN = re.compile(rf'//[^\r\n]*+|#[^\r\n]*+|{tokens.NAME}|->|[{{}}\[\]:()>/]|"(?:[^\r\n]*\S)?')
-"""A quote that is not closed goes on to the end of its line, so that no other is asked there."""
+"""A quote that is not closed extends to the end of its line. So no other token is searched
+there.
+"""
 _REST = re.compile(r"[^\S\r\n]*+,?(?:[^\S\r\n]*+//[^\r\n]*+)?")

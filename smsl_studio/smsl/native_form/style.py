@@ -1,4 +1,4 @@
-"""How a native text is laid out, and new elements written in that layout."""
+"""The layout of a native text, and new elements in that layout."""
 
 from __future__ import annotations
 
@@ -29,10 +29,11 @@ _EMPTY = re.compile(r"\[ *\]")
 
 @dataclass(frozen=True, slots=True)
 class NativeStyle:
-    """The layout of a text: line end, one step of indentation, signs with the space around them.
+    """The layout of a text: line end, one step of indentation, and signs with the space around
+    them.
 
-    ``single`` says whether the only edge of a state stands on a line of its own, ``several``
-    whether two and more do.
+    ``single`` is true if the only edge of a state is on its own line. ``several`` is true if two or
+    more edges are.
     """
 
     newline: str = "\n"
@@ -49,24 +50,24 @@ class NativeStyle:
     branch_commas: bool = True
 
     def field(self, key: str, value: Json) -> str:
-        """A ``# _KEY: json`` line."""
+        """Return a ``# _KEY: json`` line."""
         return f"{self.mark}{spelled(key)}{self.key_colon}{one_line(value)}"
 
     def header(self, branch: str, key: str, value: Json) -> str:
-        """A header line."""
+        """Return a header line. ConvertError if its value cannot be written."""
         text = header_value(branch, key, value)
         return f"{self.mark}{header_key(key)}{self.key_colon}{text}"
 
     def edge(self, branch: str, state: str, name: str, target: Json) -> str:
-        """An operation."""
+        """Return an operation. ConvertError if its target is not a text."""
         return edge_text(branch, state, name, target, self.arrow)
 
     def state(self, branch: str, name: str, value: Json, indent: str) -> str:
-        """A state on a line that is indented so."""
+        """Return a state. ``indent`` is the indentation of its line."""
         return f"{spelled(name)}{self.colon}{self.brackets(branch, name, value, indent)}"
 
     def brackets(self, branch: str, name: str, value: Json, indent: str) -> str:
-        """What a state holds, from its [ to its ]."""
+        """Return the content of a state with its brackets."""
         must_be_map((branch, name), value, "a state")
         if not value:
             return self.empty
@@ -87,7 +88,7 @@ class NativeStyle:
         return "".join([*pieces, self.newline, indent, "]"])
 
     def branch(self, name: str, value: Json, indent: str = "") -> str:
-        """A State Branch, from its { to its }; a HEADER with nothing in it is left out."""
+        """Return a State Branch with its braces. An empty HEADER is left out."""
         must_be_map((name,), value, "a State Branch")
         header = value.get("HEADER", {})
         must_be_map((name, "HEADER"), header, "a HEADER")
@@ -112,7 +113,7 @@ CANONICAL = NativeStyle()
 
 
 def style_of(document: Document, spans: NativeSpans) -> NativeStyle:
-    """The style a text is written in, learnt from its first elements."""
+    """Return the style of a text, from its first elements."""
     text = document.text
     learnt: dict[str, Any] = {"newline": document.newline}
     branches = [element for element in islice(spans.elements, 8) if element.kind == "branch"]
@@ -172,12 +173,12 @@ def _learn_commas(text: str, elements: list[Element], name: str, learnt: dict[st
 
 
 def has_comma(gap: str) -> bool:
-    """Whether a comma stands in what parts two elements, outside of its comments."""
+    """Return whether a comma is between two elements, outside of comments."""
     return "," in "".join(without_comments(gap))
 
 
 def without_comments(gap: str) -> Iterator[str]:
-    """The pieces of a gap between its comments."""
+    """Yield the pieces of a gap between its comments."""
     at = 0
     for comment in re.finditer(r"//[^\r\n]*+", gap):
         yield gap[at : comment.start()]
@@ -186,7 +187,7 @@ def without_comments(gap: str) -> Iterator[str]:
 
 
 def indent_of(text: str, at: int) -> str:
-    """The white space that the line of ``at`` begins with."""
+    """Return the indentation of the line of the offset ``at``."""
     start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
     if start == 0 and text.startswith("\ufeff"):
         start = 1
@@ -195,7 +196,7 @@ def indent_of(text: str, at: int) -> str:
 
 
 def values_text(values: Mapping[str, Json], style: NativeStyle) -> str:
-    """Values as a new text."""
+    """Return values as a new text."""
     pieces: list[str] = []
     branches = [key for key in values if not key.startswith("_")]
     line_before = False

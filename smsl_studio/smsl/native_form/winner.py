@@ -1,4 +1,4 @@
-"""A doubled key, written once."""
+"""Writes a doubled key once."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from smsl_studio.smsl.native_form.style import indent_of
 
 
 def keep_winner(document: Document, path: Path) -> Document:
-    """The document with the doubled key at ``path`` written once.
+    """Return the document with the doubled key at ``path`` written once.
 
-    The last, winning element takes the place of the first, because order has meaning. KeyError
-    where no such key stands.
+    The last member counts. It takes the place of the first, because order has meaning. KeyError if
+    there is no such key.
     """
     return parse(_Winning(document).without_losers(path), document.file)
 
@@ -30,7 +30,7 @@ class _Winning:
         self._spans = NativeSpans(document.text)
 
     def without_losers(self, path: Path) -> str:
-        """The text with the doubled key at ``path`` written once."""
+        """Return the text with the doubled key at ``path`` written once."""
         text, spans = self._text, self._spans
         if len(path) == 1:
             start = 1 if text.startswith("\ufeff") else 0

@@ -1,4 +1,4 @@
-"""Values as a native text in the canonical layout."""
+"""Writes values as a native text in the canonical layout."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from smsl_studio.smsl.native_form.style import CANONICAL, values_text
 
 
 def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
-    """Values as a new text in the canonical layout; ConvertError for what has no spelling.
+    """Return values as a new text in the canonical layout. ConvertError if it cannot express them.
 
-    A HEADER with nothing in it is left out: it says as much as none.
+    An empty HEADER is left out, because it means the same as none.
     """
     text = values_text(values, CANONICAL)
     return with_comments(text, comments) if comments else text

@@ -1,6 +1,6 @@
-"""The YAML form, in maps or in upstream's lists of maps: read and written whole.
+"""The YAML form, as maps or as upstream's lists of maps. A text is read and written as a whole.
 
-The functions here are the doors of a form; see ``forms.Form``.
+The functions are those of ``forms.Form``.
 """
 
 from smsl_studio.smsl.yaml_form.reader import form_within, parse, recover

@@ -1,4 +1,4 @@
-"""The comments of a YAML text: ``#`` between names and values, at the start or behind a space."""
+"""The comments of a YAML text: ``#`` outside of names and values, at the start or after a space."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _HEAD = re.compile(r"[|>][^\n\r#]*[ \t]#([^\n\r]*)")
 
 
 def comments_of(spans: YamlSpans) -> Comments:
-    """The comments of a valid text."""
+    """Return the comments of a valid text with their elements."""
     if "#" not in spans.tree.text:
         return NO_COMMENTS
     walk = _Walk(spans)
@@ -38,7 +38,9 @@ class _Walk:
             self._walk(root, (), FILE, ())
 
     def _walk(self, node: YamlNode, path: Path, level: int, head: Path) -> None:
-        """Note what stands below a node; ``head`` is the element of a list that begins with it."""
+        """Note everything below a node. ``head`` is the path of the list element that begins with
+        it.
+        """
         if node.kind not in ("map", "list"):
             self.leaves.append(Leaf(node.start, node.end, path, head or path))
             if header := _HEAD.match(self._text, node.start, node.end):

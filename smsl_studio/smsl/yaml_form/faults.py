@@ -1,4 +1,4 @@
-"""Faults of a YAML text: where, what is wrong, what to do; and a library's words put into ours."""
+"""Faults of a YAML text: where, what is wrong, what to do. The library's errors are translated."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.smsl.document.limits import MAX_FAULTS
 
 
 class YamlFault(NamedTuple):
-    """One thing that is wrong, as offsets into the text."""
+    """One fault, as offsets into the text."""
 
     start: int
     length: int
@@ -23,7 +23,7 @@ class YamlFault(NamedTuple):
 
 
 def as_error(faults: Iterable[YamlFault], document: Document) -> ReadError:
-    """One error that carries all faults, in the order of the text; at least one must be given."""
+    """Return one error with all faults, in the order of the text. There must be at least one."""
     ordered = sorted(faults, key=lambda fault: fault.start)[:MAX_FAULTS]
     return ReadError.of([_error(fault, document) for fault in ordered])
 
@@ -39,7 +39,7 @@ def _error(fault: YamlFault, document: Document) -> ReadError:
 
 
 def shown(text: str) -> str:
-    """A text of the file as a sentence shows it: in quotes, and not for ever."""
+    """Return a text of the file in quotes for a sentence, shortened to 60 characters."""
     return repr(text if len(text) <= 60 else text[:57] + "...")
 
 
@@ -129,7 +129,9 @@ _WORDS = (
 
 
 def syntax_fault(error: yaml.YAMLError, text: str, shift: int) -> YamlFault:
-    """The fault that stopped the library; ``shift`` is where the text it read begins in ours."""
+    """Return the fault at which the library stopped. ``shift`` is the offset at which it began to
+    read.
+    """
     problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or error)
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
     at = min(mark.index + shift, len(text)) if mark is not None else shift

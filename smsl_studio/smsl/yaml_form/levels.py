@@ -1,7 +1,7 @@
-"""The levels of a file, and what stands on each: maps of names, or lists of maps in their place.
+"""The levels of a file, and the kind of each: a map of names, or a list of maps in its place.
 
-Upstream writes every map as a list of maps with one member each; on the levels that SMSL knows
-both read alike. Below a ``_`` key, and in a header, a list is a list.
+Upstream writes every map as a list of maps with one member each. On the levels that SMSL knows,
+both are read alike. Below a ``_`` key, and in a header, a list is a list.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _NAMED = ("INITIAL", "ACTIVATING")
 
 
 def below(level: int, key: str) -> int:
-    """The level of what stands under a key."""
+    """Return the level below a key."""
     if key.startswith("_") or level in (FREE, NAME):
         return FREE
     if level == FILE:
@@ -27,7 +27,9 @@ def below(level: int, key: str) -> int:
 
 
 def is_map(node: YamlNode, level: int) -> bool:
-    """Whether a node is read as a map on its level: a map, a list of maps, or nothing."""
+    """Return whether a node is read as a map on its level: it is a map, a list of maps, or
+    empty.
+    """
     real = node.real
     if real.kind == "map":
         return True
@@ -37,7 +39,7 @@ def is_map(node: YamlNode, level: int) -> bool:
 
 
 def members(node: YamlNode, level: int) -> Iterator[tuple[YamlNode, YamlNode]]:
-    """The names and values of what is read as a map; see ``strangers`` for what is left out."""
+    """Yield the names and values of a node that is read as a map (the rest: see ``strangers``)."""
     real = node.real
     if real.kind == "map":
         yield from real.value
@@ -48,6 +50,6 @@ def members(node: YamlNode, level: int) -> Iterator[tuple[YamlNode, YamlNode]]:
 
 
 def strangers(node: YamlNode) -> list[YamlNode]:
-    """The elements of a list of maps that are no maps."""
+    """Return the elements of a list of maps that are not maps."""
     real = node.real
     return [one for one in real.value if one.real.kind != "map"] if real.kind == "list" else []

@@ -1,8 +1,8 @@
-"""YAML text to a tree of nodes, each with its place; their meaning is read later.
+"""Reads a YAML text as a tree of nodes, each with its place. ``reader`` reads their meaning later.
 
 The events come from libyaml (through PyYAML), which constructs nothing. Anchors are resolved and
-aliases counted, so that a small text cannot stand for a huge one. Where the text is no YAML,
-reading goes on at the next name that stands at the beginning of a line.
+aliases are counted, so that a small text cannot expand to a huge one. After a fault, reading goes
+on at the next name at the beginning of a line.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from smsl_studio.smsl.document.limits import MAX_DEPTH, TOO_DEEP, most_values, t
 from smsl_studio.smsl.yaml_form.faults import YamlFault, shown, syntax_fault
 
 MAX_REPEATED = 250_000
-"""What all aliases together may stand for, in characters and nodes."""
+"""The most characters and nodes that all aliases together may repeat."""
 
 _RESUMES = 20
 _ODD = re.compile(
@@ -36,11 +36,11 @@ _PARSER: Any = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 
 
 class YamlNode:
-    """One value as written: ``start`` to ``end`` is its text.
+    """One value as written, from ``start`` to ``end``.
 
-    ``kind`` is ``text`` (``value`` is it), ``list`` (its nodes), ``map`` (pairs of nodes) or
-    ``alias`` (the node it stands for). ``tag`` is a core tag that was written, and ``plain`` says
-    of a text without one that it stands in no quotes, so that it may be a number.
+    ``kind`` is ``text``, ``list``, ``map`` or ``alias``. ``value`` is the text, the nodes, the
+    pairs of nodes, or the node that the alias repeats. ``tag`` is a core tag that was written. A
+    text is ``plain`` if it has no tag and no quotes, so that it may be a number.
     """
 
     __slots__ = ("end", "flow", "height", "kind", "plain", "start", "tag", "value", "weight")
@@ -52,7 +52,7 @@ class YamlNode:
 
     @property
     def real(self) -> YamlNode:
-        """The node itself, or the one an alias stands for."""
+        """The node itself, or the node that an alias repeats."""
         node = self
         while node.kind == "alias":
             node = node.value
@@ -60,9 +60,9 @@ class YamlNode:
 
 
 class Tree:
-    """The nodes of one text, and what is wrong with it.
+    """The nodes of one text, and its faults.
 
-    ``roots`` is one node for a text that is valid; after a fault further ones follow.
+    ``roots`` has one node for a valid text. After a fault it has more.
     """
 
     def __init__(self, text: str) -> None:
@@ -77,11 +77,11 @@ class Tree:
 
     @property
     def is_beyond_budget(self) -> bool:
-        """Whether the text holds more names and values than it may; the rest was not read."""
+        """Whether the text has more names and values than allowed. The rest was not read."""
         return self.count > self._most
 
     def add(self) -> bool:
-        """Count one more member or element; whether it is the first beyond the budget."""
+        """Count one more member or element. Return whether it is the first one too many."""
         self.count += 1
         return self.count == self._most + 1
 
@@ -102,7 +102,9 @@ class Tree:
             at = following.start()
 
     def _read_from(self, text: str, at: int) -> int | None:
-        """Read what begins at an offset; where it stopped, None where it came to the end."""
+        """Read from an offset. Return the offset at which reading stopped, None at the end of the
+        text.
+        """
         building = _Building(self, text, at)
         parser = _PARSER(text[at:])
         try:
@@ -118,7 +120,9 @@ class Tree:
         return building.stopped
 
     def target(self, anchor: str, start: int, end: int, depth: int) -> YamlNode:
-        """The node an alias stands for; an empty one, and a fault, where it may not."""
+        """Return the node that an alias repeats. If it is not allowed, report it and return an
+        empty one.
+        """
         found = self._anchors.get(anchor)
         sentence = advice = ""
         if found is None:
@@ -141,12 +145,12 @@ class Tree:
         return found
 
     def anchor(self, name: str, node: YamlNode) -> None:
-        """Remember a node under its anchor."""
+        """Keep a node under its anchor."""
         self._anchors[name] = node
 
 
 class _Building:
-    """The nodes of one stream, from its events."""
+    """Builds the nodes of one stream from its events."""
 
     def __init__(self, tree: Tree, text: str, shift: int) -> None:
         self._tree, self._text, self._shift = tree, text, shift
@@ -167,18 +171,18 @@ class _Building:
         }
 
     def take(self, event: Any) -> None:
-        """Build on with one event of the parser; events without a meaning here are skipped."""
+        """Handle one event of the parser. Events without a meaning here are ignored."""
         take = self._takes.get(type(event))
         if take is not None:
             take(event)
 
     def close_all(self, at: int) -> None:
-        """Close what is still open, because the text is no YAML from ``at`` on."""
+        """Close all open nodes, because the text is not valid YAML after ``at``."""
         while self._open:
             self._finish(at)
 
     def _stop(self, at: int, sentence: str, advice: str) -> None:
-        """Read no further: what follows would cost too much."""
+        """Stop reading and report a fault, because the rest would cost too much."""
         self._tree.faults.append(YamlFault(at, 1, sentence, advice))
         self.close_all(at)
         self.done, self.stopped = True, at
@@ -208,7 +212,7 @@ class _Building:
         self._put(node)
 
     def _tag(self, name: str, start: int) -> str:
-        """The core tag that this name stands for, which is written behind ``start``."""
+        """Return the core tag with this name, written after ``start``. Report any other tag."""
         tag = _TAGS.get(name)
         if tag is None:
             written = _TAG.match(self._text, start)
@@ -261,7 +265,7 @@ class _Building:
 
     def _finish(self, end: int) -> None:
         node, name = self._open.pop(), self._names.pop()
-        if name is not None:  # the text broke off between a name and its value
+        if name is not None:  # The text ended between a name and its value.
             node.value.append((name, YamlNode("text", name.end, name.end, "", "null")))
         if not node.flow:
             last = node.value[-1] if node.value else None
@@ -286,7 +290,8 @@ class _Building:
         if name is None:
             self._names[-1] = node
             return
-        if node.start == node.end:  # nothing, which stands wherever something follows
+        # An empty value has the place of what follows it, so it is moved to its colon.
+        if node.start == node.end:
             colon = self._text.find(":", name.end, node.start)
             node.start = node.end = colon + 1 if colon >= 0 else name.end
         above.value.append((name, node))
@@ -294,7 +299,7 @@ class _Building:
         self._count(name)
 
     def _count(self, node: YamlNode) -> None:
-        """Count one more member or element; reading stops where there are too many."""
+        """Count one more member or element. Stop reading if there are too many."""
         if self._tree.add():
             self._stop(node.start, *too_many_values(self._tree.text))
 

@@ -1,7 +1,7 @@
-"""Reading YAML: a tree of nodes to the values it stands for.
+"""Reads YAML: from a tree of nodes to values.
 
-Names (keys, targets, INITIAL, ACTIVATING) are texts, whatever YAML would make of them; all other
-values follow the YAML 1.2 core schema.
+Names (keys, targets, INITIAL, ACTIVATING) are texts in any case. All other values follow the YAML
+1.2 core schema.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ _LEVELS = {0: "the file", 1: "a State Branch", 2: "a state", 3: "a HEADER"}
 
 
 def parse(text: str, file: str) -> Document:
-    """Read a YAML text; ReadError with file:line:column, and all its faults, where it is none.
+    """Read a YAML text. ReadError, with all its faults and their file:line:column, if it is not
+    valid.
 
-    A key written twice opens: the last one wins, in the place of the first.
+    A doubled key is no error: the last value counts, in the place of the first.
     """
     document, faults = _read(text, file, recovers=False)
     if faults:
@@ -36,12 +37,17 @@ def parse(text: str, file: str) -> Document:
 
 
 def recover(text: str, file: str) -> Document:
-    """What can be read of a faulty text: up to a fault, and on from the next name at the margin."""
+    """Return a document with what can be read of a faulty text.
+
+    After a fault, reading goes on at the next name at the beginning of a line.
+    """
     return _read(text, file, recovers=True)[0]
 
 
 def form_within(_text: str) -> str:
-    """None: what is no YAML is in no other form either, because YAML holds nearly everything."""
+    """Return the empty text: nearly every text is YAML, so a text that is not is in no other
+    form.
+    """
     return ""
 
 
@@ -70,7 +76,7 @@ _WHOLE = "An SMSL file is one map whose members are State Branches."
 
 
 def _parted(node: YamlNode) -> TextFix | None:
-    """The repair of a name and its value that only lack a colon with a space behind it."""
+    """Return the repair of a name and a value without a colon and a space. None if it is not so."""
     found = _JOINED.fullmatch(node.value) if node.kind == "text" and node.plain else None
     if found is None or len(node.value) != node.end - node.start:
         return None
@@ -83,7 +89,7 @@ def _is_nothing(node: YamlNode) -> bool:
 
 
 class _Reading:
-    """Values from nodes; what cannot be one is a fault."""
+    """Reads values from nodes. A node that cannot be a value is a fault."""
 
     def __init__(self, faults: list[YamlFault]) -> None:
         self._faults = faults
@@ -91,7 +97,7 @@ class _Reading:
         self.doubled = False
 
     def fault(self, node: YamlNode, sentence: str, advice: str, fix: TextFix | None = None) -> None:
-        """Add a fault at a node, unless the text has one there already."""
+        """Add a fault at a node, unless the text already has one there."""
         if node.start not in self._told:
             self._faults.append(YamlFault(node.start, node.end - node.start, sentence, advice, fix))
 

@@ -1,4 +1,6 @@
-"""Edits of a YAML text: it is written anew as a whole, with the comments of what is still there."""
+"""Edits of a YAML text: it is written anew as a whole, with the comments of the remaining
+elements.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +22,9 @@ Json = Any
 
 
 def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
-    """A document that reads to ``values``; see ``splice``.
+    """Return a document with ``values`` (see ``splice``).
 
-    EditRefused where a key is written twice: what the graph does not show would be lost.
+    EditRefused if a key is doubled, because the values that the graph does not show would be lost.
     """
     if same(document.values, values):
         return document
@@ -33,10 +35,10 @@ def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
 
 
 def keep_winner(document: Document, path: Path) -> Document:
-    """The document with a doubled key written once; see ``splice``.
+    """Return the document with the doubled key at ``path`` written once (see ``splice``).
 
-    The text is cut and joined, so that other doubled keys stay as they are. EditRefused where it
-    is written so that what is left would read otherwise.
+    The text is cut and joined, so other doubled keys stay as they are. KeyError if there is no such
+    key. EditRefused if the rest would be read with other values.
     """
     members = document.members(path[:-1])
     places = [index for index, member in enumerate(members) if member.key == path[-1]]
@@ -61,12 +63,12 @@ def keep_winner(document: Document, path: Path) -> Document:
 
 
 def tidy(document: Document) -> Document:
-    """The document in the canonical layout: comments, ``_`` fields and order kept."""
+    """Return the document in the canonical layout. Comments, ``_`` fields and order stay."""
     return _written(document, document.values, comments_in(document))
 
 
 def comments_in(document: Document) -> Comments:
-    """The comments of a text, by what they belong to."""
+    """Return the comments of a text with their elements."""
     return comments_of(_spans(document))
 
 
@@ -97,16 +99,16 @@ def _spans(document: Document) -> YamlSpans:
 
 
 class _Renamed:
-    """Where what stood at a path of the old values stands in the new ones.
+    """Finds the new path of an element from its path in the old values.
 
-    In one map as many keys that came as went, in their order, are renamed ones.
+    In one map, if the same number of keys was removed and added, they are renamings in their order.
     """
 
     def __init__(self, old: Mapping[str, Json], new: Mapping[str, Json]) -> None:
         self._known: dict[Path, tuple[Path, Json, Json] | None] = {(): ((), old, new)}
 
     def path(self, path: Path) -> Path | None:
-        """The new path; None where it is gone."""
+        """Return the new path, None if the element is removed."""
         found = self._at(path)
         return found[0] if found else None
 

@@ -1,7 +1,7 @@
-"""Single values: what a written text stands for, and how a value is written.
+"""Single values: reads and writes them.
 
-Read by the YAML 1.2 core schema. Written so that a reader of YAML 1.1, where ``on`` is true and
-``12:30`` a number, takes every text for a text too.
+They are read by the YAML 1.2 core schema. They are written so that a reader of YAML 1.1 also reads
+every text as a text. There ``on`` is true and ``12:30`` a number.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ _TAKEN = {"y", "n", "yes", "no", "on", "off", "true", "false", "null"}
 _HIDDEN = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
 
 LONGEST_NAME = 900
-"""A name as written; YAML finds the colon of a name only within 1,024 characters."""
+"""The longest name on one line. YAML finds the colon of a name only within 1,024 characters."""
 
 
 def is_null(text: str) -> bool:
-    """Whether a plain text is YAML's word for nothing."""
+    """Return whether a plain text is YAML's spelling of null."""
     return text in _NULL
 
 
 def resolved(text: str) -> Json:
-    """What a plain text stands for; ValueError, with a sentence, for what JSON cannot hold."""
+    """Return the value of a plain text. ValueError, with a sentence, if JSON cannot express it."""
     if text in _NULL:
         return None
     if text in _TRUE:
@@ -52,7 +52,9 @@ def resolved(text: str) -> Json:
 
 
 def tagged(text: str, tag: str) -> Json:
-    """A text with a core tag; ValueError, with a sentence, where it is none of that kind."""
+    """Return the value of a text with a core tag. ValueError, with a sentence, if it does not fit
+    the tag.
+    """
     if tag == "str":
         return text
     if tag == "null" and text in _NULL:
@@ -87,7 +89,7 @@ def _number(text: str, otherwise: Json) -> Json:
 
 
 def written(value: Json) -> str:
-    """A text, number, true, false or nothing as YAML; ValueError for what is no such value."""
+    """Return a text, number, boolean or null as YAML. ValueError if it is no such value."""
     if isinstance(value, str):
         return _text(value)
     if value is None:
@@ -105,7 +107,7 @@ def _text(value: str) -> str:
 
 
 def _float(value: float) -> str:
-    """With a point and a signed exponent, without which YAML 1.1 sees a text."""
+    """Return a float with a point and a signed exponent. YAML 1.1 reads others as a text."""
     if not isfinite(value):
         raise ValueError(value)
     digits, mark, exponent = repr(value).partition("e")

@@ -1,4 +1,4 @@
-"""Where things stand in a YAML text; one that is no YAML has places for what can be read of it."""
+"""The places in a YAML text. For a faulty text these are the places of what can be read."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from smsl_studio.smsl.yaml_form.nodes import Tree, YamlNode
 
 
 class YamlSpans:
-    """The spans of one text by its tree; its maps are listed when asked for."""
+    """The places in one text, from its tree. Each map is listed when it is first needed."""
 
     def __init__(self, tree: Tree) -> None:
         self.tree = tree
@@ -28,7 +28,7 @@ class YamlSpans:
         return len(text) - len(text.removeprefix("\ufeff").lstrip())
 
     def members(self, path: Path) -> tuple[Member, ...]:
-        """See ``Spans``."""
+        """Return the members at a path (see ``Spans``)."""
         return tuple(member for member, _ in self.listed(path))
 
     def member(self, path: Path) -> Member:
@@ -36,12 +36,15 @@ class YamlSpans:
         return self._latest_members.member(path)
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
-        """See ``Spans``."""
+        """Yield the doubled keys (see ``Spans``)."""
         listed = [(member.key, member.key_start, node) for member, node in self.listed(())]
         return _doubles((), FILE, listed)
 
     def listed(self, path: Path) -> tuple[tuple[Member, YamlNode], ...]:
-        """The members of the map or list at ``path``, each with the node of its value."""
+        """Return the members of the map or list at ``path``, each with the node of its value.
+
+        KeyError if there is no map or list.
+        """
         if path not in self._listed:
             self._listed[path] = self._list(path)
         return self._listed[path]
@@ -63,9 +66,10 @@ class YamlSpans:
 def _doubles(
     path: Path, level: int, listed: list[tuple[str, int, YamlNode]]
 ) -> Iterator[tuple[Path, tuple[int, ...]]]:
-    """The doubled keys of one map and of what is below it; ``listed`` are key, offset, value.
+    """Yield the doubled keys of one map and below. ``listed`` has key, offset and value of each
+    member.
 
-    No spans are made on the way: a file of nothing but doubled keys has very many of them.
+    No ``Member`` is made, because a file may have very many doubled keys.
     """
     if len({key for key, _, _ in listed}) < len(listed):
         places: dict[str, list[int]] = {}
@@ -88,7 +92,7 @@ def _doubles(
 
 
 def entries(node: YamlNode, level: int) -> Iterator[tuple[Member, YamlNode]]:
-    """The members of a map, or the elements of a list, each with the node of its value."""
+    """Yield the members of a map, or the elements of a list, each with the node of its value."""
     if is_map(node, level):
         for key, value in members(node, level):
             if key.real.kind == "text":

@@ -1,9 +1,8 @@
-"""Writing YAML: values as block maps, two spaces a level, one member a line.
+"""Writes YAML: values as block maps, two spaces a level, one member a line.
 
-What lies deeper than ``DEEPEST`` levels and holds no comment stands on one line, so that a text
-does not grow with the square of its depth.
-What would not come back as it is, is told by a core tag: a number as a target (``!!int 5``), a list
-where a map is expected (``!!seq``).
+Values deeper than ``DEEPEST`` levels without comments are on one line. Otherwise the indentation of
+a text would grow with the square of its depth. Values that would be read differently get a core
+tag: a number as a target (``!!int 5``), a list in the place of a map (``!!seq``).
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from smsl_studio.smsl.yaml_form.scalars import LONGEST_NAME, written
 Json = Any
 
 DEEPEST = 12
-"""So many levels at most are indented; SMSL itself has five."""
+"""The most levels that are indented. SMSL itself has five."""
 _UNIT = "  "
 _MAPS = (BRANCH, STATE, HEADER)
 _UNFIT = re.compile(
@@ -29,14 +28,14 @@ _UNFIT = re.compile(
 
 
 def write(values: Mapping[str, Json], comments: Comments | None = None) -> str:
-    """Values as a new text in the canonical layout."""
+    """Return values as a new text in the canonical layout."""
     writing = _Writing(comments or NO_COMMENTS)
     writing.file(values)
     return "\n".join(writing.lines) + "\n"
 
 
 class _Writing:
-    """The lines of one text, in order; each comes with the comments that belong to it."""
+    """Collects the lines of one text, in order, each with its comments."""
 
     def __init__(self, comments: Comments) -> None:
         self._comments = comments
@@ -56,7 +55,7 @@ class _Writing:
         self.lines.extend(f"{indent}#{_fit(words)}" for words in comments)
 
     def file(self, values: Mapping[str, Json]) -> None:
-        """Write all lines of the file; ``{}`` where it has no values."""
+        """Write all lines of the file. A file without values is ``{}``."""
         if values:
             self._map(values, (), FILE, "")
         else:
@@ -88,7 +87,7 @@ class _Writing:
         self._below(path, indent)
 
     def _value(self, value: Json, path: Path, level: int, lead: str, indent: str) -> None:
-        """The lines of a value; ``lead`` is what stands before it on its first line."""
+        """Write the lines of a value. ``lead`` is the text before it on its first line."""
         if len(path) > DEEPEST and path not in self._commented:
             self.lines.append(f"{lead} {_flow(value)}")
             return
@@ -110,14 +109,16 @@ class _Writing:
         self._below(path, indent + _UNIT)
 
     def _is_flat(self, values: list[Json], path: Path) -> bool:
-        """Whether a list stands on one line: of single values, none of them with a comment."""
+        """Return whether a list is written on one line: it has only single values without
+        comments.
+        """
         if any(isinstance(value, dict | list) for value in values):
             return False
         return not self._comments.of_elements(path, len(values))
 
 
 def _flow(value: Json) -> str:
-    """A value of a free place on one line."""
+    """Return a value of the level FREE on one line."""
     if isinstance(value, dict):
         members = (f"{_flow_name(key)}: {_flow(one)}" for key, one in value.items())
         return f"{{{', '.join(members)}}}"
@@ -132,12 +133,14 @@ def _flow_name(name: str) -> str:
 
 
 def _fit(words: str) -> str:
-    """What a comment says, with the characters that would end it, or that YAML has not, spelt."""
+    """Return the words of a comment, with escapes for characters that YAML does not allow in it."""
     return _UNFIT.sub(lambda one: one[0].encode("unicode_escape").decode("ascii"), words)
 
 
 def _scalar(value: Json, level: int) -> str:
-    """A value in a place of its level; the empty text is YAML's plainest word for nothing."""
+    """Return a single value on its level. A missing target is the empty text, YAML's shortest
+    null.
+    """
     if level == NAME and not isinstance(value, str):
         if value is None:
             return ""
