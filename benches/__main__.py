@@ -1,7 +1,7 @@
 """Run the benches: ``./dev bench`` for all, ``./dev bench load start`` for some.
 
-``--write`` puts the rows into docs/benches.md together with the command that made them. ``--all``
-has those that would take minutes (edits, fuzz) do everything, and not a share.
+``--write`` puts the rows into docs/benches.md, with the command that made them. ``--all`` runs the
+benches that would take minutes (edits, fuzz) in full, not only a share of them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""The two sides of the canvas bench: our canvas, and QGraphicsScene with an item for everything."""
+"""The two sides of the canvas bench: our canvas, and QGraphicsScene with one item for
+everything."""
 
 from __future__ import annotations
 

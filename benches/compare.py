@@ -1,6 +1,7 @@
-"""Comparing 59,049 states: what is equal, what was renamed, and a star whose middle was renamed.
+"""Comparing 59,049 states: equal files, renamed states, and a star whose centre was renamed.
 
-Work that grew with the square of the states would take hours here. Beside it: reading one file.
+Work that grows with the square of the states would take hours here. The time to read one file is
+given for comparison.
 """
 
 from __future__ import annotations

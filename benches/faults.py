@@ -1,8 +1,8 @@
-"""Nine faults in the hanoi world at three edges each, judged by the true places of the rings.
+"""Nine faults in the hanoi world at three edges each, judged by the true positions of the rings.
 
-Every run is done twice: with the plain blueprint, where a mismatch holds, and with the one that
-has failure states and recovery operations, where what is seen may be adopted. ``--table`` prints
-the table of docs/failures.md, ``--write`` puts it there.
+Every run is done twice: with the plain blueprint, where a mismatch holds, and with the blueprint
+that has failure states and recovery operations, where the sensed state may be adopted. ``--table``
+prints the table of docs/failures.md, ``--write`` puts it there.
 """
 
 from __future__ import annotations

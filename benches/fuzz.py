@@ -1,8 +1,8 @@
 """Broken files for the three readers: 20,000, or with ``--all`` 200,000, over all cores.
 
-Each is read, recovered, salvaged, taken for a blueprint and written back; ``tests/smsl/fuzzing.py``
-says what must hold. ``crashes`` are answers that are none: a traceback, a fault without a place,
-bytes that do not come back.
+Each is read, recovered, salvaged, taken as a blueprint and written back; ``tests/smsl/fuzzing.py``
+tells what must hold. ``crashes`` counts invalid answers: a traceback, a fault without a place,
+bytes that are not restored.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""30,000 random runs, each held against the oracle of the tests.
+"""30,000 random runs, each judged by the oracle of the tests.
 
 A run is a blueprint of one to three levels, what is asked of it, a table world, a script, people,
 disturbed sensors and faults, all drawn from one number (``tests/oracle/cases.py``). The oracle
-(``tests/oracle/oracle.py``) knows only what smsl.md says a blueprint means when it runs; it reads
-what every sensor said and what the run told, and names each clause that is broken. Whatever it
-finds is printed with the number of its run: ``python -m tests.oracle NUMBER`` shows it again.
+(``tests/oracle/oracle.py``) knows only docs/running.md; it reads the readings of every sensor and
+the events of the run, and names each clause that is broken. Each finding is printed with the number
+of its run: ``python -m tests.oracle NUMBER`` shows it again.
 """
 
 from __future__ import annotations

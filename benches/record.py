@@ -1,8 +1,8 @@
 """The log of a run: 10,000 changed logs, kill -9 of its writer, and the cost of the chain.
 
 ``tests/runlog/logs.py`` has the ways in which a log is changed, cut, reordered or encoded anew.
-``accepted`` are changed logs that verify. A writer is killed after a random number of events that
-it has acknowledged; ``lost`` are acknowledged events that its log has not.
+``accepted`` counts changed logs that verify. A writer is killed after a random number of events
+that it has acknowledged; ``lost`` counts acknowledged events that are missing in its log.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""Ways to the goal in an SB of 59,049 states and 177,144 operations (Hanoi, 10 disks).
+"""Routes to the goal in an SB of 59,049 states and 177,144 operations (Hanoi, 10 disks).
 
-scipy and networkx answer the same question over the same edges: how far every state is from the
-goal, by one Dijkstra over the reversed graph. Ours counts operations besides the costs, and names
-where both tie; a spread of ours is scipy's with that on top. What is measured after a failure is
-closing the edge and finding the next one: at every 3rd operation of the way of 1,023, one after the
-other, the median and the worst tenth. scipy and networkx know no repair: they start anew.
+scipy and networkx answer the same question over the same edges: the distance of every state from
+the goal, by one Dijkstra over the reversed graph. Ours also counts operations and breaks ties by
+names, so it does the work of scipy and more. After a failure, the time to close the edge and find
+the next route is measured: at every 3rd operation of the route of 1,023, one after the other, the
+median and the worst tenth. scipy and networkx have no repair: they start anew.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Remote sensors: frozen nodes and brokers, floods, and the cost of receiving a message.
 
-A run by hand is paced as the window paces it, and its first fact comes over a mosquitto of its own.
-A node or the broker is frozen (SIGSTOP) at a random moment; ``beyond`` is how much later than the
-fact's maximum age it is unknown, in wall time. An operation is asked for then: nothing may begin.
-A flood sends from processes of its own as many messages of one source as the broker takes.
+A run by hand has the pace of the window, and its first fact comes over its own mosquitto. A node or
+the broker is frozen (SIGSTOP) at a random moment; ``beyond`` is the wall time from the fact's
+maximum age until the fact is unknown. An operation is asked for then: nothing may begin. In a
+flood, processes send as many messages of one source as the broker takes.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
 """10,000 random sequences of acts in a real window: after each act all its parts must agree.
 
 An act adds a state or an operation, renames, moves, deletes, undoes, redoes, saves, opens the file
-again, shows another mode, tab, SB or fact, or runs a few operations in a table world. After it the
-picture, the selection, Properties, the outline, the title, the text, the history and the blueprint
-are compared (``tests/sequences/agreement.py``), and what was saved is read back with its places.
-The share without ``--all`` is a tenth. ``python -m tests.sequences NUMBER`` shows one again.
+again, shows another mode, tab, SB or fact, or runs a few operations in a table world. After each
+act the drawing, the selection, Properties, the outline, the title, the text, the history and the
+blueprint are compared (``tests/sequences/agreement.py``). Saved files are read back with their
+positions. Without ``--all`` it runs a tenth. ``python -m tests.sequences NUMBER`` shows one
+sequence again.
 """
 
 from __future__ import annotations

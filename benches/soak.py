@@ -1,9 +1,9 @@
 """A long day in one window: the memory that finished work leaves behind.
 
-A state is added and undone, a run is made and let go of, a window is opened and closed, again and
-again. What the process has in memory is read after a first share of each, and at the end; the rest
-of the C library's free memory is given back before (``malloc_trim``). ``--all`` has 2,000 pairs of
-add and undo at 81 states, 60 runs and 40 windows; the share is a tenth.
+A state is added and undone, a run is made and closed, a window is opened and closed, again and
+again. The memory of the process is read after a first share of each, and at the end; free memory of
+the C library is given back before (``malloc_trim``). ``--all`` has 2,000 pairs of add and undo at
+81 states, 60 runs and 40 windows; without it, a tenth.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The source pane: a key in texts of one and ten megabytes, and in one line of a megabyte.
+"""The source pane: one key in texts of one and ten megabytes, and in one line of a megabyte.
 
-A key is sent as Qt sends it, and the text and its gutter are repainted before the clock stops. The
+A key is sent as Qt sends it, and the text and its gutter are painted before the clock stops. The
 limit is Qt's bare text widget, without colours, line numbers or a graph behind it.
 """
 

@@ -1,13 +1,12 @@
-"""The time until a stop has an effect: the real program is stopped at random moments of every
-phase.
+"""The time until a stop has an effect: the program is stopped at random moments of every phase.
 
-The command line is copied (fork) at the beginning of a phase, goes on, and gets SIGINT or SIGTERM
-at a moment drawn from the phase; the time until its process has ended is taken, with all its
-children. The status, ``run_finished`` and the head of the log are checked: what did not end in
-order is told as an error. In the window a run is stopped by F8, or closed. Times are wall time:
-measure on a quiet machine.
+The command line is forked at the beginning of a phase and goes on. It gets SIGINT or SIGTERM at a
+random moment of the phase, and the time until its process and all children have ended is measured.
+The exit status, ``run_finished`` and the head of the log are checked; a run that did not end in
+order is reported as an error. In the window a run is stopped by F8, or by closing. Times are wall
+time: measure on a quiet machine.
 
-``--phases=planning;building`` chooses phases, ``--moments=60`` how many of each.
+``--phases=planning;building`` chooses phases, ``--moments=60`` the number of moments in each.
 """
 
 from __future__ import annotations

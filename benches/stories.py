@@ -1,8 +1,7 @@
-"""Logs: 500 logs with events that no run can have, but a valid chain, and 500 true logs of every
-end.
+"""500 logs with impossible events but a valid chain, and 500 true logs with every kind of end.
 
-``tests/runlog/true_stories.py`` runs them, ``tests/runlog/impossible.py`` changes them. Impossible
-stories are drawn evenly from all operators, each from another true log where there is one.
+``tests/runlog/true_stories.py`` makes the true logs, ``tests/runlog/impossible.py`` changes them.
+Impossible stories are drawn evenly from all operators, each from another true log if there is one.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """200 walks of a screen reader through a window in which a person draws and runs all the time.
 
 The window is a child on a virtual screen with a bus of its own; Debian's ``pyatspi`` asks every
-thing in it for all it offers (``tests/stories/screen_reader``). Counted are windows that died and
-things without a name on which somebody could act.
+object in it for everything it offers (``tests/stories/screen_reader``). It counts windows that
+died, and objects without a name that a person could act on.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""What a person waits for in the window: an edit until the picture is right, the wheel, a pan.
+"""Waiting times in the window: an edit until the drawing is right, the wheel, a pan.
 
-An edit is carried out as a key or a gesture does it, and all that Qt has to do then is done before
-the clock stops: forms, rows and the picture. Its rest (findings, source, journal) comes beside or
-later, and has a row of its own. Frames of wheel and pan are painted before the clock stops.
-Times are CPU time of the window's own thread; a rest counts that of all threads.
+An edit is made as a key or a gesture makes it, and all Qt events that follow at once are done
+before the clock stops: forms, rows and the drawing. The work that follows later (findings, source,
+journal) has a row of its own. Frames of wheel and pan are painted before the clock stops. Times are
+CPU time of the window's own thread; the row of later work counts all threads.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""Whoever sits at the window in its bench: edits, turns the wheel, and waits until all rests."""
+"""The person at the window in its bench: edits, turns the wheel, and waits until all work is
+done."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every test stands on: no display, a home of its own, the same examples each time."""
+"""The setup of every test: no display, its own home folder, equal random examples each time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plugin folders that are hostile by their files alone, before any code of theirs could run."""
+"""Plugin folders whose files alone are hostile, before any of their code could run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A blueprint whose every name is hostile, and what must never come out of it."""
+"""A blueprint in which every name is hostile, and the text that must never appear in an output."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""A hundred plugins that do their worst, as one table of small source texts.
+"""A table of a hundred hostile plugins as small source texts.
 
-Each says in which moment it does it, and by which words the one error of it is known. All of them
-leave a mark wherever code of theirs runs: the number of the process it runs in.
+Each entry tells when the plugin does its harm, and the words by which its one error is known. Each
+plugin leaves a mark wherever its code runs: the number of the process.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The processes that a test's own process has started and that are still there."""
+"""The child processes of a test's process that are still running."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The command line, or the window on a file, in a process that tells how much space it took.
+"""The command line, or the window on a file, in a process that reports its memory.
 
-``python -m benches.blasts.program check FILE`` is that command, ``... window FILE`` the window: it
-opens the file, draws it and waits for its findings.
+``python -m benches.blasts.program check FILE`` runs that command. With ``window FILE`` it runs the
+window: it opens the file, draws it and waits for its findings.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The real command line, copied at the beginning of a phase and stopped at random moments.
+"""The real command line, forked at the beginning of a phase and stopped at random moments.
 
-``python -m benches.stops.program PHASE MOMENTS FOLDER`` prints one JSON object a moment. Copying
-the process (fork) spares reading 30 MB before each moment of what comes after it; the copy goes on
-as the program would have.
+``python -m benches.stops.program PHASE MOMENTS FOLDER`` prints one JSON object for each moment.
+Forking avoids reading 30 MB again for each moment of the phases after it; the fork goes on as the
+program would.
 """
 
 from __future__ import annotations

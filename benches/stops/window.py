@@ -1,8 +1,8 @@
-"""The real window, whose run is stopped at random moments of every phase, by F8 or by being closed.
+"""The real window, whose run is stopped at random moments of every phase, by F8 or by closing.
 
-``python -m benches.stops.window PHASE MOMENTS FOLDER`` prints one JSON object a moment. Of F8 the
-time is taken until the window shows that the run is stopped; of closing, until the run's thread and
-its world are gone. The window is drawn without a screen.
+``python -m benches.stops.window PHASE MOMENTS FOLDER`` prints one JSON object for each moment. For
+F8 the time is until the window shows that the run is stopped; for closing, until the run's thread
+and its world are gone. The window is drawn without a screen.
 """
 
 from __future__ import annotations

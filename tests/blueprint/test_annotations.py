@@ -1,4 +1,4 @@
-"""Annotations: typed, checked, and reported where they do not fit."""
+"""Annotations are parsed to typed values; values of a wrong type are reported."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any sequence of edits, on any blueprint in any layout, keeps text and meaning together."""
+"""After any sequence of edits, text and meaning still agree, for any blueprint in any layout."""
 
 from __future__ import annotations
 

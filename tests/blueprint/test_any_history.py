@@ -1,4 +1,5 @@
-"""Any history of edits, undo and redo over both lossless forms leads exactly back and forth."""
+"""Any history of edits, undo and redo restores each earlier text exactly, in both lossless
+forms."""
 
 from __future__ import annotations
 

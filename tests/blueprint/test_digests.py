@@ -1,4 +1,4 @@
-"""The three digests: what changes which, and what none of them sees."""
+"""The three digests: which change alters which digest, and which change alters none."""
 
 from __future__ import annotations
 

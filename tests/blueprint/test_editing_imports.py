@@ -1,4 +1,4 @@
-"""``_imports`` edited: what leads nowhere is refused, what stood there stays."""
+"""Edits of ``_imports``: a missing file is refused, and the other entries stay as they are."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words of many annotations changed at once: what stands beside them is not touched."""
+"""Edits of many annotations at once change only the given keys."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The estimate says what going through every state check would say, and unknown is no place."""
+"""The estimated place of an SB equals the result of checking every state, also for unknown
+facts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Copy, cut, paste, duplicate: as SMSL text, under free names."""
+"""Copy, cut, paste and duplicate as SMSL text; pasted elements get free names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a state's name carries its facts."""
+"""How the name of a state holds the values of its facts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clauses 5, 6, 10 and 12: what a joint step does, what commits together, what it costs."""
+"""Clauses 5, 6, 10 and 12: the effect of a joint step, what is committed together, and its cost."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Levels: who does, senses, inspects and supervises, and how much of it is human."""
+"""Levels of autonomy: who acts, senses, inspects and supervises, and the human share."""
 
 from __future__ import annotations
 

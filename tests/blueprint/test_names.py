@@ -1,4 +1,4 @@
-"""Fresh names in the manner of the names that are there."""
+"""Fresh names follow the pattern of the existing names."""
 
 from __future__ import annotations
 

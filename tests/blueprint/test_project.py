@@ -1,4 +1,4 @@
-"""What a file may import: blueprints of its own project, and nothing else on the disk."""
+"""A file may import blueprints of its own project, and no other file on the disk."""
 
 from __future__ import annotations
 

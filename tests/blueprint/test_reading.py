@@ -1,4 +1,4 @@
-"""What opens and what it means; what the reference reader gets wrong and this one does not."""
+"""Which files can be opened and what they mean, also where the reference reader is wrong."""
 
 from __future__ import annotations
 

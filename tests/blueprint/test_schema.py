@@ -1,4 +1,4 @@
-"""The JSON Schema in resources/: in step with the model, and of one mind with the reader."""
+"""The JSON Schema in resources/ matches the model, and agrees with the reader."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Blueprints that are valid, or nearly, and have far too much of something.
+"""Blueprints that are valid or nearly valid, and have far too many of one thing.
 
-Each function makes one with ``n`` of it; the size of its text grows in proportion to ``n``.
+Each function makes one with ``n`` of that thing; the size of its text grows in proportion to ``n``.
 """
 
 from __future__ import annotations

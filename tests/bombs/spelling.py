@@ -1,4 +1,4 @@
-"""Values as a text in each written form, without the writers that are under test."""
+"""Writes values as text in each written form, without the writers that are under test."""
 
 from __future__ import annotations
 

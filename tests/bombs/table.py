@@ -1,4 +1,4 @@
-"""The bombs: each by its name, in the forms that it is made for."""
+"""The table of the bombs: their names, and the written forms in which each is made."""
 
 from __future__ import annotations
 

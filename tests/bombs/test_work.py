@@ -1,4 +1,4 @@
-"""Twice as much of anything is about twice the work, counted in lines and not in seconds."""
+"""Twice the input takes about twice the work, counted in executed lines instead of seconds."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Texts that are broken, or spelled so that a reader works far more than they hold.
+"""Texts that are broken, or written so that a reader works far more than their content needs.
 
-Each function makes one in a form with ``n`` of the piece that it repeats.
+Each function makes a text in one form that repeats a piece ``n`` times.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Something to say with any command, drawn by the kinds of its arguments."""
+"""Random arguments for any command, drawn by the types of its parameters."""
 
 from __future__ import annotations
 

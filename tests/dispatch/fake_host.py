@@ -1,4 +1,4 @@
-"""A host for tests: facts on a table, and operations that fail in every way there is."""
+"""A host for tests: facts on a table, and operations that fail in every possible way."""
 
 from __future__ import annotations
 

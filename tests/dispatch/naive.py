@@ -1,7 +1,7 @@
-"""Clauses 5, 10, 11 and 12 of the meaning of a run, written once more as simply as can be.
+"""Clauses 5, 10, 11 and 12 of the meaning of a run, written a second time as simply as possible.
 
-An oracle for the planner and the dispatcher: it shares no code with them, keeps no plan, prunes
-nothing, and walks every joint configuration.
+This is an oracle for the planner and the dispatcher. It shares no code with them, keeps no plan,
+prunes nothing and walks every joint configuration.
 """
 
 from __future__ import annotations

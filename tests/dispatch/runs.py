@@ -1,4 +1,4 @@
-"""Vocabulary of the dispatch tests: blueprints in a line, runs, and what happened in them."""
+"""Helpers for the dispatch tests: blueprints in one line, runs, and what happened in them."""
 
 from __future__ import annotations
 

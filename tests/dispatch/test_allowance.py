@@ -1,4 +1,4 @@
-"""Sub-SBs below sub-SBs multiply the work of a plan: it is counted over all levels, and limited."""
+"""Nested sub-SBs multiply the work of planning: it is counted over all levels, and limited."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The end of a run: a goal is told after a fresh check, and what is not true there is held."""
+"""The end of a run: a goal is reported after a fresh check; if a fact is false, the run holds."""
 
 from __future__ import annotations
 

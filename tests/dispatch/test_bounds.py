@@ -1,4 +1,4 @@
-"""Bounds make the joint search short and change nothing else: leg for leg what it finds without."""
+"""Bounds shorten the joint search; its routes are the same, leg for leg, as without bounds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Random hierarchies against brute force: what can be reached, at what cost, what a run does."""
+"""Random hierarchies against brute force: what can be reached, the costs, and what a run does."""
 
 from __future__ import annotations
 

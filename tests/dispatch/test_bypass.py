@@ -1,4 +1,4 @@
-"""A run that goes by an edge with ``subs: load`` says so before it does."""
+"""A run reports before it uses an edge with ``subs: load``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A stop is heard while a run plans or waits for its world, and nothing of it is in the trace."""
+"""A stop works while a run plans or waits for its world, and changes nothing in the trace."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a person may say while it runs: pause, resume, step, stop, prune, by hand."""
+"""Commands during a run: pause, resume, step, stop, prune, by hand."""
 
 from __future__ import annotations
 

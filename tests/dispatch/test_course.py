@@ -1,4 +1,4 @@
-"""The course of a run: vetoes, costs that change, what if, and what stands in the way."""
+"""The course of a run: vetoes, changed costs, what-if questions, and why there is no route."""
 
 from __future__ import annotations
 

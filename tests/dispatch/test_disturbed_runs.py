@@ -1,5 +1,7 @@
-"""Runs whose sensors go wrong: held with the reason, no commit on an unknown fact, alike in both
-hosts."""
+"""Runs with disturbed sensors hold with a reason and commit nothing on unknown facts.
+
+They are equal in both hosts.
+"""
 
 from __future__ import annotations
 

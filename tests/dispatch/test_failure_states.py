@@ -1,4 +1,4 @@
-"""Failure states: routes never lead into one by themselves, and lead out of one before all else."""
+"""Routes never lead into a failure state, and a run in a failure state recovers first."""
 
 from __future__ import annotations
 

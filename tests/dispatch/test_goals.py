@@ -1,4 +1,4 @@
-"""Clauses 11, 12, 14: goals on roots and subs, several of each; what is asked on the way."""
+"""Clauses 11, 12, 14: goals of roots and sub-SBs, several of each, and questions on the way."""
 
 from __future__ import annotations
 

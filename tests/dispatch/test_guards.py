@@ -1,4 +1,4 @@
-"""Clauses 4 and 10: everything is asked before anything moves; refusals name their reasons."""
+"""Clauses 4 and 10: all guards are asked before anything moves, and refusals give reasons."""
 
 from __future__ import annotations
 

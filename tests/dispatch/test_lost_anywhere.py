@@ -1,7 +1,7 @@
-"""Random runs that lose one fact at a random tick, held against what their events tell.
+"""Random runs that lose one fact at a random tick, compared with their events.
 
-The observer below shares no code with the dispatcher. It knows what was sensed and what was
-committed, and says where a run began, committed or ended though it must not have.
+The observer below shares no code with the dispatcher. It knows the samples and the commits, and
+tells where a run began, committed or ended although it must not have.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Clauses 6 to 9 and 13: what decides, what happens when it goes wrong, what is watched."""
+"""Clauses 6 to 9 and 13: what decides the outcome, what happens on a failure, what is watched."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Joint configurations multiply: a plan nobody would wait for is given up with a sentence."""
+"""A plan over too many joint configurations is given up, with a sentence."""
 
 from __future__ import annotations
 

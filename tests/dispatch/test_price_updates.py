@@ -1,4 +1,4 @@
-"""Costs that adapt: asked at every arrival and when facts change, told where they changed."""
+"""Adaptive costs are asked at every arrival and when facts change; changes are reported."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Relocating: what the scene agrees with, held against every combination of states there is."""
+"""Relocating: the states that agree with the scene, compared with every combination of states."""
 
 from __future__ import annotations
 

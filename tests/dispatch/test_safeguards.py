@@ -1,4 +1,4 @@
-"""What a run rests on at every tick: critical facts, and what the running edges require."""
+"""What is checked at every tick of a run: critical facts, and facts that running edges require."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The senses of a run: its time never goes back, and what is elsewhere is heard in between."""
+"""The senses of a run: its time never goes back, and remote samples are read between ticks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The seven ways the first D-SFO system broke: none deadlocks, desynchronises or refuses late."""
+"""Seven sequences that broke the first D-SFO system: here none deadlocks or refuses late."""
 
 from __future__ import annotations
 

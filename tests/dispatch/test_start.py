@@ -1,4 +1,4 @@
-"""Clauses 3 and 11: what a run is refused for before anything moves, and which goals it has."""
+"""Clauses 3 and 11: reasons to refuse a run before anything moves, and the goals of a run."""
 
 from __future__ import annotations
 

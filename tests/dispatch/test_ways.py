@@ -1,4 +1,4 @@
-"""An SB that moves alone is planned by its goal tree: leg for leg what the joint search finds."""
+"""An SB that moves alone is planned by its goal tree, with the same legs as the joint search."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Hanoi from the rules of the game, against the paper's blueprint and the game's own arithmetic."""
+"""Hanoi generated from the rules of the game, compared with the paper's blueprint and with
+arithmetic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The goal tree: every way as the searches and networkx have it, whatever has changed."""
+"""The goal tree finds the same routes as the searches and networkx, after any change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The three pictures: what each must look like, and that no node ever covers another."""
+"""The three layouts: their expected look, and that no node ever covers another."""
 
 from __future__ import annotations
 

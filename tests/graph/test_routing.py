@@ -1,4 +1,4 @@
-"""The cheapest route: the same cost as networkx, and the one tie-break everybody relies on."""
+"""The cheapest route has the same cost as in networkx, and ties are broken by one rule."""
 
 from __future__ import annotations
 

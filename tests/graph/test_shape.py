@@ -1,4 +1,4 @@
-"""Shape and hierarchy, against networkx."""
+"""Shape and hierarchy, compared with networkx."""
 
 from __future__ import annotations
 

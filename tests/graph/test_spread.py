@@ -1,4 +1,4 @@
-"""States that want to lie in one crowd each find a cell."""
+"""States with nearly equal positions each get a grid cell of their own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The import rule, as a reading of the source: what each file imports, and whether it may."""
+"""The import rule, checked on the source: what each file imports, and whether it may."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Modules or folders that import each other, by whatever way round."""
+"""Finds modules or folders that import each other, directly or through others."""
 
 from __future__ import annotations
 

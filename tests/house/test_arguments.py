@@ -1,4 +1,4 @@
-"""No function takes so many things that nobody knows which is which."""
+"""A function has at most six parameters."""
 
 from __future__ import annotations
 

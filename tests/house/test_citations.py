@@ -1,4 +1,4 @@
-"""What a page, a docstring or a test points at is there: pages, sections and numbered clauses."""
+"""Every page, section and clause that a docstring, page or test cites exists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The core is itself where Qt and PyBullet are absent, and loads nothing it does not need."""
+"""The core works without Qt and PyBullet, and loads no module that it does not need."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which of its two doors the program opens, before it loads either."""
+"""The program decides between command line and window before it loads either."""
 
 from __future__ import annotations
 

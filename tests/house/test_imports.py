@@ -1,4 +1,4 @@
-"""Imports look down only, and each third-party library has one home."""
+"""Modules import only from lower layers, and each third-party library is used in one place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nothing in the house imports what imports it in turn."""
+"""No modules or folders import each other in a cycle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Names from outside are escaped for each kind of output, in one place."""
+"""Names from files are escaped for each kind of output, by one module."""
 
 from __future__ import annotations
 

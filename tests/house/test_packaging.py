@@ -1,4 +1,4 @@
-"""What a distribution installs beside the wheel is well formed and belongs together."""
+"""The files that a distribution installs besides the wheel are well formed and fit together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pictures that are kept with the project: few, small, and each of them shown somewhere."""
+"""The pictures in the repository are few and small, and each is shown on a page."""
 
 from __future__ import annotations
 

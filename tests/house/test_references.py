@@ -1,4 +1,4 @@
-"""PySide6 keeps its references of None (see the pin in pyproject.toml)."""
+"""PySide6 does not lose references to None (see the pin in pyproject.toml)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The window hands Qt no text that it could take for markup: the places that do so are few."""
+"""The window passes no foreign text to Qt that Qt could read as markup."""
 
 from __future__ import annotations
 

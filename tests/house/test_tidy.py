@@ -1,4 +1,4 @@
-"""What keeps the house tidy: sizes, names, the changelog, the lock."""
+"""Rules for the repository: sizes of files and functions, names, the changelog, the lock file."""
 
 from __future__ import annotations
 

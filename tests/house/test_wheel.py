@@ -1,4 +1,4 @@
-"""The wheel carries what ships beside the code, and works where there is no checkout."""
+"""The wheel holds the data files, and works without a checkout."""
 
 from __future__ import annotations
 

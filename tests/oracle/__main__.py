@@ -1,7 +1,8 @@
-"""Look at one case: ``python -m tests.oracle NUMBER`` (or a file with a case as JSON).
+"""Prints one case: ``python -m tests.oracle NUMBER`` (or a file with a case as JSON).
 
-Printed are what was asked, then tick by tick what was said, what the world was told and said, and
-what the run told; last what the oracle finds. Ticks in which nothing happened are left out.
+It prints what was asked, then for each tick the acts of the script, the calls and answers of the
+world and the events of the run; last the findings of the oracle. Ticks in which nothing happened
+are left out.
 """
 
 from __future__ import annotations

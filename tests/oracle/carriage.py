@@ -1,5 +1,8 @@
-"""What carrying an edge out does: who moves in which order, what becomes true together, what it
-costs. Clauses 2, 5, 6, 10 and 12 for one step; sub-routes are found by brute force."""
+"""The effect of carrying out an edge: which SBs move in which order, what is committed together,
+and the cost.
+
+Clauses 2, 5, 6, 10 and 12 for one step. Sub-routes are found by brute force.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""What becomes true together and when: clauses 1, 6, 7 and 13, and where a run starts (3)."""
+"""Which states are committed together, and when: clauses 1, 6, 7 and 13, and the start of a run
+(3)."""
 
 from __future__ import annotations
 

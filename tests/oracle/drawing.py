@@ -1,7 +1,7 @@
-"""What a blueprint says, read from its plain JSON by smsl.md 3 alone.
+"""The meaning of a blueprint, read from its plain JSON by docs/language.md alone.
 
-The oracle shares no code with the program: whoever reads a file wrongly there cannot make the same
-mistake here. Facts are written ``SB/digit``, states ``SB/State``, edges ``SB/State/Operation``.
+The oracle shares no code with the program, so that a mistake in the program's reader is not
+repeated here. Facts are written ``SB/digit``, states ``SB/State``, edges ``SB/State/Operation``.
 """
 
 from __future__ import annotations
@@ -181,7 +181,7 @@ class Drawing:
 
 
 def _facts(names: list[str], count: int | None) -> dict[str, tuple[str, ...]]:
-    """The fact string of each state, cut into its digits (smsl.md 3, Facts)."""
+    """The fact string of each state, cut into its digits (docs/language.md, Facts)."""
     strings = {name: _fact_string(name, count) for name in names}
     lengths = {len(text) for text in strings.values()}
     if len(lengths) != 1:

@@ -1,4 +1,4 @@
-"""Routes, goals and ends: clauses 9 (the end), 11 and 12."""
+"""Routes, goals and ends of runs: clauses 9 (the end), 11 and 12."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _of(name: str, edges: list[str]) -> list[str]:
 def _first_by_name(now: Situation, goal: str, edges: list[str]) -> None:
     """Of routes that ask for edges of the routed SB alone, the first by their addresses is taken.
 
-    Where subs are asked directly as well, smsl.md does not say what is compared.
+    Where subs are asked directly as well, docs/running.md does not say what is compared.
     """
     name = goal.split("/", 1)[0]
     own = as_own_steps(now.terms, now.configuration, name, edges)

@@ -1,7 +1,7 @@
-"""Deliberate faults: for each clause, what the program would do if it broke the clause.
+"""Deliberate faults: for each clause, a change of the program that breaks the clause.
 
-Each puts something else in the place of one piece of the program. ``numbers`` are cases in which
-the oracle must then name the clause; without the fault it finds nothing in them.
+Each replaces one part of the program. ``numbers`` are cases for which the oracle must then name the
+clause; without the fault it finds nothing in them.
 """
 
 from __future__ import annotations

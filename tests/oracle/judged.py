@@ -1,4 +1,4 @@
-"""One case run and judged: what the tests and the bench do many times."""
+"""Runs one case and judges it, for the tests and the bench."""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
-"""Before and while something moves: clauses 2, 4, 5, 10, what is watched at every tick (9), and
-what a person or a latch has said (regulation 4)."""
+"""Before and during motion: clauses 2, 4, 5, 10, and the facts that are watched at every tick (9).
+
+It also checks the effects of commands and of latches (docs/supervision.md).
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""The oracle: reads the record of a run and tells, in sentences, what is not as smsl.md 4 says.
+"""The oracle: reads the record of a run and tells in sentences what differs from docs/running.md.
 
 It was written from the specification alone and shares no code with the program. It sees the JSON of
-the blueprint, what was asked, what every sensor said at every tick, what the world was told to do,
-the commands, and the stream of events. Each sentence begins with the clause that is broken.
+the blueprint, what was asked, the reading of every sensor at every tick, the calls of the world,
+the commands and the events. Each sentence begins with the clause that is broken.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What people are asked and what they said: guards of clause 4, and facts that people sense."""
+"""The questions to people and their answers: guards of clause 4, and facts that people sense."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said to a run, disturbed and broken at random, and when."""
+"""Random commands, disturbances and faults of a run, and when they happen."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""A table world that writes down, in plain values, all that is asked of it and all that it says.
+"""A table world that records, in plain values, every call to it and every answer.
 
-The oracle judges by this record of samples and calls, and not by what the dispatcher tells of them.
-A case may also ask for what the table world does not have: a second sensor, operations that last,
-edges without a function, functions bound to exactly one edge, facts that nobody senses, and a time
-to settle.
+The oracle judges by this record of samples and calls, not by the events of the dispatcher. A case
+may also ask for features that the table world does not have: a second sensor, operations that last,
+edges without a function, functions bound to one edge, facts that nobody senses, and a time to
+settle.
 """
 
 from __future__ import annotations

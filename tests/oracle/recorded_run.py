@@ -1,8 +1,8 @@
-"""One run of a case, from its first event to its last, written down in plain values.
+"""One run of a case, recorded in plain values from its first event to its last.
 
 A case is a dict: ``blueprint`` (the JSON of a file), ``asked`` (start, goals, avoid, on_mismatch,
-levels, automatic, attended), ``world`` (see ``recorded_host``), ``script`` (acts, each with the
-moment at which it is said), ``people`` (how they answer) and ``agent`` (what a supervisor says).
+levels, automatic, attended), ``world`` (see ``recorded_host``), ``script`` (acts, each with its
+moment), ``people`` (how they answer) and ``agent`` (what a supervisor decides).
 """
 
 from __future__ import annotations

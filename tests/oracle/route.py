@@ -1,4 +1,4 @@
-"""The cheapest way to a goal over joint configurations (clauses 11 and 12), by brute force."""
+"""The cheapest route to a goal over joint configurations (clauses 11 and 12), by brute force."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What is known of every fact, worked out from samples and answers alone: clause 13.
+"""The value of every fact, computed from samples and answers alone: clause 13.
 
-A sample counts where it is newer than those before it and was not held up too long; it ages on
-simulated time. Three values: True, False and None (unknown).
+A sample counts if it is newer than the ones before and was not delayed too long; it ages in
+simulated time. A value is True, False or None (unknown).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The cheapest row of joint steps, found by brute force (clause 12)."""
+"""The cheapest sequence of joint steps, found by brute force (clause 12)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a run stands while its record is read: what is believed, sensed, shut, and under way."""
+"""The state of a run while its record is read: what is believed, sensed, pruned and under way."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class Step:
 
 
 class Situation:
-    """The fold over a record. ``findings`` are the sentences of what is not as smsl.md 4 says."""
+    """The fold over a record. ``findings`` are sentences about violations of docs/running.md."""
 
     def __init__(self, blueprint: Json, asked: Mapping[str, Json], world: Mapping[str, Json]):
         self.asked, self.world = asked, world
@@ -129,7 +129,7 @@ class Situation:
         self._terms: dict[tuple[Any, ...], Terms] = {}
 
     def broken(self, clause: int, sentence: str) -> None:
-        """A clause of smsl.md 4 does not hold here."""
+        """Note that a clause of docs/running.md does not hold here."""
         self.findings.append(f"clause {clause} broken at t={self.now:g}: {sentence}")
 
     def happened(self) -> None:
@@ -191,7 +191,7 @@ class Situation:
         """The leaf facts that the step under way moves by itself (clause 9).
 
         An operation may also move what it declares under ``touches``, while it acts: that is what
-        is unknown when it is cancelled (regulation 4).
+        is unknown when it is cancelled (docs/supervision.md).
         """
         if self.step is None or self.step.over:
             return set()

@@ -1,6 +1,6 @@
-"""Where the SBs of a drawing may stand together: clauses 1, 3 and the goals of clause 11.
+"""The joint states that are possible: clauses 1, 3 and the goals of clause 11.
 
-Everything is found by trying: drawings in these tests are small.
+Everything is found by trying, because the blueprints of these tests are small.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Clause 14: what the table world writes down, and when."""
+"""Clause 14: what the table world writes to its table, and when."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Under which terms edges may be used, and which edges of bases go along: clauses 4, 5 and 10."""
+"""When an edge may be used, and which edges of base SBs move with it: clauses 4, 5 and 10."""
 
 from __future__ import annotations
 

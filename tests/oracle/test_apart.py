@@ -1,4 +1,4 @@
-"""The oracle is written apart: it knows plain values, and nothing of the program it judges."""
+"""The oracle uses plain values only, and imports nothing of the program that it judges."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The oracle sees what it is there to see: for each clause, faults made on purpose."""
+"""The oracle finds deliberate faults, for each clause."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""When it goes wrong: clause 8, and integrity between operations (9)."""
+"""Operations that go wrong: clause 8, and integrity between operations (9)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The account of a run: all of it, in order, and nothing that a browser would carry out."""
+"""The account of a run is complete and in order, and holds nothing that a browser would execute."""
 
 from __future__ import annotations
 

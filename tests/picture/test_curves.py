@@ -1,4 +1,4 @@
-"""Lines between states: where they start and end, how far apart, what they go around."""
+"""Lines between states: their ends, their distances, and what they go around."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the node of a state shows where it has far more facts than a node has room for."""
+"""What the node of a state shows if it has far more facts than fit in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""After an edit only what it touches is routed anew, and all lies as if everything had been."""
+"""After an edit, only the touched lines are routed anew, with the same result as routing all."""
 
 from __future__ import annotations
 

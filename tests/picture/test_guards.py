@@ -1,4 +1,4 @@
-"""Guards in a picture: which operations need other facts, in words, and as a mark with room."""
+"""Guards in a picture: which operations require facts of other SBs, in words and as a mark."""
 
 from __future__ import annotations
 

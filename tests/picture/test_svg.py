@@ -1,4 +1,4 @@
-"""Pictures: well formed, every name in them, nothing overlaps or is cut, any name is safe."""
+"""SVG pictures are well formed and hold every name; nothing overlaps, is cut or is unescaped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equal blueprint and seed, equal bits; another seed, another table."""
+"""An equal blueprint and seed give an equal run, bit for bit; another seed gives another table."""
 
 from __future__ import annotations
 

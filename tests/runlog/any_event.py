@@ -1,4 +1,4 @@
-"""Any event of any kind there is, drawn from the types of its fields."""
+"""Random events of every kind, drawn from the types of their fields."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Stories that no run can tell: each operator changes a true one into such a one, by a reason.
+"""Event stories that no run can have: each operator changes a true story into an impossible one.
 
-The chain and the head are made anew afterwards, so that nothing but the story is wrong. An operator
-answers None where a story has nothing that it could change; what it changes is impossible whatever
-the blueprint says, and its docstring says why.
+The chain and the head are computed anew, so that only the story is wrong. An operator returns None
+if a story has nothing that it could change. What it changes is impossible for any blueprint; its
+docstring says why.
 """
 
 from __future__ import annotations

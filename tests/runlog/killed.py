@@ -1,4 +1,5 @@
-"""Kill -9 for a child that writes a log, at random moments: what it has acknowledged is there."""
+"""Kills a child that writes a log (kill -9) at random moments: every acknowledged event must be
+there."""
 
 from __future__ import annotations
 

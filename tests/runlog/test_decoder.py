@@ -1,4 +1,4 @@
-"""Events out of a log: each as it was, and nothing else."""
+"""Events are read from a log exactly as they were written, and nothing else is read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the version before has written is read, verified and replayed as it was then."""
+"""Logs of the previous version are read, verified and replayed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""No story that a run cannot tell verifies, however good its chain; every true one does."""
+"""Logs with impossible stories are not verified, even with a valid chain; every true log is."""
 
 from __future__ import annotations
 

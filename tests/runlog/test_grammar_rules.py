@@ -1,4 +1,5 @@
-"""Each rule of the grammar by itself: a story that goes well up to one event, and what is said."""
+"""Each rule of the grammar alone: a valid story up to one event, and the sentence about that
+event."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What state checks rest on stands in the header of a log."""
+"""The header of a log holds what state checks depend on."""
 
 from __future__ import annotations
 

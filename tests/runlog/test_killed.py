@@ -1,4 +1,4 @@
-"""Kill -9 of a writer, and of a run: nothing that was acknowledged is lost."""
+"""After kill -9 of a writer or a run, no acknowledged event is lost."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The log: a line that was written is there, and a log that cannot be written says so."""
+"""A written line is on the disk, and a log that cannot be written is reported."""
 
 from __future__ import annotations
 

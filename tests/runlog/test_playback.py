@@ -1,4 +1,4 @@
-"""Telling a run again from its events: after each tick it stands as the live run stood."""
+"""Playing a run back from its events: after each tick it equals the live run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""No log that was changed, cut, reordered, doubled, continued or encoded anew verifies."""
+"""A log that was changed, cut, reordered, doubled, continued or encoded anew is not verified."""
 
 from __future__ import annotations
 

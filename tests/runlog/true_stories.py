@@ -1,4 +1,4 @@
-"""Logs of true runs: of random blueprints and samples, under scripts, people, faults and chance."""
+"""Logs of real runs: random blueprints and samples, with scripts, people, faults and chance."""
 
 from __future__ import annotations
 

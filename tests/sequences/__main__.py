@@ -1,4 +1,4 @@
-"""Look at sequences: ``python -m tests.sequences FIRST [LAST]``; findings are printed."""
+"""Runs sequences and prints the findings: ``python -m tests.sequences FIRST [LAST]``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether everything that a window shows of a drawing says the same."""
+"""Checks that all parts of a window show the same drawing."""
 
 from __future__ import annotations
 

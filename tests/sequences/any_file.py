@@ -1,4 +1,4 @@
-"""Any small file to draw in: one to three SBs in a lossless form, which a table world can run."""
+"""Random small files: one to three SBs in a lossless form, which a table world can run."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""A person's seat at a real window: what is done there, by the pointer, by keys and by its actions.
+"""A person at a real window, who uses the pointer, keys and actions.
 
-Questions of files are answered at once, and a run has its world in this process; all else is the
-window as anybody has it.
+Questions about files are answered at once, and the world of a run lives in this process. Everything
+else is as in the real program.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One random sequence of acts at a window, and what was found not to agree after each of them."""
+"""One random sequence of acts at a window, with the disagreements found after each act."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A share of the sequences, one after the other at one window."""
+"""Runs a share of the sequences, one after the other at one window."""
 
 from __future__ import annotations
 

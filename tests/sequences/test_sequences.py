@@ -1,6 +1,6 @@
-"""After each act of any sequence the window agrees with itself, and what is saved comes back.
+"""After each act of any sequence all parts of the window agree, and saved files read back equal.
 
-The bench does ten thousand of them (``benches/sequences.py``); here are a few, each shorter.
+The bench runs ten thousand sequences (``benches/sequences.py``); here are a few, each shorter.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Saving on a disk without room: ``python -m tests.smsl.full FOLDER LIMIT COUNT``.
+"""Saves files on a disk without room: ``python -m tests.smsl.full FOLDER LIMIT COUNT``.
 
-LIMIT is the longest file (bytes) that may be written, 0 for none; COUNT how many files are saved.
-What the person is told goes out as one line of JSON.
+LIMIT is the longest file (bytes) that may be written, 0 for none; COUNT is the number of files.
+What the person is told is printed as one line of JSON.
 """
 
 from __future__ import annotations

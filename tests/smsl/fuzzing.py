@@ -1,7 +1,7 @@
-"""Seeded broken files for the three readers, and what must hold of whatever they answer.
+"""Seeded broken files for the three readers, and what must hold for their results.
 
-Bytes are changed, tokens put in, texts cut, joined, nested and repeated; the sources are the
-samples in all three forms and a text of every oddity.
+Bytes are changed, tokens inserted, texts cut, joined, nested and repeated. The sources are the
+samples in all three forms and one text with every unusual feature.
 """
 
 from __future__ import annotations

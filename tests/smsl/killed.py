@@ -1,8 +1,8 @@
-"""Kill -9 in the middle of saving, again and again; what is read afterwards, in one line of JSON.
+"""Kills a saving process with kill -9 many times, and prints what is read afterwards as JSON.
 
-A program of its own, because it forks: ``python -m tests.smsl.killed FOLDER HOW SEED``. HOW is a
-number of kills at random moments, ``steps`` for one at every step of a save, or ``grid`` for every
-step of finishing each of those as well.
+It is a program of its own, because it forks: ``python -m tests.smsl.killed FOLDER HOW SEED``. HOW
+is a number of kills at random moments, ``steps`` for one kill at every step of a save, or ``grid``
+for every step of finishing each of those as well.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A save of several files whose process has died in the middle."""
+"""Makes the files of a save whose process has died in the middle."""
 
 from __future__ import annotations
 

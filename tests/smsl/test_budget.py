@@ -1,4 +1,4 @@
-"""How much a text may stand for: a short one that holds very many values is refused at once."""
+"""A short text that stands for very many values is refused at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The canonical layout: nothing but the layout changes, and a second time nothing does."""
+"""The canonical layout changes only the layout, and is the same when applied twice."""
 
 from __future__ import annotations
 

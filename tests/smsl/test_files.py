@@ -1,4 +1,4 @@
-"""A save is whole or not at all."""
+"""A save writes the whole file or nothing."""
 
 from __future__ import annotations
 

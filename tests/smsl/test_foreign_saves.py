@@ -1,6 +1,6 @@
-"""Only a save that this program has begun for this user counts: nobody else's files are believed.
+"""An interrupted save is finished only if this program began it for this user.
 
-``three`` are the files of a save that was left behind: without its record they hold a mixture.
+``three`` are the files of an interrupted save: without its record they hold old and new texts.
 """
 
 from __future__ import annotations

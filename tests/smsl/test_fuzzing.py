@@ -1,4 +1,4 @@
-"""Whatever bytes a file holds: an answer with a place, no traceback, no work out of proportion."""
+"""For any bytes in a file, the readers answer with a place, without traceback, in linear work."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The garbage collector waits while a file is read, and never longer."""
+"""The garbage collector is off while a file is read; afterwards it is as it was before."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Only ordinary files are opened, nobody is waited for, and half of a file is never read."""
+"""Only regular files are opened, no pipe is waited for, and a part of a file is never read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reading the JSON form: what opens, what is refused, and that nothing is lost."""
+"""Reading the JSON form: what opens, what is refused, and that no value is lost."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A long JSON text is read by another reader; nobody may notice."""
+"""Long JSON texts are read by a faster reader, with the same results."""
 
 from __future__ import annotations
 

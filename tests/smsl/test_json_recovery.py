@@ -1,4 +1,4 @@
-"""A broken JSON text: its faults, their repairs, and what can be read of it nevertheless."""
+"""A broken JSON text: its faults, their repairs, and what can be read of it."""
 
 from __future__ import annotations
 

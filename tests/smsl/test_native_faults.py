@@ -1,4 +1,4 @@
-"""What is wrong with a native text: every fault with its place, and a repair where one is clear."""
+"""Faults of native texts: each has its place, and a repair if one is clear."""
 
 from __future__ import annotations
 

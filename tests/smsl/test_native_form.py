@@ -1,4 +1,4 @@
-"""Reading and writing the native form: what it says, and that nothing is lost."""
+"""Reading and writing the native form: what it means, and that no value is lost."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The hand-written reader accepts and rejects what a grammar does."""
+"""The hand-written reader accepts and rejects the same texts as a grammar."""
 
 from __future__ import annotations
 

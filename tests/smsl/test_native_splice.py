@@ -1,4 +1,4 @@
-"""Reconcile in the native form: a text changes only where its values do."""
+"""Reconcile in the native form changes the text only where values change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reconcile: a text changes only where its values do."""
+"""Reconcile changes the text only where values change."""
 
 from __future__ import annotations
 

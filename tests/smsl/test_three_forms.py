@@ -1,4 +1,4 @@
-"""One blueprint in three written forms: the same values, meaning and digests, whichever way."""
+"""One blueprint has the same values, meaning and digests in all three written forms."""
 
 from __future__ import annotations
 

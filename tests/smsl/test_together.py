@@ -1,4 +1,4 @@
-"""Several files are saved whole or not at all, whatever happens."""
+"""Several files are saved all together or not at all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What a file keeps when it is saved, besides its bytes; what it loses is told before."""
+"""What a saved file keeps besides its text (mode, owner, ACL).
+
+What it would lose is told before.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The YAML form: what it reads, in which words it refuses, that any reader reads what it writes."""
+"""The YAML form: what it reads, how it refuses, and that any YAML reader reads what it writes."""
 
 from __future__ import annotations
 

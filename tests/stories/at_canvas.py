@@ -1,4 +1,4 @@
-"""A person at a canvas alone: moves the mouse there, presses, drags and types, as one does."""
+"""A person at a canvas without a window: moves the mouse, presses, drags and types."""
 
 from __future__ import annotations
 

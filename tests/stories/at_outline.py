@@ -1,4 +1,4 @@
-"""What a person reads in the outline, and where to click on it."""
+"""The outline as a person uses it: what it shows, and where to click on it."""
 
 from __future__ import annotations
 

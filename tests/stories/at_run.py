@@ -1,4 +1,4 @@
-"""A person at the run pane: presses its buttons, clicks its arrows, and reads what it shows."""
+"""A person at the run pane: presses its buttons, clicks its arrows and reads what it shows."""
 
 from __future__ import annotations
 

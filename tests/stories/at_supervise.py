@@ -1,4 +1,4 @@
-"""A person in Supervise mode: keys, cards, and what is said. They use the keyboard alone."""
+"""A person in Supervise mode who uses the keyboard alone: keys, cards and messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A person who is asked: reads the card, chooses, decides, in Supervise or anywhere else."""
+"""A person who answers tasks: reads the card, chooses and decides, in any mode."""
 
 from __future__ import annotations
 

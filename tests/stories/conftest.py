@@ -1,4 +1,4 @@
-"""A window, and a person at it."""
+"""Fixtures: a window, and a person at it."""
 
 from __future__ import annotations
 

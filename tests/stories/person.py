@@ -1,4 +1,4 @@
-"""A person at the window: moves the pointer, clicks, drags, types, and reads what is shown."""
+"""A person at the window: moves the pointer, clicks, drags, types and reads what is shown."""
 
 from __future__ import annotations
 

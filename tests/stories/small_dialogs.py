@@ -1,7 +1,7 @@
-"""Every dialog on the screen of this process; tells where each is, with its buttons.
+"""Opens every dialog on the screen of this process, and prints where each is, with its buttons.
 
-``python -m tests.stories.small_dialogs FILE``: one line of JSON. The screen and its scale come
-from the environment, as they do for a person.
+``python -m tests.stories.small_dialogs FILE`` prints one line of JSON. The screen and its scale
+come from the environment, as they do for a person.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A window on the screen of this process, run through its modes; tells where Stop is in each.
+"""Shows a window in each mode on the screen of this process, and prints where Stop is.
 
-``python -m tests.stories.small_screen FILE``: one line of JSON. The screen and its scale come from
-the environment, as they do for a person.
+``python -m tests.stories.small_screen FILE`` prints one line of JSON. The screen and its scale come
+from the environment, as they do for a person.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A state that is added takes nothing over: which state is activating stays, and that is said."""
+"""Adding a state does not change which state is activating, and the window says so."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A window on blueprints with far too much of something: texts stay short, work linear."""
+"""A window with blueprints that have far too many of one thing: texts stay short, work linear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A file that does not read is opened all the same: its text, its faults, and what can be drawn."""
+"""A broken file is opened too: its text, its faults, and what can be drawn of it."""
 
 from __future__ import annotations
 

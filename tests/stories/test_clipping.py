@@ -1,4 +1,4 @@
-"""Copy, cut, paste, duplicate: in one window, into another one, and from any text."""
+"""Copy, cut, paste and duplicate: in one window, into another one, and from any text."""
 
 from __future__ import annotations
 

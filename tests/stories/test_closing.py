@@ -1,4 +1,4 @@
-"""A window that is closed is gone, with all that it held and whatever was going on in it."""
+"""Closing a window frees everything it held, whatever was going on in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Comparing: with a file, with what was saved, with a commit; going through the changes."""
+"""Comparing with a file, the saved text and a commit; going through the changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Del, F2 and Ctrl+X act on what is selected and shown in Properties, wherever the keys go."""
+"""Del, F2 and Ctrl+X act on the selection that Properties shows, for any keyboard focus."""
 
 from __future__ import annotations
 

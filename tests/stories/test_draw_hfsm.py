@@ -1,4 +1,4 @@
-"""The paper's hFSM, drawn by hand from an empty window, means what the sample means."""
+"""The paper's hFSM, drawn by hand from an empty window, means the same as the sample."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files as a person meets them: new, open, save, save as, recent, dropped, broken, unsaved."""
+"""Files in the window: new, open, save, save as, recent, dropped, broken, unsaved."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whoever has just begun has made no mistake, and nothing is called clean that was not there."""
+"""An empty blueprint has no errors, and is not called clean either."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The card of a finding: it covers no state while there is room for it, and is read as a whole."""
+"""The card of a finding covers no state if there is room, and is read out as a whole."""
 
 from __future__ import annotations
 

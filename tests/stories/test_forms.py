@@ -1,4 +1,4 @@
-"""Annotations edited in forms, as a person does: facts, states, operations, hazards, files."""
+"""Annotations edited in forms: facts, states, operations, hazards, files."""
 
 from __future__ import annotations
 

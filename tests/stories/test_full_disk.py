@@ -1,4 +1,4 @@
-"""A disk without room: the old file survives, the window says so, and the work goes on."""
+"""A full disk: the old file stays, the window says so, and the work can go on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Guards across State Branches: a lock at the label, which tells in a run how the facts stand."""
+"""Guards across State Branches: a lock at the label shows the state of the required facts in a
+run."""
 
 from __future__ import annotations
 

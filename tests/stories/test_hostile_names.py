@@ -1,4 +1,4 @@
-"""A blueprint whose names are markup and marks: nothing in the window obeys or hides them."""
+"""A blueprint whose names are markup or control characters: the window shows them as text."""
 
 from __future__ import annotations
 

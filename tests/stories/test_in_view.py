@@ -1,4 +1,4 @@
-"""What is found, added or put in is in view, and where one looks changes no more than it must."""
+"""Found, added and pasted elements are in view, and the view moves no more than needed."""
 
 from __future__ import annotations
 

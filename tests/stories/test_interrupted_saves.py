@@ -1,6 +1,5 @@
-"""A save of several files was interrupted, and another program writes in mid-save: a person says
-what becomes of it.
-"""
+"""A save of several files was interrupted, or another program writes during it: the person
+decides."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""In Supervise keys act wherever no text is typed, also when what had them has gone."""
+"""In Supervise, keys act wherever no text is typed, also if the focused widget is gone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""What is large or odd does not stop the window: thousands of edges, slips in a header."""
+"""Large or odd blueprints do not block the window: thousands of edges, typing errors in a
+header."""
 
 from __future__ import annotations
 

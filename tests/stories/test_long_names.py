@@ -1,4 +1,4 @@
-"""Names that are too long for their place are shortened, and never push others out of sight."""
+"""Names that are too long for their place are shortened, and push nothing out of sight."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is added and undone is let go of: no object of ours and no widget is kept for each time."""
+"""Adding and undoing frees everything: neither objects of ours nor widgets pile up."""
 
 from __future__ import annotations
 

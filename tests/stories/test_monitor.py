@@ -1,4 +1,4 @@
-"""The monitor page: what every sensor says, why a fact is unknown, and how to try it out."""
+"""The monitor page: the reading of every sensor, why a fact is unknown, and disturbances."""
 
 from __future__ import annotations
 

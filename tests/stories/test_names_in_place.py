@@ -1,4 +1,4 @@
-"""A name that is edited where it stands is taken over by a key of the window, and work goes on."""
+"""A name being edited on the canvas is taken over when a key of the window is pressed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Work that could slip away unseen: each of these texts is still somewhere, and is said to be."""
+"""Work that could be lost unnoticed: each of these texts is kept somewhere, and the window says
+so."""
 
 from __future__ import annotations
 

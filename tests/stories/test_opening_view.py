@@ -1,4 +1,4 @@
-"""A file opens so that its states can be told apart, and the window says what is outside."""
+"""A file opens with states that can be told apart, and the window says what is out of view."""
 
 from __future__ import annotations
 

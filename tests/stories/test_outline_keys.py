@@ -1,4 +1,4 @@
-"""What keys mean on every kind of row of the outline: an SB, a fact, an import that failed."""
+"""The keys on every kind of row of the outline: an SB, a fact, an import that failed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Other programs change files that are open: noticed, told, and nobody is overwritten unseen."""
+"""Other programs change open files: the window notices, tells, and overwrites nothing unasked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The panels as a person uses them: outline, header, properties, findings, source, history."""
+"""The panels: outline, header, properties, findings, source, history."""
 
 from __future__ import annotations
 

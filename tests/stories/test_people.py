@@ -1,4 +1,4 @@
-"""People in the loop: two who must agree, one who is late, levels set before a run and obeyed."""
+"""People in the loop: two who must agree, one who is late, levels that are set before a run."""
 
 from __future__ import annotations
 

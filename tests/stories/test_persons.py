@@ -1,4 +1,4 @@
-"""Who works here: persons are named in the dialog, and what is commanded then is in their name."""
+"""Who works here: persons are named in a dialog, and later commands carry their name."""
 
 from __future__ import annotations
 

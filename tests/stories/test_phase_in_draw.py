@@ -1,4 +1,4 @@
-"""In Draw, too, one sees how the run is, and that a Stop has done something."""
+"""Draw mode shows the phase of the run too, so that one sees the effect of a Stop."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was seen when a drawing was saved is seen when it is opened, in every view of it."""
+"""A drawing opens as it was when it was saved, in every view of it."""
 
 from __future__ import annotations
 

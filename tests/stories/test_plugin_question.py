@@ -1,4 +1,4 @@
-"""A plugin that was put into the user's folder is asked about before any of its code runs."""
+"""The window asks about a plugin in the user's folder before any of its code runs."""
 
 from __future__ import annotations
 

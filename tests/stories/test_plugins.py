@@ -1,4 +1,4 @@
-"""Plugins are edited, added and broken while the window is open; the work goes on."""
+"""Plugins are edited, added and broken while the window is open, and the work goes on."""
 
 from __future__ import annotations
 

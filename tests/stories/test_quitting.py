@@ -1,4 +1,4 @@
-"""Ctrl+Q with several windows: everything is asked first, and nothing is done before."""
+"""Ctrl+Q with several windows: every question is asked before anything is closed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Every run of the window is recorded, unless it shall not be; without its log none goes on."""
+"""Every run of the window is recorded unless that is switched off.
+
+If the log fails, the run ends.
+"""
 
 from __future__ import annotations
 

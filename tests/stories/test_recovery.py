@@ -1,4 +1,4 @@
-"""Work that was not saved when the program ended, as the person meets it at the next start."""
+"""Unsaved work when the program ended, as the person finds it at the next start."""
 
 from __future__ import annotations
 

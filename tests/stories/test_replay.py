@@ -1,4 +1,4 @@
-"""A recorded run in the window: opened, scrubbed, stepped, played; and nothing can be commanded."""
+"""A recorded run in the window: opened, scrubbed, stepped, played; no command is possible."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""By hand: a person chooses each operation, by its arrow or from the list; no goes with why."""
+"""By hand: a person chooses each operation, by its arrow or in the list; refusals give reasons."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands around a run is of that run, whatever is drawn or opened meanwhile."""
+"""Everything shown around a run belongs to that run, whatever is drawn or opened meanwhile."""
 
 from __future__ import annotations
 

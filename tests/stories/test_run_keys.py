@@ -1,4 +1,4 @@
-"""The keys of a run are heard wherever the focus is: in every part of every mode, and beside it."""
+"""The keys of a run work for any keyboard focus: in every part of every mode, and in dialogs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Run mode: an operation is pruned where it stands, and what a run that holds offers is pressed."""
+"""Run mode: prune an operation on the canvas, and press what a held run offers."""
 
 from __future__ import annotations
 

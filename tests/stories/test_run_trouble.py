@@ -1,4 +1,4 @@
-"""When the world's process dies, and where nothing can be drawn: the window lives and says so."""
+"""The world's process dies, or nothing can be drawn: the window stays open and says so."""
 
 from __future__ import annotations
 

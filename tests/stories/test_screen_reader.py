@@ -1,4 +1,4 @@
-"""A person who does not see the window has it read out: a real window, a real bus, a real reader.
+"""A person who cannot see the window: a real window, a real bus, a real screen reader.
 
 The window runs as a child on a virtual display, and Debian's ``pyatspi`` walks its tree. ``./dev``
 installs what that needs.

@@ -1,4 +1,4 @@
-"""Blueprints over several files and in several forms: opened, edited where they stand, saved."""
+"""Blueprints over several files and forms: opened, edited in their own file, saved."""
 
 from __future__ import annotations
 

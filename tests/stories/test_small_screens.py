@@ -1,4 +1,4 @@
-"""A person at a small screen with large letters: Stop is whole and can be pressed, in each mode."""
+"""A small screen with large letters: Stop is fully visible and can be pressed, in each mode."""
 
 from __future__ import annotations
 

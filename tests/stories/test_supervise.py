@@ -1,4 +1,4 @@
-"""Supervise with the keyboard alone, and what stands in the record of it."""
+"""Supervise with the keyboard alone, and the record of it."""
 
 from __future__ import annotations
 

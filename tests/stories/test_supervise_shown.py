@@ -1,4 +1,4 @@
-"""What Supervise shows: nothing over anything, whatever the size; the text lit; several SBs."""
+"""The look of Supervise: nothing overlaps in any size; the text is highlighted; several SBs."""
 
 from __future__ import annotations
 

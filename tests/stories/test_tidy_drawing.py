@@ -1,4 +1,4 @@
-"""Tidy lays out anew what a person has moved, and makes no step where nothing would change."""
+"""Tidy computes the layout anew, and makes no step if nothing would change."""
 
 from __future__ import annotations
 

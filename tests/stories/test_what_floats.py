@@ -1,4 +1,4 @@
-"""What floats over the drawing goes with what it was about."""
+"""Floating parts over the drawing close when their element is gone or moved."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Keys go to what a person looks at, and the window shows where that is."""
+"""The keyboard focus is where the person looks, and the window shows where that is."""
 
 from __future__ import annotations
 

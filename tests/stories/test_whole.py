@@ -1,4 +1,4 @@
-"""In the middle of a run nothing is cut at 1280: what is shortened has it all in its tooltip."""
+"""During a run no text is cut at 1280 pixels; shortened text is complete in its tooltip."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The window itself: palette, keys, themes, the drawer, what the status line says."""
+"""The window itself: palette, keys, themes, the drawer, the status line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Any two blueprints: nothing differs exactly where they mean the same, and it reads both ways."""
+"""For any two blueprints: the comparison is empty exactly if they mean the same, and it is
+symmetric."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every single edit is told as exactly its change; a rename is one change and no retargets."""
+"""Each single edit is reported as exactly its change. A rename is one change, without retargets."""
 
 from __future__ import annotations
 

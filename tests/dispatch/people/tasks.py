@@ -1,4 +1,4 @@
-"""Vocabulary of runs with people: who answers what, and what was asked."""
+"""Helpers for tests of runs with people: who answers what, and what was asked."""
 
 from __future__ import annotations
 

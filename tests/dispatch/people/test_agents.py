@@ -1,4 +1,4 @@
-"""The sample agent: it decides by the risk that is declared, and never by hope."""
+"""The sample agent allows operations up to a declared risk, and asks if none is declared."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any answers, silence and commands: nothing begins without the yes it needs, ever."""
+"""With any answers, silence and commands, nothing begins without the confirmation that it needs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tasks: who may answer, when, and that nothing but agreement in time is ever a yes."""
+"""Tasks: who may answer and until when. Only agreement in time counts as yes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people are asked: the words of the blueprint, and always a way to say no."""
+"""Questions to people use the words of the blueprint, and can always be answered with no."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Levels over facts: whose word makes a fact known, in any world."""
+"""Levels over facts: whose answer makes a fact known, in any world."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Levels obeyed in a run: what people do, confirm, say, supervise and accept."""
+"""Levels in a run: what people do, confirm, answer, supervise and accept."""
 
 from __future__ import annotations
 

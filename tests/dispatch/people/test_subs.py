@@ -1,4 +1,4 @@
-"""People below a base SB: a sub's human operations and facts inside a joint step."""
+"""People below a base SB: human operations and facts of a sub-SB inside a joint step."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs that are brought into a run state, and what a command was answered there."""
+"""Helpers that bring a run into a run state, and tell how a command was answered there."""
 
 from __future__ import annotations
 

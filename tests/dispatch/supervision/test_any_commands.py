@@ -1,5 +1,7 @@
-"""Whatever is commanded whenever: random blueprints, random commands at random ticks, and what
-must hold of every run. A seeded twentieth of what the bench goes through."""
+"""Random commands at random ticks to random blueprints, and what must hold in every run.
+
+It uses a seeded twentieth of the cases of the bench.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command table of the specification, one test for every cell: idle, middle, afterwards."""
+"""The command table of the specification, one test for each cell: idle, in motion, afterwards."""
 
 from __future__ import annotations
 

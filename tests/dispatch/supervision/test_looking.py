@@ -1,4 +1,4 @@
-"""What a status says besides the configuration: since when, from where, offers, detour, needs."""
+"""The other parts of a status: since when, from where, offers, detour, needs."""
 
 from __future__ import annotations
 

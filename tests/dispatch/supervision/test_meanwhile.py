@@ -1,4 +1,4 @@
-"""What is said while a run is paused, settles, or asks where it stands: nothing is lost by it."""
+"""Commands and answers given while a run is paused, settles or asks for its state are not lost."""
 
 from __future__ import annotations
 

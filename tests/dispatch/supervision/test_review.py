@@ -1,4 +1,4 @@
-"""The supervisor: asked last, sees the partial view, and its verdicts."""
+"""The supervisor is asked last, sees the partial view, and gives verdicts."""
 
 from __future__ import annotations
 

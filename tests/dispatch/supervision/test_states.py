@@ -1,4 +1,4 @@
-"""All commands in all run states, as the table in docs/supervision.md has them."""
+"""All commands in all run states, as in the table of docs/supervision.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A veto holds where it was said: neither looking at the run nor letting it go on lifts it."""
+"""A veto holds where it was given: neither reading the status nor resuming the run lifts it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Statuses of runs, written down: how a run stands without a run."""
+"""Statuses of runs as plain values, for tests without a run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a task's card says, from the task alone."""
+"""The content of a task's card, computed from the task alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How required facts stand in a run, as the canvas shows them."""
+"""The state of required facts in a run, as the canvas shows it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rows of the monitor page: what is known, what is not, and who says otherwise."""
+"""The rows of the monitor page: known facts, unknown facts, and sources that disagree."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The partial view: from a status alone to what is shown of one State Branch."""
+"""The partial view of one State Branch, computed from a status alone."""
 
 from __future__ import annotations
 

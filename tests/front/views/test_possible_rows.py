@@ -1,4 +1,4 @@
-"""What Run says of operations while people are asked."""
+"""The rows of possible operations in Run mode while people are asked."""
 
 from __future__ import annotations
 

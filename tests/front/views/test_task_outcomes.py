@@ -1,4 +1,4 @@
-"""The lines that say how a task ended."""
+"""The sentences that tell how a task ended."""
 
 from __future__ import annotations
 

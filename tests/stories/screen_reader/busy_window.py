@@ -1,6 +1,6 @@
-"""A window in which somebody draws and runs all the time, in whatever mode comes next.
+"""A window in which a person draws and runs all the time, in changing modes.
 
-``python -m tests.stories.screen_reader.busy_window FILE``: for the one who walks round in it.
+``python -m tests.stories.screen_reader.busy_window FILE``: the program that ``walker`` reads.
 """
 
 from __future__ import annotations

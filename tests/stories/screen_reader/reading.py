@@ -1,4 +1,4 @@
-"""What a screen reader finds in a real window: on a virtual screen, over a real bus."""
+"""What a screen reader finds in a real window, on a virtual screen and a real bus."""
 
 from __future__ import annotations
 

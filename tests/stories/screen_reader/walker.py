@@ -1,9 +1,9 @@
 """Walks the tree that a program shows to assistive tools, as a screen reader does.
 
-Called by Debian's Python, which has ``pyatspi``: ``walker.py PROCESS WALKS OUT``. Every thing is
-asked for all it offers: name, role, state, relations, interfaces, place, actions. OUT becomes a
-JSON list with each thing of the last walk as ``[role, name, path of names, whether a label names
-it]``, and with those of the walks before that had no name.
+Debian's Python runs it, because it has ``pyatspi``: ``walker.py PROCESS WALKS OUT``. It asks every
+object for its name, role, state, relations, interfaces, place and actions. OUT becomes a JSON list
+with each object of the last walk as ``[role, name, path of names, whether a label names it]``, and
+with the objects without a name of the walks before.
 """
 
 from __future__ import annotations

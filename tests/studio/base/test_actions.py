@@ -1,4 +1,4 @@
-"""The table of actions as Qt actions: what is enabled, checked, and called."""
+"""The table of actions as Qt actions: enabled, checked and called."""
 
 from __future__ import annotations
 

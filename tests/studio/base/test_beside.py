@@ -1,4 +1,4 @@
-"""Work beside the window's thread: in order, handed over here, and kept by nobody afterwards."""
+"""Work on the worker thread: done in order, results handed over to this thread, nothing kept."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Icons: every drawing can be painted, at any size, in both themes."""
+"""Every icon can be painted, at any size and in both themes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the window remembers, and that a damaged memory harms nothing."""
+"""The settings of the window; a damaged settings file does no harm."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The style sheet: every place is filled, in both themes, and it stays small."""
+"""The style sheet: every placeholder is filled in both themes, and the sheet stays small."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Counts and sentences, as the panels say them."""
+"""Counts and sentences, as the panels show them."""
 
 from __future__ import annotations
 

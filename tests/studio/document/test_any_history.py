@@ -1,4 +1,4 @@
-"""Any sequence of edits, typing, undo and redo in a session leads exactly back and forth."""
+"""Any sequence of edits, typing, undo and redo in a session restores each earlier state exactly."""
 
 from __future__ import annotations
 

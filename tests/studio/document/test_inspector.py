@@ -1,4 +1,5 @@
-"""The inspector: every change is inspected again, and only what is shown now counts."""
+"""The inspector: every change is inspected again, and only findings of the shown blueprint
+count."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an edit brought about without saying so is said in a line."""
+"""Side effects of an edit are told in one line."""
 
 from __future__ import annotations
 

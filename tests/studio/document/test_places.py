@@ -1,4 +1,4 @@
-"""States keep their places from edit to edit."""
+"""States keep their positions from edit to edit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a selected thing is called after an edit, and that to ask for many of them is cheap."""
+"""The address of a selected element after an edit, found quickly for many elements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One history for canvas, forms and text; a text that does not read stops nothing but edits."""
+"""One history for canvas, forms and text; a broken text blocks nothing but edits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables of the window for those who hear them: no cell and no head is without words."""
+"""The tables of the window for assistive tools: every cell and every heading has a text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decisions: each says what it does before it is done, and what cannot be done says why."""
+"""Decisions: each tells its effect beforehand; a disabled one tells why."""
 
 from __future__ import annotations
 

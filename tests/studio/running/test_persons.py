@@ -1,4 +1,4 @@
-"""Who works at the window: names, roles and PINs, kept and read again."""
+"""The persons at the window: names, roles and PINs, stored and read again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The runner ends at once, whatever its world is doing, and stops whatever it is doing itself."""
+"""The runner ends at once, whatever its world does, and stops its own work at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The state check in Run says what Supervise says."""
+"""The state check in Run mode equals the one in Supervise mode."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What assistive tools find while things come and go under their hands."""
+"""What assistive tools find while widgets are created and deleted."""
 
 from __future__ import annotations
 

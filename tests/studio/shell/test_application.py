@@ -1,4 +1,5 @@
-"""The window's door: files and options, one window for each file, what cannot be read is said."""
+"""Starting the window: files and options, one window for each file, messages on unreadable
+files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""When the program fails: unsaved work is kept, and the person is told."""
+"""If the program fails, unsaved work is kept and the person is told."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The end of the session or the terminal: the window closes when it is at nothing else."""
+"""At the end of the session or terminal the window closes, once no dialog or save is open."""
 
 from __future__ import annotations
 

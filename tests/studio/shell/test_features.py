@@ -1,4 +1,4 @@
-"""A feature hands the window what it has in one object, and is told what becomes of the window."""
+"""A feature gives the window its parts in one object, and is told of the window's events."""
 
 from __future__ import annotations
 

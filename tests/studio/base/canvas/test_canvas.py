@@ -1,4 +1,4 @@
-"""The canvas as a view: levels of detail, marks, what floats on it, what is read out."""
+"""The canvas as a view: levels of detail, marks, floating parts, and text for assistive tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Locks at labels during a run: beside what is lit, never over it, and as wide in any standing."""
+"""Locks at labels during a run: never over a highlighted mark, and of equal width in any state."""
 
 from __future__ import annotations
 

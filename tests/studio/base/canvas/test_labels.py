@@ -1,4 +1,4 @@
-"""Labels on whole pictures: never over a node, never over another label."""
+"""Labels in whole drawings: never over a node, never over another label."""
 
 from __future__ import annotations
 

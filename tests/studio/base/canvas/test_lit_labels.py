@@ -1,4 +1,4 @@
-"""Labels of what is possible in a run: whole and apart, or hidden until they are pointed at."""
+"""Labels of possible operations in a run: whole and apart, or hidden until pointed at."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A node shows its facts, and counts those for which it has no room."""
+"""A node shows its facts, and the number of facts for which it has no room."""
 
 from __future__ import annotations
 

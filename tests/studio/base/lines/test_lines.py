@@ -1,4 +1,4 @@
-"""The lines of forms: what is typed becomes a value, or a sentence that says why not."""
+"""The lines of forms: typed text becomes a value, or a sentence that tells why not."""
 
 from __future__ import annotations
 

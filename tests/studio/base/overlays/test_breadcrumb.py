@@ -1,4 +1,4 @@
-"""The breadcrumb over what is drawn."""
+"""The breadcrumb above the drawing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What floats over the drawing hides what lies below, so that words do not stand on words."""
+"""Floating parts hide the drawing below them, so that no text overlaps other text."""
 
 from __future__ import annotations
 

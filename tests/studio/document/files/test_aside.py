@@ -1,4 +1,4 @@
-"""Imports that come and go, by typing, undo and redo: no text of the imported file is ever lost."""
+"""Imports that come and go by typing, undo and redo: no text of an imported file is ever lost."""
 
 from __future__ import annotations
 

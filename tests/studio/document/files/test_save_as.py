@@ -1,4 +1,4 @@
-"""Saving under another name: the form of the name, imports that are still found, comments."""
+"""Saving under another name: the form follows the name; imports and comments are kept."""
 
 from __future__ import annotations
 

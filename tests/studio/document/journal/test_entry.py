@@ -1,4 +1,4 @@
-"""What a journal says, and that nothing else is believed."""
+"""The content of a journal; anything else in its file is rejected."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A window that is killed in the middle of work: what was acknowledged is offered again."""
+"""A window is killed in the middle of work: everything acknowledged is offered again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A journal's file and its lock: whoever lives is left alone, whoever has gone is found."""
+"""A journal's file and its lock tell whether its window still runs."""
 
 from __future__ import annotations
 

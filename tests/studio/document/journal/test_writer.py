@@ -1,4 +1,4 @@
-"""The journal while a window works: kept up to date, emptied, and never in the way."""
+"""The journal while a window works: kept up to date, emptied, and never blocking."""
 
 from __future__ import annotations
 

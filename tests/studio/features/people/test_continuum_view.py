@@ -1,4 +1,4 @@
-"""The continuum as rows and words, from the levels of a blueprint alone."""
+"""The rows and words of the continuum, computed from the levels of a blueprint alone."""
 
 from __future__ import annotations
 

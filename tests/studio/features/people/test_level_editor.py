@@ -1,4 +1,5 @@
-"""Edit levels: rows, what is declared and where, and the two ways of setting them."""
+"""The level editor: its rows, the declarations and where they come from, and two ways to set
+them."""
 
 from __future__ import annotations
 

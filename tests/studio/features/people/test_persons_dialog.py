@@ -1,4 +1,4 @@
-"""The dialog of the persons: what is typed counts at once, and says why it does not."""
+"""The dialog of persons: typed values count at once, or are refused with a reason."""
 
 from __future__ import annotations
 

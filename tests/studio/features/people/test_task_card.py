@@ -1,4 +1,5 @@
-"""The task card as a widget: two acts for an answer, nothing chosen, nothing shown to the next."""
+"""The task card: an answer takes two acts, none is preset, and the next person sees nothing of
+it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A recording is a foreign file: whatever it tells, it is shown as not verified, and no more."""
+"""A recording is a foreign file: a false one is shown as not verified, and does no harm."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The world's picture: camera, matrices, normals, and a renderer that draws or says why not."""
+"""The picture of the world: camera, matrices, normals, and a renderer that draws or gives a
+reason."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The columns of the partial view: whatever the width and the names, nothing lies over anything."""
+"""The columns of the partial view never overlap, for any width and any names."""
 
 from __future__ import annotations
 

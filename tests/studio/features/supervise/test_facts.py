@@ -1,4 +1,4 @@
-"""The state check of Supervise: what is believed beside what is sensed, and the written form."""
+"""The state check in Supervise: believed and sensed values, and the written form."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finding lines: against a plain search line by line, and the order of what is found."""
+"""The search for lines, compared with a plain search line by line; the order of the hits."""
 
 from __future__ import annotations
 

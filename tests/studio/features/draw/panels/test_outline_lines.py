@@ -1,4 +1,4 @@
-"""The lines of the outline: levels, facts, sub-SBs, marks; and what is odd is still shown."""
+"""The lines of the outline: levels, facts, sub-SBs and marks; odd blueprints are shown too."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tree of the outline: no work for lines that nobody sees, and edits leave it as it stands."""
+"""The tree of the outline: no work for hidden lines, and edits keep it expanded as it is."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Watching and looking: replaced, rewritten, gone, come; nothing is read that nobody touched."""
+"""Watching files that are replaced, rewritten, deleted and created.
+
+Untouched files are not read.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A source pane on a text, and hands on its keys."""
+"""Fixtures: a source pane with a text, and hands that type keys."""
 
 from __future__ import annotations
 

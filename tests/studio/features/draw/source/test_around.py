@@ -1,4 +1,4 @@
-"""What stands around a caret: also in text that is half typed, in all three forms."""
+"""What lies around a caret, also in half-typed text, in all three forms."""
 
 from __future__ import annotations
 

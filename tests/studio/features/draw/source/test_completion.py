@@ -1,4 +1,4 @@
-"""Completion: the names that fit, written as the form asks."""
+"""Completion: the names that fit, written as the form requires."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Between elements and the lines they are written in, exactly and in text that does not read."""
+"""From elements to their lines and back, exactly, and in a broken text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Folds hide lines, never text."""
+"""Folding hides lines and never changes text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What keys do beside putting down their letter."""
+"""The editing keys of the source text: Enter, Tab, brackets, comments, moving lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whatever is typed, drawn, undone and done again: the pane shows the text of the session."""
+"""After any typing, drawing, undo and redo the pane shows the text of the session."""
 
 from __future__ import annotations
 

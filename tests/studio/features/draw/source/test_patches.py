@@ -1,4 +1,4 @@
-"""What must be replaced to turn one text into another, and no more."""
+"""The smallest replacements that turn one text into another."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hovering says what a name is, a jump goes to what it stands for, several files have a choice."""
+"""Hovering shows what a name is, a jump goes to its element, several files give a choice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can be folded, by how far lines are indented."""
+"""The regions that can be folded, found by indentation."""
 
 from __future__ import annotations
 

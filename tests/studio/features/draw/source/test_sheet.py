@@ -1,4 +1,4 @@
-"""Typing into what is shown changes the exact text there and nowhere else."""
+"""Typing into the shown text changes the exact text there and nowhere else."""
 
 from __future__ import annotations
 

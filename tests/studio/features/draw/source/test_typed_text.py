@@ -1,4 +1,4 @@
-"""Typing is editing: a step after a pause, one history with the canvas, faults where they stand."""
+"""Typed text becomes a step after a pause, in one history with the canvas; faults are marked."""
 
 from __future__ import annotations
 
