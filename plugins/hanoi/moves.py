@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -60,21 +60,37 @@ def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     """
     if peg not in PEGS:
         raise WorldError(f"there is no peg {peg!r}: there are the pegs a, b and c")
+    return (yield from bring(table, disk, peg, _is_free, _pick))
+
+
+def bring(
+    table: Table,
+    disk: Disk,
+    peg: str,
+    can_be_picked: Callable[[Table, Disk], bool],
+    pick: Callable[[Table, Disk], Motion],
+) -> Generator[None, None, bool]:
+    """Pick a ring up with ``pick`` and put it on a peg. Return False if that fails.
+
+    A ring that is on this peg already is not moved. A ring that is held already is not picked.
+    """
     if table.reading(disk) == peg:
         return True
     if table.reading(disk) != HELD:
-        if _covered(table, disk) or any(table.reading(other) == HELD for other in table.disks):
+        hand_is_full = any(table.reading(other) == HELD for other in table.disks)
+        if hand_is_full or not can_be_picked(table, disk):
             return False
-        yield from _pick(table, disk)
+        yield from pick(table, disk)
     if not (yield from lift(table, disk)):
         yield from let_go(table.world)
         return False
     return (yield from put(table, disk, peg))
 
 
-def _covered(table: Table, disk: Disk) -> bool:
+def _is_free(table: Table, disk: Disk) -> bool:
+    """Return whether no ring lies on top of this one."""
     stacks = (table.on_peg(peg) for peg in PEGS)
-    return any(disk in stack and stack[-1] is not disk for stack in stacks)
+    return not any(disk in stack and stack[-1] is not disk for stack in stacks)
 
 
 def _pick(table: Table, disk: Disk) -> Motion:

@@ -21,15 +21,12 @@ from .moves import (
     TRAVEL,
     Array,
     above,
+    bring,
     centre_of,
-    let_go,
-    lift,
-    put,
     tool,
     travel,
     wait,
 )
-from .table import HELD
 
 if TYPE_CHECKING:
     from .table import Table
@@ -54,19 +51,7 @@ def recover(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
 
     The operation fails at once if the ring is too tilted, out of sight, or under another ring.
     """
-    if table.reading(disk) == peg:
-        return True
-    if table.reading(disk) != HELD:
-        others = [other for other in table.disks if other is not disk]
-        if any(table.reading(other) == HELD for other in others) or not _can_be_gripped(
-            table, disk
-        ):
-            return False
-        yield from _pick(table, disk)
-    if not (yield from lift(table, disk)):
-        yield from let_go(table.world)
-        return False
-    return (yield from put(table, disk, peg))
+    return (yield from bring(table, disk, peg, _can_be_gripped, _pick))
 
 
 def _can_be_gripped(table: Table, disk: Disk) -> bool:
