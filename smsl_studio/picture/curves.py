@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +23,8 @@ __all__ = [
     "is_clear",
     "is_forward",
     "is_outward",
-    "joined",
     "meets",
+    "shapes_of",
     "strands_of",
 ]
 
@@ -44,24 +44,6 @@ class Between:
         return len(self.there) + len(self.back)
 
 
-def joined(
-    pair: Between,
-    source: NodeBox,
-    target: NodeBox,
-    style: LineStyle,
-    outward: Point | None,
-    only: int | None = None,
-) -> dict[int, EdgeShape]:
-    """Return the lines of all edges between two states, side by side, or only that of the edge
-    ``only``.
-
-    ``outward`` is the direction away from the middle of the picture; a single curve bends that way.
-    None means that other nodes are in the straight way.
-    """
-    strands = strands_of(pair, source, target, style, outward, only)
-    return dict(zip(strands, drawn(list(strands.values()), style), strict=True))
-
-
 def strands_of(
     pair: Between,
     source: NodeBox,
@@ -70,7 +52,12 @@ def strands_of(
     outward: Point | None,
     only: int | None = None,
 ) -> dict[int, Strand]:
-    """Return the descriptions of these lines, which ``drawn`` turns into points."""
+    """Return the lines of all edges between two states, side by side, or only that of the edge
+    ``only``. ``shapes_of`` turns them into points.
+
+    ``outward`` is the direction away from the middle of the picture; a single curve bends that way.
+    None means that other nodes are in the straight way.
+    """
     straight = outward is not None and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     strands: dict[int, Strand] = {}
@@ -81,6 +68,11 @@ def strands_of(
             bow = _gentle(a, b, normal, outward)
         strands[edge] = Strand(a, b, offset, bow, normal, straight)
     return strands
+
+
+def shapes_of(strands: Mapping[int, Strand], style: LineStyle) -> dict[int, EdgeShape]:
+    """Return the points of the lines of some edges."""
+    return dict(zip(strands, drawn(list(strands.values()), style), strict=True))
 
 
 def is_forward(source: NodeBox, target: NodeBox) -> bool:
@@ -205,7 +197,7 @@ def around(
 ) -> dict[int, EdgeShape]:
     """Return curves that bend around other nodes, with the slightest bend that meets none.
 
-    If every bend meets a node, the lines are those of ``joined``.
+    If every bend meets a node, the lines are those of ``strands_of``.
     """
     normal = _normal(source, target)
     length = math.hypot(target.x - source.x, target.y - source.y)
@@ -216,14 +208,15 @@ def around(
             (trial,) = drawn([Strand(source, target, 0.0, bend, normal, False)], style)
             if not meets(trial.points, boxes, (pair.a, pair.b), 8.0 * style.unit):
                 return _bent(pair, source, target, style, normal, bend)
-    return joined(pair, source, target, style, None)
+    return shapes_of(strands_of(pair, source, target, style, None), style)
 
 
 def _bent(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, normal: Point, bend: float
 ) -> dict[int, EdgeShape]:
-    sides = list(_side_by_side(pair, source, target, style))
     ends = ((source, target), (target, source))
-    strands = [Strand(*ends[not there], offset, bend, normal, False) for _, there, offset in sides]
-    edges = (edge for edge, _, _ in sides)
-    return dict(zip(edges, drawn(strands, style), strict=True))
+    strands = {
+        edge: Strand(*ends[not there], offset, bend, normal, False)
+        for edge, there, offset in _side_by_side(pair, source, target, style)
+    }
+    return shapes_of(strands, style)

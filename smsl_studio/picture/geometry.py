@@ -12,12 +12,20 @@ from dataclasses import replace
 import numpy as np
 
 from smsl_studio.picture import labels, loops
-from smsl_studio.picture.curves import Between, LineStyle, around, in_row, is_clear, strands_of
+from smsl_studio.picture.curves import (
+    Between,
+    LineStyle,
+    around,
+    in_row,
+    is_clear,
+    shapes_of,
+    strands_of,
+)
 from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
-from smsl_studio.picture.strands import Strand, drawn
+from smsl_studio.picture.strands import Strand
 
 MOST_AROUND = 60
 """The largest number of pairs of states whose lines lead around nodes. In a denser picture it would
@@ -163,8 +171,7 @@ class Geometry:
     def _draw(self) -> None:
         """Draw all planned lines together."""
         if self._strands:
-            lines = drawn(list(self._strands.values()), self.style)
-            self._shapes |= zip(self._strands, lines, strict=True)
+            self._shapes |= shapes_of(self._strands, self.style)
             self._strands.clear()
 
     def _pair(self, a: int, b: int) -> Between:

@@ -16,8 +16,9 @@ from smsl_studio.picture.curves import (
     LineStyle,
     around,
     is_clear,
-    joined,
     meets,
+    shapes_of,
+    strands_of,
 )
 from smsl_studio.picture.lanes import FIRST, STEP, Passing, in_lanes
 from smsl_studio.picture.loops import CORNERS, arc, corner_of, label_boxes
@@ -32,12 +33,19 @@ def box(x: float, y: float) -> NodeBox:
     return NodeBox(x, y, 54.0, 27.0)
 
 
+def lines(
+    pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, only: int | None = None
+) -> dict[int, EdgeShape]:
+    """The lines between two states, where ``OUT`` is the way out."""
+    return shapes_of(strands_of(pair, source, target, style, OUT, only), style)
+
+
 def rows(*boxes: NodeBox) -> np.ndarray:
     return np.array([[b.x, b.y, b.w, b.h] for b in boxes])
 
 
 def test_one_edge_in_a_row_runs_straight_from_border_to_border() -> None:
-    shapes = joined(Between(0, 1, (0,), ()), box(0, 0), box(218, 0), FULL, OUT)
+    shapes = lines(Between(0, 1, (0,), ()), box(0, 0), box(218, 0), FULL)
     points = shapes[0].points
     assert points[0] == pytest.approx([55.0, 0.0], abs=0.2)
     assert points[-1] == pytest.approx([218.0 - 54.0 - TIP_GAP, 0.0], abs=0.2)
@@ -45,26 +53,26 @@ def test_one_edge_in_a_row_runs_straight_from_border_to_border() -> None:
 
 
 def test_an_opposite_pair_is_16_apart_and_forward_is_on_top() -> None:
-    shapes = joined(Between(0, 1, (0,), (1,)), box(0, 0), box(218, 0), FULL, OUT)
+    shapes = lines(Between(0, 1, (0,), (1,)), box(0, 0), box(218, 0), FULL)
     assert shapes[0].points[:, 1] == pytest.approx([-8.0, -8.0])
     assert shapes[1].points[:, 1] == pytest.approx([8.0, 8.0])
     assert shapes[1].heading == pytest.approx((-1.0, 0.0))
 
 
 def test_parallels_have_a_line_each_18_apart() -> None:
-    shapes = joined(Between(0, 1, (0, 1), (2,)), box(0, 0), box(218, 0), FULL, OUT)
+    shapes = lines(Between(0, 1, (0, 1), (2,)), box(0, 0), box(218, 0), FULL)
     assert [shapes[e].points[0, 1] for e in range(3)] == pytest.approx([-18.0, 0.0, 18.0])
 
 
 def test_many_parallels_stay_within_the_side_of_the_node() -> None:
-    shapes = joined(Between(0, 1, tuple(range(7)), ()), box(0, 0), box(218, 0), FULL, OUT)
+    shapes = lines(Between(0, 1, tuple(range(7)), ()), box(0, 0), box(218, 0), FULL)
     heights = sorted(shape.points[0, 1] for shape in shapes.values())
     assert heights[-1] <= 24.0
     assert min(np.diff(heights)) >= 6.9
 
 
 def test_compact_pairs_keep_to_the_right() -> None:
-    shapes = joined(Between(0, 1, (0,), (1,)), box(0, 0), box(218, 0), COMPACT, OUT)
+    shapes = lines(Between(0, 1, (0,), (1,)), box(0, 0), box(218, 0), COMPACT)
     middle = {e: shape.at(shape.length / 2)[1] for e, shape in shapes.items()}
     assert middle[0] == pytest.approx(8.0, abs=0.5)
     assert middle[1] == pytest.approx(-8.0, abs=0.5)
@@ -81,7 +89,7 @@ def test_lines_start_and_end_at_the_borders(
         return
     a, b = box(0, 0), box(x, y)
     pair = Between(0, 1, tuple(range(there)), tuple(range(there, there + back)))
-    shapes = joined(pair, a, b, COMPACT if compact else FULL, OUT)
+    shapes = lines(pair, a, b, COMPACT if compact else FULL)
     assert len(shapes) == there + back
     for edge, shape in shapes.items():
         source, target = (a, b) if edge < there else (b, a)
@@ -178,7 +186,7 @@ def test_of_very_many_lines_between_two_states_none_is_sought_among_the_others()
             raise AssertionError("looks through all edges for one")
 
     pair = Between(0, 1, Edges(range(30)), Edges(range(30, 40)))
-    shapes = joined(pair, box(0, 0), box(218, 0), FULL, OUT)
+    shapes = lines(pair, box(0, 0), box(218, 0), FULL)
     assert list(shapes) == list(range(40))
     assert all((shapes[e].points[-1][0] > shapes[e].points[0][0]) == (e < 30) for e in shapes)
 
@@ -190,10 +198,10 @@ def test_one_of_many_lines_is_the_same_as_among_all_of_them(
 ) -> None:
     pair = Between(0, 1, (2, 5, 7), (1, 6))
     ends = box(0, 0), box(*other)
-    together = joined(pair, *ends, style, OUT)
+    together = lines(pair, *ends, style)
     assert sorted(together) == [1, 2, 5, 6, 7]
     for edge, shape in together.items():
-        alone = joined(pair, *ends, style, OUT, only=edge)
+        alone = lines(pair, *ends, style, only=edge)
         assert list(alone) == [edge]
         assert alone[edge].points.tolist() == shape.points.tolist()
-    assert joined(pair, *ends, style, OUT, only=3) == {}
+    assert lines(pair, *ends, style, only=3) == {}
