@@ -7,7 +7,7 @@ says what each event changes. ``moment`` makes the frozen value that is shown.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from smsl_studio.blueprint.check import FactKey
@@ -93,9 +93,9 @@ class RunFold(Phased):
         return left + len(self.started) + len(self.own) + maps
 
 
-_MAPS = ("configuration", "entered", "facts", "pruned", "risky", "tasks", "asked", "disturbed")
-_ALIKE = (
-    "index", "time", "world", "goals", "running", "running_since", "operations", "candidates",
-    "full_map", "by_hand", "once", "paused", "frozen", "held", "stopped", "taken_over", "finished",
-    "begun",
-)  # fmt: skip
+_CONVERTED = ("route", "started", "own")
+_MAPS = tuple(one.name for one in fields(RunMoment) if one.default_factory is dict)
+_ALIKE = tuple(one.name for one in fields(RunMoment) if one.name not in (*_MAPS, *_CONVERTED))
+"""The fields that a moment and a fold hold alike. A new field must stand in both classes, because a
+frozen dataclass and one that changes cannot inherit from each other.
+"""
