@@ -9,6 +9,7 @@ from smsl_studio.blueprint.check import Reading, Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
+from smsl_studio.dispatch.status_now import look_at_nothing
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import parse_text, read_document
 
@@ -34,25 +35,7 @@ def possible(text: str, target: str, **said: object) -> Possible:
 
 def status(configuration: dict[str, str], **said: object) -> DispatchStatus:
     """A run that is paused at 60 s, unless ``said`` says otherwise."""
-    plain = DispatchStatus(
-        phase="paused",
-        time=60.0,
-        configuration=configuration,
-        pending={},
-        running=None,
-        carrying=None,
-        running_since=None,
-        progress=None,
-        route=(),
-        goals=(),
-        scene=Scene(),
-        check=None,
-        possible=(),
-        candidates=(),
-        reason="",
-        sentence="",
-        operations=0,
-    )
+    plain = replace(look_at_nothing("paused", (), None), time=60.0, configuration=configuration)
     return replace(plain, **said)  # type: ignore[arg-type]
 
 

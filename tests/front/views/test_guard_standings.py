@@ -10,6 +10,7 @@ from smsl_studio.blueprint.check import Reading, Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.front.views.guard_standings import held_back, standings
+from tests.front.views import statuses
 from tests.stories.person import sample
 
 MOVE = Address("ROBOT", "State10", "MoveToTarget")
@@ -18,12 +19,11 @@ THERE = {"REGISTRATION": "State111", "DIGITIZATION": "State1", "TOOLPLAN": "Stat
 
 def _status(readings: Mapping[tuple[str, int], Reading], **states: str) -> DispatchStatus:
     possible = Possible(MOVE, "State11", False, ("why",), 1.0, on_route=False)
-    return DispatchStatus(
-        phase="ready", time=1.0, configuration={**THERE, "ROBOT": "State10", **states}, pending={},
-        running=None, carrying=None, running_since=None, progress=None, route=(), goals=(),
-        scene=Scene(readings, 1.0), check=None, possible=(possible,), candidates=(), reason="",
-        sentence="", operations=0,
-    )  # fmt: skip
+    configuration = {**THERE, "ROBOT": "State10", **states}
+    scene = Scene(readings, 1.0)
+    return statuses.status(
+        configuration, phase="ready", time=1.0, scene=scene, possible=(possible,)
+    )
 
 
 def _rooms() -> Blueprint:
