@@ -166,12 +166,16 @@ def test_any_changed_script_is_read_or_refused_with_a_place() -> None:
         assert _is_refused_well(bytes(raw))
 
 
-def test_the_page_has_every_word_with_what_belongs_to_it() -> None:
-    page = Path(__file__).parents[2] / "docs" / "command-line.md"
-    lines = page.read_text("utf-8").splitlines()
-    begin = lines.index("| `do` | with it |")
-    table = lines[begin : lines.index("", begin)]
+def test_the_pages_have_every_word_with_what_belongs_to_it() -> None:
+    """A command stands in the table of commands, any other word in the list of the scripts."""
+    docs = Path(__file__).parents[2] / "docs"
+    rows = (docs / "supervision.md").read_text("utf-8").splitlines()
+    rows = rows[next(n for n, row in enumerate(rows) if row.startswith("| command | with it |")) :]
+    own = (docs / "command-line.md").read_text("utf-8").replace("\n  ", " ").splitlines()
     for word, takes in WORDS.items():
-        (line,) = [line for line in table if f"`{word}`" in line.split(" | ")[0]]
+        begin = f"| {takes.row.word} | " if takes.row else f"- `{word}`"
+        (line,) = [one for one in (rows if takes.row else own) if one.startswith(begin)]
         assert [key for key in takes.needs if f"`{key}`" not in line] == [], word
         assert [key for key in takes.may if f"`{key}`" not in line] == [], word
+        if takes.row and word != takes.row.word:
+            assert f"`{word}`" in line
