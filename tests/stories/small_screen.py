@@ -1,4 +1,5 @@
-"""Shows a window in each mode on the screen of this process, and prints where Stop is.
+"""Shows a window in each mode on the screen of this process, and prints where Stop is and how
+large the canvas of Draw is.
 
 ``python -m tests.stories.small_screen FILE`` prints one line of JSON. The screen and its scale come
 from the environment, as they do for a person.
@@ -76,6 +77,13 @@ def main(file: str) -> dict[str, Box]:
         seen = stop.visibleRegion().boundingRect()
         told[mode] = box(QRect(stop.mapToGlobal(seen.topLeft()), seen.size()))
         told[f"frame in {mode}"] = box(window.frameGeometry())
+        if mode == "draw":
+            docks = window.docks
+            told["canvas"] = box(window.canvas.geometry())
+            QTest.keyClick(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
+            told["findings by key"] = box(
+                docks.bottom.geometry() if docks.bottom_shown() else QRect()
+            )
     stop = stop_of(window)
     QTest.mouseClick(stop, Qt.MouseButton.LeftButton, pos=QPoint(stop.width() - 4, 20))
     until(lambda: window.features.run.pane.run.phase == "stopped")

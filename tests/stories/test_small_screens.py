@@ -53,6 +53,9 @@ def inside(box: list[int], other: list[int]) -> bool:
 @pytest.mark.parametrize("scale", ["1", "2"])
 def test_stop_is_whole_in_every_mode_on_a_screen_of_1280_by_720(scale: str, tmp_path: Path) -> None:
     told = sit_at(1280, 720, scale, tmp_path)
+    low = scale == "2"
+    assert told["canvas"][3] > (200 if low else 250), "the drawing has the room"
+    assert (told["findings by key"][3] > 40) is low, "in a low window they wait for the key"
     for mode in ("draw", "run", "supervise"):
         assert inside(told[f"frame in {mode}"], told["screen"]), (mode, told)
         assert inside(told[mode], told["screen"]), (mode, told)

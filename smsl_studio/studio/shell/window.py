@@ -168,7 +168,7 @@ class Window(QMainWindow):
     def set_mode(self, mode: str) -> None:
         """Switch to Draw, Run, Supervise or Replay."""
         if mode != self.mode:
-            self._modes.show(mode, self.width())
+            self._modes.show(mode, self.size())
             self.features.mode_shown()
             self._show_said()
             self._captions.show_title()
@@ -295,9 +295,9 @@ class Window(QMainWindow):
         self._room.shown()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the panels into the new width."""
+        """Fit the panels into the new size."""
         super().resizeEvent(event)
-        self._modes.fit_width(self.width())
+        self._modes.fit(self.size())
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close if the person agrees; then end the run and remember the places of the panels."""

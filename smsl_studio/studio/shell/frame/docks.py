@@ -1,4 +1,8 @@
-"""The docks around the canvas: left, right, bottom. Below 1280 pixels the left one is a drawer."""
+"""The docks around the canvas: left, right, bottom.
+
+In a window below 1280 pixels wide the left one is a drawer. In one below 480 high the bottom one is
+hidden until it is asked for, so that the drawing keeps the room.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +27,7 @@ from smsl_studio.studio.base.words import series
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
 NARROWEST = 200
+LOW = 480
 FORM = 288
 """The width at which no form is cut, with its scroll bar (pixels)."""
 LAYOUT_VERSION = 1
@@ -56,7 +61,8 @@ class Docks(QObject):
         self.right.setMinimumWidth(FORM)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
         self.drawer = Drawer(window, self.words("left"))
-        self._narrow = False
+        self._narrow = self._low = False
+        self._bottom_when_high = True
         self._widths = {"Properties": PROPERTIES, "Source": SOURCE}
         self._tab = "Properties"
         self.right_tabs.changed.connect(self._resize_right)
@@ -84,14 +90,19 @@ class Docks(QObject):
         """Show the docks in Draw mode and hide them in all others."""
         self.drawer.close_drawer()
         for dock in (self.left, self.right, self.bottom):
-            dock.setVisible(mode == "draw" and not (dock is self.left and self._narrow))
+            waits = (dock is self.left and self._narrow) or (dock is self.bottom and self._low)
+            dock.setVisible(mode == "draw" and not waits)
 
     def save(self) -> QByteArray:
-        """The state of the docks to be remembered. A drawer is remembered as a dock."""
+        """The state of the docks to be remembered, as they are in a large window."""
+        left, bottom = self.left.isVisible(), self.bottom.isVisible()
         if self._narrow:
             self.left.show()
+        if self._low:
+            self.bottom.setVisible(self._bottom_when_high)
         state = self._window.saveState(LAYOUT_VERSION)
-        self.left.setVisible(not self._narrow and self.left.isVisible())
+        self.left.setVisible(not self._narrow and left)
+        self.bottom.setVisible(bottom)
         return state
 
     def restore(self, state: QByteArray) -> bool:
@@ -99,6 +110,9 @@ class Docks(QObject):
         done = not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
         if self._narrow:
             self.left.hide()
+        if self._low:
+            self._bottom_when_high = not self.bottom.isHidden()
+            self.bottom.hide()
         return done
 
     def fit_width(self, width: int) -> bool:
@@ -119,6 +133,18 @@ class Docks(QObject):
                 self._window.resizeDocks([self.left], [LEFT], Qt.Orientation.Horizontal)
             self._sides.show()
         return narrow
+
+    def fit_height(self, height: int) -> None:
+        """Hide the bottom dock when the window gets low; show it again when it gets high."""
+        low = height < LOW
+        if low != self._low:
+            self._low = low
+            if low:
+                self._bottom_when_high = not self.bottom.isHidden()
+                self.bottom.hide()
+            elif self._bottom_when_high:
+                self.bottom.show()
+            self.changed.emit()
 
     def left_shown(self) -> bool:
         """Whether the left panel is shown, as a dock or as a drawer."""

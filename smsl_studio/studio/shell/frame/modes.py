@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.studio.base.feature import Page
@@ -48,8 +49,8 @@ class Modes:
                 self._bar.add_row(name, page.row)
         return page
 
-    def show(self, name: str, width: int) -> None:
-        """Show another mode; ``width`` is the width of the window (pixels)."""
+    def show(self, name: str, size: QSize) -> None:
+        """Show another mode; ``size`` is the size of the window (pixels)."""
         self.keep()
         page, self.shown = self._page(name), name
         self._body.show_page(page.body)
@@ -58,7 +59,7 @@ class Modes:
         self._docks.show_mode(name)
         if name == DRAW:
             self._docks.restore(self._settings.bytes_of("panels/draw"))
-        self.fit_width(width)
+        self.fit(size)
         self._bar.show()
         # The widget with the focus may be hidden now, and Qt would give the focus to any other.
         self.take_focus()
@@ -81,7 +82,12 @@ class Modes:
         """Remember the places of the panels."""
         self._settings.store(f"panels/{self.shown}", self._docks.save())
 
-    def fit_width(self, width: int) -> None:
-        """In a narrow window show a drawer and its button instead of the left dock."""
-        narrow = self.shown == DRAW and self._docks.fit_width(width)
+    def fit(self, size: QSize) -> None:
+        """In a narrow window show a drawer and its button instead of the left dock.
+
+        In a low one hide the bottom dock.
+        """
+        narrow = self.shown == DRAW and self._docks.fit_width(size.width())
+        if self.shown == DRAW:
+            self._docks.fit_height(size.height())
         self._bar.left_button.setVisible(narrow)
