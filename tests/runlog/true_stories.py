@@ -203,7 +203,10 @@ def _say(run: Dispatcher, blueprint: Blueprint, random: Random) -> None:
     chosen = {name: one for name, one in arguments.items() if one.needed or random.random() < 0.5}
     edge, fact = _edge(blueprint, random), _fact(blueprint, random)
     said = drawn_arguments(chosen, random, [edge], [fact])
-    if word == "inject":
+    shut = [one.address for one in run.status.possible if one.pruned or one.risky]
+    if word == "restore" and shut:
+        said = {"address": random.choice(shut)}
+    elif word == "inject":
         said = {"fault": random.choice(["fail", "raise", "nothing"])}
     getattr(run, word)(**said, by=by)
 
