@@ -106,7 +106,7 @@ def test_the_line_is_named_with_what_is_wrong() -> None:
     begins = next(n for n, one in enumerate(EVENTS) if one.event == "operation_started")
     events = [one for n, one in enumerate(EVENTS) if n != begins]
     raw = chained([b'{"log":"smsl-run","version":2}', *(one.line().encode() for one in events)])
-    words = "time passes until 0.05 s, and nothing goes on that takes any"
+    words = "time passes until 0.05 s, but nothing in the run takes time"
     assert str(judged(raw).doubt) == f"log:6:1: not verified: the story is impossible: {words}"
 
 
@@ -127,7 +127,7 @@ def test_a_log_that_was_cut_says_so_and_nothing_else(
 
 def test_once_a_story_is_impossible_nothing_more_is_judged() -> None:
     grammar = Grammar({}, COMMANDS)
-    assert grammar.follow(EVENTS[4]) == "operation started stands before the beginning of the run"
+    assert grammar.follow(EVENTS[4]) == "operation started comes before the beginning of the run"
     assert [grammar.follow(one) for one in EVENTS] == [""] * len(EVENTS)
     assert grammar.end() == ""
 
@@ -148,7 +148,7 @@ def test_a_header_may_say_anything_of_what_was_asked(header: object) -> None:
         {key: header for key in keys if not (key == "world" and header == "x")}, COMMANDS
     )
     said = grammar.follow(EVENTS[0])
-    assert said.startswith("the header says of ")
+    assert said.startswith("the header has a value of ")
 
 
 @pytest.mark.parametrize(
@@ -185,7 +185,7 @@ def test_a_header_of_other_types_switches_nothing_off(
     inside[place[-1]] = wrong
     doubt = judged(story.raw()).doubt
     assert doubt is not None
-    words = f"the header says of {'.'.join(place)} what no run has written"
+    words = f"the header has a value of {'.'.join(place)} that no run writes"
     assert doubt.sentence == f"the story is impossible: {words}"
 
 

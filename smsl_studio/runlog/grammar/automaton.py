@@ -123,30 +123,30 @@ def _always(memory: Memory, event: Event, row: EventRow) -> Iterator[str]:
     if last is None:
         yield from misshapen(memory.header)
     if fold.finished is not None:
-        yield f"{word} stands behind the end of the run"
+        yield f"{word} comes after the end of the run"
     before = last.t if last is not None else 0.0
     if event.t < before:
         yield f"the time goes back from {before:g} s to {event.t:g} s"
     if not fold.begun and not row.before:
-        yield f"{word} stands before the beginning of the run"
+        yield f"{word} comes before the beginning of the run"
     if memory.unchecked and not row.starting:
         branch, state = next(iter(memory.unchecked.items()))
         yield f"the run goes on before {branch}/{state}, where it begins, was checked"
     if isinstance(last, run.GivenBack) and not isinstance(event, run.Relocalised):
         yield "the run was given back, and is not located"
     if isinstance(last, run.GoalReached) and fold.phase == "paused" and not _arrives(event):
-        yield "a goal is told in a paused run, which goes on"
+        yield "a paused run reaches a goal and goes on"
     if isinstance(last, run.OperationRisky) and not isinstance(event, _LOOKS):
         yield f"{last.address} is risky, and the scene is not looked at"
     if isinstance(last, run.Mismatch) and not isinstance(event, _SETTLES):
-        yield "the scene and what is believed differ, and the run goes on"
+        yield "the scene and the believed facts differ, but the run goes on"
     if event.t > before and _at_once(memory):
-        yield f"time passes until {event.t:g} s, and nothing goes on that takes any"
+        yield f"time passes until {event.t:g} s, but nothing in the run takes time"
     if memory.doomed and not (isinstance(event, run.RunFinished) and event.reason == "failed"):
         yield "the run holds in the middle of an operation, or while it is latched, and goes on"
     if memory.owed and memory.owed != event.event and _overdue(memory, event):
         assert memory.cause is not None
-        yield f"{memory.cause.command.replace('_', ' ')} was carried out, and nothing came of it"
+        yield f"{memory.cause.command.replace('_', ' ')} was carried out, but had no effect"
 
 
 _LOOKS = (run.OperationRisky, run.FactChanged, run.Mismatch, run.Relocalised, run.TaskOpened,

@@ -23,9 +23,9 @@ def run_started(memory: Memory, event: run.RunStarted) -> Iterator[str]:
     if not start or not all(start.values()) or not all(start):
         yield "the run begins in no state"
     if fold.facts and not memory.names:
-        yield "facts were told before the run began, and nobody was asked for any"
+        yield "facts are logged before the run began, but no person was asked for one"
     if fold.configuration and dict(start) != fold.configuration:
-        yield f"the run begins elsewhere than where it was located, in {_where(fold.configuration)}"
+        yield f"the run does not begin where it was located, in {_where(fold.configuration)}"
     goals = [parts(goal) for goal in event.goals]
     if not goals or any(len(goal) != 2 or goal[0] not in start for goal in goals):
         yield "a goal is no state of an SB of this run"
@@ -100,7 +100,7 @@ def _reached(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     elif fold.held or fold.stopped or fold.taken_over or fold.tasks:
         yield f"the run ends at its goal and is {_state(memory)}"
     elif not memory.former and memory.busy >= memory.now:
-        yield "the run ends at its goal in the moment of what came before; nothing was sensed since"
+        yield "the run ends at its goal at the time of the last event; nothing was sensed after it"
     elif not memory.former and memory.evidence.off:
         yield f"the run ends at its goal; {min(memory.evidence.off)} has other facts"
     elif event.sentence != f"{', '.join(fold.goals)} {'hold' if fold.goals[1:] else 'holds'}.":
@@ -116,7 +116,7 @@ def _held(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     elif held is None and phase not in _LEFT:
         yield f"the run ends because it held; it is {_state(memory)}"
     elif held is None and event.sentence not in _LEFT[phase]:
-        yield f"the run ends where nobody goes on with it, and says otherwise: {event.sentence}"
+        yield f"the run ends because nobody goes on with it, but its sentence is: {event.sentence}"
 
 
 WAITING = "The run is waiting, and "
@@ -144,12 +144,12 @@ def _was_asked(memory: Memory, event: run.RunFinished) -> bool:
 def _no_route(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     held = memory.fold.held
     if held is None or held.kind != "no_route" or held.reason != event.sentence:
-        yield "the run ends without a route, and nothing before says so"
+        yield "the run ends without a route, but no event before says so"
 
 
 def _refused(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     if memory.fold.begun and not memory.declined:
-        yield "a run that has begun is refused, and nobody has said no to its start"
+        yield "a run that has begun is refused, but nobody has refused its start"
     elif memory.fold.operations or memory.begun:
         yield "a run is refused that has carried out operations"
 
@@ -177,7 +177,7 @@ def _failed(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     last = memory.last
     told = isinstance(last, run.Held) and last.kind == "held" and last.t == event.t
     if not told or getattr(last, "reason", "") != event.sentence:
-        yield "the run fails without the hold that says why"
+        yield "the run fails without a hold that gives the reason"
 
 
 _ENDS = {

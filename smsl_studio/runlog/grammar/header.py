@@ -25,7 +25,7 @@ def misshapen(header: Mapping[str, Json]) -> Iterator[str]:
 def _wrong(place: str, value: Json, shapes: Mapping[str, Fits]) -> Iterator[str]:
     for key, fits in shapes.items() if isinstance(value, Mapping) else ():
         if key in value and not fits(value[key]):
-            yield f"the header says of {place}{key} what no run has written"
+            yield f"the header has a value of {place}{key} that no run writes"
 
 
 def _is_text(value: Json) -> bool:

@@ -39,7 +39,7 @@ _LOOKED_AT = 100
 _DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
 _NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
-_UNWRITTEN = "the line holds what no run has written"
+_UNWRITTEN = "the line has content that no run writes"
 
 
 @dataclass(frozen=True, slots=True)

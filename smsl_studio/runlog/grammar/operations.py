@@ -29,11 +29,11 @@ def route_planned(memory: Memory, event: run.RoutePlanned) -> Iterator[str]:
         yield f"a route is planned in the middle of {next(iter(memory.begun))}"
     named = [parts(address) for address in event.operations]
     if not named or any(len(one) != 3 or not memory.knows(one[0]) for one in named):
-        yield "the route names what is no operation of this run"
+        yield "the route is empty, or names something that is no operation of this run"
     elif memory.stands(named[0][0]) != named[0][1]:
         yield f"the route begins at {'/'.join(named[0][:2])}, where the run does not stand"
     if event.cost < 0:
-        yield "the route costs less than nothing"
+        yield "the cost of the route is negative"
 
 
 def subs_bypassed(memory: Memory, event: run.SubsBypassed) -> Iterator[str]:
@@ -72,12 +72,12 @@ def operation_started(memory: Memory, event: run.OperationStarted) -> Iterator[s
     later = bool(memory.begun) or memory.committed == event.t or memory.rests
     evidence = memory.evidence
     if evidence.misses(branch, source) or (evidence.unknown(branch) and not later):
-        yield f"{address} begins; the facts that were told are not those of {source}"
+        yield f"{address} begins; the logged facts are not those of {source}"
     if not memory.evidence.is_drawn(branch, event.target):
         yield f"{address} begins; {branch} has no {event.target}"
     chosen = not memory.begun and memory.asked == address
     if not (memory.chosen or chosen) and (planned := _next(memory)) != address:
-        yield f"{address} begins; nobody has asked for it, and the route goes on with {planned}"
+        yield f"{address} begins without a command; the route goes on with {planned}"
     # A chosen step that has committed a part goes on at the same time.
     if fold.phase != "running" and not chosen and not memory.may_go_on:
         yield f"{address} begins; the run is {fold.phase.replace('_', ' ')}"
@@ -97,9 +97,9 @@ def operation_ended(memory: Memory, event: run.OperationEnded) -> Iterator[str]:
     elif one.outcome:
         yield f"{event.address} ends for the second time"
     elif not (one.function or one.person or event.outcome == "cancelled"):
-        yield f"{event.address} ends; it runs no function, and nobody was asked to carry it out"
+        yield f"{event.address} ends; it has no function, and no person was asked to carry it out"
     elif not one.person and event.outcome in AT_WORK and event.t <= one.since:
-        yield f"{event.address} ends in the moment in which it began"
+        yield f"{event.address} ends at the time at which it began"
     if event.outcome not in OUTCOMES:
         yield f"an operation cannot end {event.outcome!r}"
     if memory.failing:
@@ -125,9 +125,9 @@ def state_checked(memory: Memory, event: run.StateChecked) -> Iterator[str]:
     elif not memory.begun:
         yield f"{event.address} is checked, and no operation leads there"
     elif memory.acting or memory.failing:
-        yield f"{event.address} is checked before what leads there has ended well"
+        yield f"{event.address} is checked before the operation that leads there has succeeded"
     elif not _leads_to(memory, branch, state):
-        yield f"{event.address} is checked; nothing that has begun leads there"
+        yield f"{event.address} is checked; no operation that has begun leads there"
 
 
 def _contradictory(event: run.StateChecked) -> Iterator[str]:
@@ -147,11 +147,11 @@ def _ungrounded(memory: Memory, event: run.StateChecked, branch: str, state: str
     if not evidence.is_drawn(branch, state):
         yield f"{event.address} is checked; {branch} has no such state"
     elif event.result == "true" and (misses or unknown):
-        yield f"the check of {event.address} is true; the facts that were told are not its own"
+        yield f"the check of {event.address} is true; the logged facts are not those of the state"
     elif event.result == "unknown" and misses:
-        yield f"the check of {event.address} is unknown; a fact was told that is not its own"
+        yield f"the check of {event.address} is unknown; a logged fact contradicts the state"
     elif evidence.decides(branch) and (len(event.misses), len(event.unknown)) != (misses, unknown):
-        yield f"the check of {event.address} is {event.result}; the facts that were told are not so"
+        yield f"the check of {event.address} is {event.result}; the logged facts say otherwise"
 
 
 def _leads_to(memory: Memory, branch: str, state: str) -> bool:
@@ -166,7 +166,7 @@ def _leads_to(memory: Memory, branch: str, state: str) -> bool:
 def committed(memory: Memory, event: run.Committed) -> Iterator[str]:
     """Check that the operations have begun, ended well and were checked directly before."""
     if not event.operations or len(set(event.operations)) < len(event.operations):
-        yield "what commits is not a list of different operations"
+        yield "a commit is not a list of different operations"
         return
     for address in event.operations:
         one = memory.begun.get(address)
@@ -222,7 +222,7 @@ def operation_refused(memory: Memory, event: run.OperationRefused) -> Iterator[s
     last = memory.last
     asked = isinstance(last, run.Commanded) and bool(last.refused) and last.address == event.address
     if not event.reasons or (len(parts(event.address)) != 3 and not asked):
-        yield "what is refused is no operation, or for no reason"
+        yield "a refusal names no operation or no reason"
     if isinstance(last, run.OperationRefused) and last.address == event.address:
         yield f"{event.address} is refused twice"
 
@@ -232,7 +232,7 @@ def operation_risky(memory: Memory, event: run.OperationRisky) -> Iterator[str]:
     first, then that of the root.
     """
     if len(parts(event.address)) != 3 or not event.reason:
-        yield "what is risky is no operation, or for no reason"
+        yield "a risk names no operation or no reason"
     last = memory.last
     again = isinstance(last, run.OperationRisky) and last.t == event.t
     if again and isinstance(last, run.OperationRisky) and last.address == event.address:
@@ -244,13 +244,13 @@ def operation_risky(memory: Memory, event: run.OperationRisky) -> Iterator[str]:
 def operation_shut_out(memory: Memory, event: run.OperationPruned) -> Iterator[str]:
     """Check that somebody has excluded the operation."""
     if len(parts(event.address)) != 3 or not memory.caused("prune", None, event.address):
-        yield f"{event.address} is shut out, and nobody said so"
+        yield f"{event.address} is excluded without a command"
 
 
 def operation_restored(memory: Memory, event: run.OperationRestored) -> Iterator[str]:
     """Check that somebody has allowed the operation again."""
     if len(parts(event.address)) != 3 or not memory.caused("restore", None, event.address):
-        yield f"{event.address} may be used again, and nobody said so"
+        yield f"{event.address} is allowed again without a command"
 
 
 def costs_changed(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
@@ -258,7 +258,7 @@ def costs_changed(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
     if not event.costs and not event.faults:
         yield "no cost has changed"
     if event == memory.last:
-        yield "costs change to what they were"
+        yield "the new costs are the same as before"
     for address, cost in event.costs.items():
         if len(parts(address)) != 3 or not 0 <= cost <= MOST:
             yield f"{address!r} cannot cost {cost:g}"

@@ -34,7 +34,7 @@ def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
     word = event.command.replace("_", " ")
     named = len(parts(event.address)) == 3
     if not event.by:
-        yield f"{word} is said by nobody"
+        yield f"{word} names no person"
     if known is not None and known.must_name:
         if not (named or event.refused):
             yield f"{word} names no operation"
@@ -49,7 +49,7 @@ def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
 def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
     """Check that somebody wanted a pause, and that the run could be paused."""
     if not memory.wanted_pause:
-        yield "a run is paused, and nobody wanted that"
+        yield "a run is paused, but nothing asked for a pause"
     if memory.fold.phase not in ("ready", "running", "waiting", "idle", "paused"):
         yield f"a run is paused that is {memory.fold.phase.replace('_', ' ')} already"
 
@@ -57,13 +57,13 @@ def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
 def resumed(memory: Memory, event: run.Resumed) -> Iterator[str]:
     """Check that somebody has resumed the run."""
     if not memory.caused("resume"):
-        yield "the run goes on, and nobody said so"
+        yield "the run is resumed without a command"
 
 
 def stopped(memory: Memory, event: run.RunStopped) -> Iterator[str]:
     """Check that the named person has stopped the run."""
     if not memory.caused("stop", event.by):
-        yield f"the run is stopped by {event.by}, who did not say so"
+        yield f"the run is stopped by {event.by}, who did not command it"
 
 
 def reset(memory: Memory, event: run.RunReset) -> Iterator[str]:
@@ -71,13 +71,13 @@ def reset(memory: Memory, event: run.RunReset) -> Iterator[str]:
     if not memory.fold.stopped:
         yield "a run is reset that was not stopped"
     if not memory.caused("reset", event.by):
-        yield f"the run is reset by {event.by}, who did not say so"
+        yield f"the run is reset by {event.by}, who did not command it"
 
 
 def taken_over(memory: Memory, event: run.TakenOver) -> Iterator[str]:
     """Check that the named person has taken the run over."""
     if not memory.caused("take_over", event.by):
-        yield f"the run is taken over by {event.by}, who did not say so"
+        yield f"the run is taken over by {event.by}, who did not command it"
 
 
 def given_back(memory: Memory, event: run.GivenBack) -> Iterator[str]:
@@ -85,24 +85,24 @@ def given_back(memory: Memory, event: run.GivenBack) -> Iterator[str]:
     configuration.
     """
     if not memory.fold.taken_over:
-        yield "a run is given back that nobody has taken over"
+        yield "a run is given back, but nobody had taken it over"
     if not memory.caused("accept", event.by):
-        yield f"the run is given back by {event.by}, who did not say so"
+        yield f"the run is given back by {event.by}, who did not command it"
     if not memory.is_configuration(event.configuration):
-        yield "the run is given back in what is no configuration of it"
+        yield "the run is given back in a configuration that it cannot have"
 
 
 def disturbed(memory: Memory, event: run.Disturbed) -> Iterator[str]:
     """Check that somebody has commanded this disturbance."""
     wanted = f"{event.target} {event.kind}"
     if not memory.caused("disturb") or memory.cause is None or memory.cause.value != wanted:
-        yield f"{event.target} is disturbed, and nobody said so"
+        yield f"{event.target} is disturbed without a command"
 
 
 def fault_injected(memory: Memory, event: run.FaultInjected) -> Iterator[str]:
     """Check that somebody has commanded this fault."""
     if not memory.caused("inject") or memory.cause is None or memory.cause.value != event.fault:
-        yield f"{event.fault} goes wrong, and nobody said so"
+        yield f"{event.fault} is injected without a command"
 
 
 KINDS = ("operation", "confirm", "supervise", "fact", "start")
@@ -126,7 +126,7 @@ def task_opened(memory: Memory, event: run.TaskOpened) -> Iterator[str]:
     if not event.options or len(set(event.options)) < len(event.options):
         yield f"{event.task} has no options, or one of them twice"
     if event.persons < 1 or event.deadline < event.t:
-        yield f"{event.task} is nobody's, or too late before it begins"
+        yield f"{event.task} asks for no person, or its deadline is before its beginning"
 
 
 def task_escalated(memory: Memory, event: run.TaskEscalated) -> Iterator[str]:
@@ -142,9 +142,9 @@ def task_answered(memory: Memory, event: run.TaskAnswered) -> Iterator[str]:
     """
     cause = memory.cause
     if cause is None or cause.command != "answer" or cause.by != event.by or cause.t != event.t:
-        yield f"{event.by} answers {event.task} without having said anything"
+        yield f"{event.by} answers {event.task} without a command"
     elif cause.value not in ("", event.task) or cause.refused != event.refused:
-        yield f"{event.by} answers {event.task}, and said something else"
+        yield f"{event.by} answers {event.task}, but the command was another"
     if event.refused:
         return
     asked = memory.tasks.get(event.task)

@@ -19,11 +19,11 @@ def fact_changed(memory: Memory, event: run.FactChanged) -> Iterator[str]:
         yield f"{event.branch}/{event.digit} is no fact of this run"
     known = memory.fold.facts.get(key)
     if known is not None and known.value == event.value:
-        yield f"{event.branch}/{event.digit} changes to what it was"
+        yield f"{event.branch}/{event.digit} changes to the value that it had"
     if not memory.evidence.can_tell(event.branch, event.digit, event.value):
         yield f"{event.branch}/{event.digit} is no fact that is sensed"
     if event.value is not None and event.reason:
-        yield f"{event.branch}/{event.digit} is known, and a reason says why it is not"
+        yield f"{event.branch}/{event.digit} has a value, and also a reason why it has none"
 
 
 def mismatch(memory: Memory, event: run.Mismatch) -> Iterator[str]:
@@ -38,7 +38,7 @@ def mismatch(memory: Memory, event: run.Mismatch) -> Iterator[str]:
     if memory.fold.begun and not memory.evidence.open and len(event.facts) != differ:
         yield f"a mismatch names {len(event.facts)} facts; {differ} differ"
     if not all(map(memory.is_configuration, event.candidates)):
-        yield "the scene agrees with what is no configuration of this run"
+        yield "the scene agrees with a configuration that this run cannot have"
 
 
 def relocalised(memory: Memory, event: run.Relocalised) -> Iterator[str]:
@@ -51,9 +51,9 @@ def relocalised(memory: Memory, event: run.Relocalised) -> Iterator[str]:
     if memory.acting:
         yield "the run is located anew while an operation runs"
     if not there or not memory.is_configuration(there):
-        yield "the run is located in what is no configuration of it"
+        yield "the run is located in a configuration that it cannot have"
     elif here and there != here and not _may_move(memory, there):
-        yield "the run is located elsewhere, and neither the scene nor a person has said so"
+        yield "the run is located elsewhere, but neither the scene nor a person says so"
     for one in memory.expansion.broken(there, there):
         yield f"the run is located in {one.base}/{there[one.base]} and {one.sub}/{there[one.sub]}"
     yield from _unlike(memory, there)
@@ -118,8 +118,8 @@ def _unconfirmed(memory: Memory, goal: str) -> Iterator[str]:
     if memory.fold.phase not in ("running", "ready", "paused"):
         yield f"{goal} is reached; the run is {memory.fold.phase.replace('_', ' ')}"
     if memory.busy >= memory.now:
-        yield f"{goal} is reached in the moment of what came before; nothing was sensed since"
+        yield f"{goal} is reached at the time of the last event; nothing was sensed after it"
     if not memory.evidence.holds(branch, state):
-        yield f"{goal} is reached; the facts that were told are not those of {state}"
+        yield f"{goal} is reached; the logged facts are not those of {state}"
     if memory.evidence.off:
         yield f"{goal} is reached; the facts of {min(memory.evidence.off)} are not as it believes"
