@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -61,8 +62,8 @@ class BranchGraph:
     @cached_property
     def sources(self) -> list[int]:
         """For each edge the number of the state it leaves."""
-        ends = [self.starts[i + 1] - self.starts[i] for i in range(len(self.names))]
-        return list(chain.from_iterable(map(repeat, range(len(ends)), ends)))
+        counts = map(operator.sub, islice(self.starts, 1, None), self.starts)
+        return list(chain.from_iterable(map(repeat, range(len(self.names)), counts)))
 
     @cached_property
     def operations(self) -> list[str]:

@@ -6,7 +6,6 @@ edge here; rule R02 reports it.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable
 
 from smsl_studio.blueprint.model import StateBranch
@@ -97,15 +96,17 @@ def distances(near: list[list[int]], start: int) -> list[int]:
     path.
     """
     found = [-1] * len(near)
-    found[start] = 0
-    queue = deque((start,))
-    while queue:
-        state = queue.popleft()
-        step = found[state] + 1
-        for other in near[state]:
-            if found[other] < 0:
-                found[other] = step
-                queue.append(other)
+    found[start] = step = 0
+    reached = [start]
+    while reached:
+        step += 1
+        further: list[int] = []
+        for state in reached:
+            for other in near[state]:
+                if found[other] < 0:
+                    found[other] = step
+                    further.append(other)
+        reached = further
     return found
 
 

@@ -8,6 +8,11 @@ gets this layout if its operations join neighbours on the lattice that is found 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache, partial
+from itertools import repeat
+from operator import add, mul, sub
+
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.shape import distances
@@ -19,6 +24,8 @@ _TOLERATED = 0.1
 """The largest share of operations that may leave the lattice. The same share of them may have no
 operation that leads back."""
 _TRIALS = 6
+Steps = Callable[[int], list[int]]
+"""The number of steps from a state to each state."""
 
 
 def in_triangle(branch: StateBranch) -> dict[str, tuple[float, float]] | None:
@@ -50,19 +57,23 @@ def _lattice(
     """Return the row and the half steps in it for each state. None if two states share a place, or
     if operations do not fit.
     """
-    corners = _corners(branch, graph, near)
+    steps = cache(partial(distances, near))
+    corners = _corners(branch, graph, near, steps)
     if corners is None:
         return None
-    apex, left, right = (distances(near, corner) for corner in corners)
-    places = [(a, b - c) for a, b, c in zip(apex, left, right, strict=True)]
+    apex, left, right = map(steps, corners)
+    places = list(zip(apex, map(sub, left, right), strict=True))
     whole = min(apex) >= 0 and len(set(places)) == len(places)
     return places if whole and _fits(graph, places) else None
 
 
 def _lone(graph: BranchGraph) -> list[tuple[int, int]]:
     """Return the pairs of states that operations join in one direction only."""
-    pairs = {(s, t) for s, t in zip(graph.sources, graph.targets, strict=True) if s != t}
-    return sorted((source, target) for source, target in pairs if (target, source) not in pairs)
+    # A pair is one number, because there may be many thousands.
+    count, sources, targets = len(graph), graph.sources, graph.targets
+    there = set(map(add, map(mul, sources, repeat(count)), targets))
+    lone = there.difference(map(add, map(mul, targets, repeat(count)), sources))
+    return [divmod(pair, count) for pair in sorted(lone)]
 
 
 def _without(near: list[list[int]], pair: tuple[int, int] | None) -> list[list[int]]:
@@ -75,7 +86,7 @@ def _without(near: list[list[int]], pair: tuple[int, int] | None) -> list[list[i
 
 
 def _corners(
-    branch: StateBranch, graph: BranchGraph, near: list[list[int]]
+    branch: StateBranch, graph: BranchGraph, near: list[list[int]], steps: Steps
 ) -> tuple[int, int, int] | None:
     """Return the apex, the left and the right corner: the three states farthest from each other.
 
@@ -83,14 +94,12 @@ def _corners(
     else that is the one listed later.
     """
     initial = graph.index.get(branch.initial, 0)
-    first = _farthest(near, distances(near, initial))
-    from_first = distances(near, first)
-    second = _farthest(near, from_first)
-    both = [min(a, b) for a, b in zip(from_first, distances(near, second), strict=True)]
-    third = _farthest(near, both)
+    first = _farthest(near, steps(initial))
+    second = _farthest(near, steps(first))
+    third = _farthest(near, list(map(min, steps(first), steps(second))))
     if len({first, second, third}) < 3:
         return None
-    away = distances(near, initial)
+    away = steps(initial)
     apex = min((first, second, third), key=lambda corner: (away[corner], corner))
     goal = graph.index.get(branch.activating)
     left, right = sorted({first, second, third} - {apex}, key=lambda c: (c == goal, c))
@@ -101,14 +110,17 @@ def _farthest(near: list[list[int]], steps: list[int]) -> int:
     """Return the state with the most steps. Of several it is the one with the fewest neighbours,
     because corners have few.
     """
-    return max(range(len(steps)), key=lambda i: (steps[i], -len(near[i]), -i))
+    most = max(steps)
+    ends = [state for state, step in enumerate(steps) if step == most]
+    return min(ends, key=lambda state: (len(near[state]), state))
 
 
 def _fits(graph: BranchGraph, lattice: list[tuple[int, int]]) -> bool:
     """Return whether the operations join neighbours on the lattice, except for a small share."""
-    strays = 0
-    for source, target in zip(graph.sources, graph.targets, strict=True):
-        (row, x), (other_row, other_x) = lattice[source], lattice[target]
-        if source != target and (other_row - row, other_x - x) not in _LATTICE:
-            strays += 1
+    # Row and place in it are one number, so that operations of one direction have one difference.
+    wide = 4 * len(graph) + 8
+    at = [row * wide + x for row, x in lattice]
+    ends = map(at.__getitem__, graph.targets), map(at.__getitem__, graph.sources)
+    fitting = {row * wide + x for row, x in _LATTICE} | {0}
+    strays = len(graph.targets) - sum(map(fitting.__contains__, map(sub, *ends)))
     return strays <= _TOLERATED * len(graph.targets)

@@ -29,6 +29,7 @@ class JsonStyle:
 
 
 CANONICAL = JsonStyle()
+_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 
 
 def render(value: Json, style: JsonStyle, indent: str, depth: int) -> str:
@@ -50,7 +51,7 @@ def scalar(value: Json) -> str:
     """Return a text, number, true, false, null or empty list. ValueError if JSON cannot express
     it.
     """
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return _ENCODER.encode(value)
 
 
 def _wrapped(marks: str, items: list[str], style: JsonStyle, indent: str, broken: bool) -> str:

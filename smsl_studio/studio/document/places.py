@@ -122,7 +122,7 @@ def _ends(branch: StateBranch) -> tuple[int | None, int | None]:
 
 def _elsewhere(places: Mapping[str, Position], others: Mapping[str, Position]) -> bool:
     """Whether a state has different places in the two layouts."""
-    return any(
+    return places != others and any(
         abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
         for name, (x, y) in places.items()
     )
