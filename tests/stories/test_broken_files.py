@@ -68,7 +68,7 @@ def test_the_text_its_faults_and_what_could_be_read_are_shown(
     assert window.findings.empty.text().startswith(said)
     assert "No findings" not in window.findings.empty.text()
     assert said in window.status_line.words
-    assert "does not read" in window.canvas.overlays.banner.text
+    assert "cannot be read" in window.canvas.overlays.banner.text
     assert window.menu_row.title == name, "nothing was edited"
     assert "State_0" in person.blueprint["SB1"].table
     person.until_inspected()
@@ -80,7 +80,7 @@ def test_an_edit_is_refused_until_the_text_is_repaired(sit: Sit, tmp_path: Path)
     person = sit(broken("a.json", tmp_path))
     session = person.window.session
     assert not session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_2"))
-    assert "a.json does not read" in person.window.toast.words
+    assert "a.json cannot be read" in person.window.toast.words
     whole = BROKEN["a.json"].replace('"}\n    "State_1"', '"},\n    "State_1"')
     session.write("Repair", whole.replace('"Down" "', '"Down": "'))
     assert session.broken is None
@@ -95,7 +95,7 @@ def test_an_edit_is_refused_until_the_text_is_repaired(sit: Sit, tmp_path: Path)
     assert session.broken is not None, "undone to the text that was opened"
 
 
-def test_a_text_that_does_not_read_is_saved_after_asking(sit: Sit, tmp_path: Path) -> None:
+def test_a_broken_text_is_saved_after_asking(sit: Sit, tmp_path: Path) -> None:
     path = broken("a.json", tmp_path)
     person = sit(path)
     typed = BROKEN["a.json"].replace("Up", "Upward")
@@ -108,10 +108,10 @@ def test_a_text_that_does_not_read_is_saved_after_asking(sit: Sit, tmp_path: Pat
     assert person.window.files.save()
     assert path.read_text() == typed
     assert person.window.menu_row.title == "a.json"
-    assert told == ["The text of a.json does not read as a blueprint."] * 2
+    assert told == ["The text of a.json cannot be read as a blueprint."] * 2
 
 
-def test_a_text_that_does_not_read_cannot_change_its_form(
+def test_a_broken_text_cannot_change_its_form(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     person = sit(broken("a.json", tmp_path))
@@ -126,7 +126,7 @@ def test_a_text_that_does_not_read_cannot_change_its_form(
     assert person.window.session.broken is not None
 
 
-def test_a_file_with_nothing_that_reads_is_no_blank_pane(sit: Sit, tmp_path: Path) -> None:
+def test_a_file_of_which_nothing_can_be_read_shows_its_text(sit: Sit, tmp_path: Path) -> None:
     path = tmp_path / "letter.json"
     path.write_text("Dear all,\nthis is a letter.\n")
     person = sit(path)
@@ -137,7 +137,7 @@ def test_a_file_with_nothing_that_reads_is_no_blank_pane(sit: Sit, tmp_path: Pat
     person.window.set_mode("draw")
 
 
-def test_what_could_not_be_read_is_no_finding(sit: Sit, tmp_path: Path) -> None:
+def test_the_missing_part_of_a_broken_file_is_no_finding(sit: Sit, tmp_path: Path) -> None:
     """State_1 stands in the text; that the drawing lacks it is the fault's doing."""
     path = tmp_path / "a.yaml"
     path.write_text("SB1:\n  State_0:\n    Up: State_1\n   State_1: {}\n")
@@ -181,7 +181,7 @@ def test_nobody_is_asked_to_draw_where_drawing_is_refused(sit: Sit, tmp_path: Pa
     assert hint.isVisible()
 
 
-def test_what_was_said_of_one_file_goes_with_it(sit: Sit, tmp_path: Path) -> None:
+def test_messages_about_a_file_go_when_another_file_is_opened(sit: Sit, tmp_path: Path) -> None:
     path = tmp_path / "a.json"
     path.write_text('{"SB1": {"State_0": {}}}')
     person = sit(path)

@@ -292,7 +292,7 @@ def test_a_click_elsewhere_takes_a_name_over_or_keeps_what_does_not_fit(hfsm: Dr
     assert hfsm.editor.field is None
 
 
-def test_a_press_elsewhere_leaves_a_card_in_which_nothing_was_typed(hfsm: Drawer) -> None:
+def test_a_press_elsewhere_closes_a_card_in_which_nothing_was_typed(hfsm: Drawer) -> None:
     hfsm.click(hfsm.place("State111"))
     hfsm.key(Key.Key_Tab)
     assert isinstance(hfsm.editor.field, ConnectCard)
@@ -415,7 +415,7 @@ def test_without_a_selected_operation_every_side_of_its_target_has_its_handle(
         assert hfsm.canvas.gestures.handle is not None
 
 
-def test_an_arrowhead_let_go_over_nothing_says_why_and_stays(hfsm: Drawer) -> None:
+def test_an_arrowhead_dropped_on_empty_canvas_stays_and_the_reason_is_shown(hfsm: Drawer) -> None:
     hfsm.click(hfsm.label_of("State000", "Operation000"))
     start = hfsm.tip_of("State000", "Operation000")
     hfsm.press(start)

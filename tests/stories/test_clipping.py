@@ -130,7 +130,7 @@ def test_a_whole_sb_is_copied_in_the_outline(sit: Sit) -> None:
     assert person.steps() == ["Paste SB3", "Cut SB3"]
 
 
-def test_what_is_no_smsl_is_refused_in_a_line(sit: Sit) -> None:
+def test_text_that_is_no_smsl_is_refused(sit: Sit) -> None:
     person = sit(HFSM)
     for text, said in (("", "holds no text"), ("buy milk", "is no SMSL"), ('{"A": 3}', "is no")):
         put(text)

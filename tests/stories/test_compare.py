@@ -163,7 +163,7 @@ def test_the_view_follows_edits_against_what_was_saved(sit: Sit, tmp_path: Path)
     assert dialog.next.isEnabled()
 
 
-def test_a_text_that_does_not_read_is_compared_as_it_last_did(sit: Sit, tmp_path: Path) -> None:
+def test_of_a_broken_text_the_last_readable_version_is_compared(sit: Sit, tmp_path: Path) -> None:
     person = sit(at(tmp_path, "hfsm.json"))
     session = person.window.session
     text = session.blueprint.document.text
@@ -235,7 +235,7 @@ def test_the_choice_of_a_state_branch_is_as_wide_as_its_names(sit: Sit, tmp_path
     assert choice.width() > choice.fontMetrics().horizontalAdvance(choice.currentText()) + 30
 
 
-def test_of_a_long_history_it_is_said_that_only_the_latest_are_listed(
+def test_of_a_long_history_only_the_latest_commits_are_listed_and_it_says_so(
     qapp: QApplication, qtbot: QtBot
 ) -> None:
     one = Revision("0" * 40, "2026-01-01", "Ada", "Draw", "plan.json")
@@ -273,7 +273,7 @@ def test_a_drawing_that_is_not_shown_is_not_undone(sit: Sit, tmp_path: Path) -> 
     assert "State011" not in person.blueprint["SB1"].table
 
 
-def test_one_state_that_was_moved_is_one_that_was_moved(sit: Sit, tmp_path: Path) -> None:
+def test_moving_one_state_is_reported_as_one_moved_state(sit: Sit, tmp_path: Path) -> None:
     """The first place by hand writes all places; the others stand where they stood."""
     path = tmp_path / "registration.json"
     path.write_bytes((SAMPLES / "registration.json").read_bytes())

@@ -110,7 +110,7 @@ def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) ->
     assert person.window.canvas.overlays.breadcrumb.words[0] == "other.json"
 
 
-def test_what_is_no_text_is_said_and_nothing_is_lost(
+def test_a_file_that_is_no_text_is_refused_and_nothing_is_lost(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     picture = tmp_path / "picture.json"
@@ -210,7 +210,7 @@ def test_recent_files_are_told_apart_and_shown_as_they_are_called(sit: Sit, tmp_
     assert all(text.startswith("hfsm.json in ") for text in shown[:2])
 
 
-def test_what_was_closed_is_as_it_was(sit: Sit, tmp_path: Path) -> None:
+def test_a_new_window_has_the_theme_and_panels_of_the_last_one(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path), (1300, 820))
     person.windows.set_theme("dark")
     person.ctrl(Key.Key_J)
@@ -329,7 +329,7 @@ def test_the_theme_is_that_of_every_window(sit: Sit) -> None:
     assert first.window.canvas.tokens.dark
 
 
-def test_menus_of_one_time_are_let_go_of(sit: Sit, tmp_path: Path) -> None:
+def test_menus_that_are_used_once_are_deleted(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path))
     before = len(person.window.findChildren(QMenu))
     person.window.canvas.context_wanted.emit(None, QPoint(300, 300))
@@ -339,7 +339,7 @@ def test_menus_of_one_time_are_let_go_of(sit: Sit, tmp_path: Path) -> None:
     person.until(lambda: len(person.window.findChildren(QMenu)) == before)
 
 
-def test_a_new_window_is_beside_and_of_its_own(sit: Sit, tmp_path: Path) -> None:
+def test_a_new_window_is_placed_beside_and_independent(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path))
     before = set(person.windows)
     person.window.actions_table["new_window"].trigger()

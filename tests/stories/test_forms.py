@@ -117,7 +117,7 @@ def test_a_fact_of_a_selected_state_is_clicked_on_the_canvas(sit: Sit) -> None:
     assert form.who() == "fact 2 of SB1"
 
 
-def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
+def test_a_value_of_a_wrong_kind_is_reported_and_kept(sit: Sit, tmp_path: Path) -> None:
     odd = {"0": {"name": 7, "max_age": "soon", "colour": "red"}}
     states = {"State0": {"_seen": "often"}, "State1": {}}
     notes = {"_facts": odd, "_states": {"State0": "words"}}
@@ -138,7 +138,7 @@ def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
     assert form.line("max_age").refusal.text() == ""
 
 
-def test_while_a_text_does_not_read_a_form_says_so_at_its_field(sit: Sit) -> None:
+def test_while_the_text_is_broken_a_form_says_so_at_its_field(sit: Sit) -> None:
     person = sit(HFSM)
     session = person.window.session
     person.select("SB1/State110")
@@ -146,7 +146,7 @@ def test_while_a_text_does_not_read_a_form_says_so_at_its_field(sit: Sit) -> Non
     person.window.docks.show_tab("Properties")
     form = person.window.properties.state
     person.write(form.title, "Half way")
-    assert "does not read" in form.line("title").refusal.text()
+    assert "cannot be read" in form.line("title").refusal.text()
     assert not person.window.toast.words
     session.history.undo()
     person.write(form.title, "Half way")
@@ -336,7 +336,9 @@ def test_a_file_is_imported_and_left_again(sit: Sit, tmp_path: Path) -> None:
     assert list(person.blueprint.branches) == ["SB1"]
 
 
-def test_what_is_kept_is_read_as_it_is_written_however_long(sit: Sit, tmp_path: Path) -> None:
+def test_unknown_fields_are_shown_as_they_are_written_however_long(
+    sit: Sit, tmp_path: Path
+) -> None:
     words = "Registration in which a <b>wrist</b> & arm"
     person = sit(written(tmp_path, {"_use": words, "_n": "a\u202eb", "SB1": {"State0": {}}}))
     kept = person.window.properties.file.kept

@@ -101,7 +101,9 @@ def test_a_critical_fact_that_is_lost_holds_and_says_which(sit: Sit, tmp_path: P
     assert "Guarded fact lost" in words
 
 
-def test_a_way_that_bypasses_its_subs_is_said_across_the_top(sit: Sit, tmp_path: Path) -> None:
+def test_a_route_that_bypasses_its_subs_is_announced_across_the_top(
+    sit: Sit, tmp_path: Path
+) -> None:
     values = json.loads((SAMPLES / "registration-digitization.json").read_text())
     path = tmp_path / "two.json"
     path.write_text(json.dumps({"ROOM": {"State_0": {"Open": "State_1"}, "State_1": {}}, **values}))

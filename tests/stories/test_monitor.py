@@ -173,7 +173,7 @@ def test_a_row_has_a_menu_of_what_can_go_wrong(sit: Sit) -> None:
     at.until_cells(*fact, disturbed="stuck")
 
 
-def test_what_makes_no_sense_is_said_beside_it(sit: Sit) -> None:
+def test_an_invalid_value_is_refused_beside_its_field(sit: Sit) -> None:
     at = _by_hand(sit, SAMPLES / "hanoi-2.json")
     page, fact = at.open(), ("SB1", "0")
     at.until_cells(*fact, value="a")

@@ -141,7 +141,9 @@ def test_another_program_that_drops_the_import_takes_no_work_along(sit: Sit, out
     assert "State_9" in inner_of(outer).read_text()
 
 
-def test_a_file_that_left_and_was_changed_is_asked_about(sit: Sit, outer: Path) -> None:
+def test_the_window_asks_about_a_file_that_is_no_longer_imported_and_was_changed(
+    sit: Sit, outer: Path
+) -> None:
     person = sit(outer)
     add(person, "SB2")
     leave_out(person)
@@ -292,7 +294,7 @@ def test_an_import_that_appears_leaves_a_broken_text_alone(sit: Sit, outer: Path
     person.until(lambda: "SB2" in person.blueprint.branches)
 
 
-def test_theirs_that_cannot_be_taken_yet_stays_a_question(sit: Sit, outer: Path) -> None:
+def test_the_question_stays_while_their_text_cannot_be_taken_yet(sit: Sit, outer: Path) -> None:
     person = sit(outer)
     person.window.session.write("Type", OUTER.replace("{}", "{"))
     theirs = INNER.replace("Up", "Higher")

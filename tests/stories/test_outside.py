@@ -82,7 +82,7 @@ def test_with_unsaved_changes_the_person_is_asked_and_takes_theirs(
     assert "State_mine" in person.blueprint["SB1"].table, "nothing is lost by looking"
 
 
-def test_mine_is_kept_and_saved_over_theirs(sit: Sit, tmp_path: Path) -> None:
+def test_the_own_text_is_kept_and_saved_over_theirs(sit: Sit, tmp_path: Path) -> None:
     path = copy_of("hfsm.json", tmp_path)
     person = sit(path)
     edit(person)
@@ -154,7 +154,7 @@ def test_a_file_that_is_gone_is_told_and_written_again(sit: Sit, tmp_path: Path)
     assert path.read_bytes() == (SAMPLES / "hfsm.json").read_bytes()
 
 
-def test_the_own_save_is_nobody_elses(sit: Sit, tmp_path: Path) -> None:
+def test_an_own_save_is_not_taken_for_a_change_by_another_program(sit: Sit, tmp_path: Path) -> None:
     path = copy_of("hfsm.json", tmp_path)
     person = sit(path)
     edit(person)

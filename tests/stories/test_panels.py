@@ -241,7 +241,7 @@ def test_fixes_are_worked_out_beside_the_window_and_can_be_called_off(
     person.until_inspected()
     button = person.window.findings.fix_all_button
     person.click(button)
-    person.until(lambda: button.text() == "Working it out, 3 so far. Cancel")
+    person.until(lambda: button.text() == "Computing the fixes, 3 so far. Cancel")
     if ends == "by the button":
         person.click(button)
         assert button.text() == "Fix both…"

@@ -54,7 +54,7 @@ def test_a_run_is_recorded_as_it_is_told(sit: Sit, home: Path) -> None:
     assert (log.header["host"], log.header["world"]) == ("process", "table")
 
 
-def test_a_run_that_is_closed_over_has_a_whole_log(sit: Sit, home: Path) -> None:
+def test_a_run_that_ends_with_its_window_has_a_complete_log(sit: Sit, home: Path) -> None:
     run = AtRun(sit(HANOI))
     run.person.press(Key.Key_F5)
     run.until_runs()

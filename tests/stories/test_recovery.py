@@ -122,7 +122,7 @@ def test_a_text_that_does_not_read_is_recovered_as_it_was_typed(sit: Sit, tmp_pa
     die(first)
     person = sit()
     offer = offer_to(person)
-    assert "does not read" in words_of(offer)
+    assert "cannot be read" in words_of(offer)
     (row,) = offer.rows.values()
     person.click(row.recover)
     assert person.window.session.broken is not None

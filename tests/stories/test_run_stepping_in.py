@@ -53,7 +53,7 @@ def test_everything_is_cut_an_offer_restores_and_the_run_goes_on(sit: Sit) -> No
     assert run.pane.possible.hold.isHidden()
 
 
-def test_pruning_is_let_be_with_escape(sit: Sit) -> None:
+def test_escape_leaves_pruning_undone(sit: Sit) -> None:
     run = AtRun(sit(HANOI))
     run.choose(world="table")
     run.person.press(Key.Key_F10)

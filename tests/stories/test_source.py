@@ -116,7 +116,7 @@ def test_a_file_with_three_faults_is_repaired_by_quick_fixes_alone(
     assert path.read_text("utf-8") == source.editor.sheet.text
 
 
-def test_nothing_runs_and_nothing_is_drawn_on_a_text_that_does_not_read(sit: Sit) -> None:
+def test_nothing_runs_and_nothing_is_drawn_while_the_text_is_broken(sit: Sit) -> None:
     person = sit(HFSM)
     open_source(person)
     person.type("x")
@@ -125,10 +125,10 @@ def test_nothing_runs_and_nothing_is_drawn_on_a_text_that_does_not_read(sit: Sit
     count = person.window.session.history.count()
     person.window.actions_table["add_branch"].trigger()
     assert person.window.session.history.count() == count
-    assert "does not read, line 1" in person.window.toast.words
+    assert "cannot be read, line 1" in person.window.toast.words
     person.press(Key.Key_F5)
     assert not person.window.features.run.pane.run.exists
-    assert "does not read" in person.window.features.run.pane.canvas.banner
+    assert "cannot be read" in person.window.features.run.pane.canvas.banner
     person.ctrl(Key.Key_1)
     person.ctrl(Key.Key_Z)
     assert person.window.session.broken is None

@@ -36,7 +36,7 @@ def _tells_all(widget: QWidget) -> bool:
 
 @pytest.mark.parametrize("mode", ["supervise", "run"])
 @pytest.mark.parametrize("phase", ["Paused", "Ready", "No route", "Taken over", "Stopped"])
-def test_nothing_is_cut_in_any_state_of_a_run(sit: Sit, phase: str, mode: str) -> None:
+def test_no_text_is_cut_in_any_state_of_a_run(sit: Sit, phase: str, mode: str) -> None:
     at = AtSupervise(sit(SAMPLE, (1280, 800)))
     _come_to(at, phase)
     at.until_phase(phase)

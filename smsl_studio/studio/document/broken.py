@@ -27,7 +27,7 @@ class Broken:
         place = self.error.place
         where = f", line {place.line}" if place else ""
         return EditRefused(
-            f"the text of {PurePath(self.file).name} does not read{where}: {self.error.sentence}",
+            f"the text of {PurePath(self.file).name} cannot be read{where}: {self.error.sentence}",
             place,
             "Repair the text first, or undo what was typed.",
         )

@@ -39,7 +39,7 @@ class ConfirmBox(QFrame):
         self.do = QPushButton("Do it")
         self.do.setProperty("role", "primary")
         self.do.clicked.connect(self.confirm)
-        self.leave = QPushButton("Let it be")
+        self.leave = QPushButton("Do nothing")
         self.leave.clicked.connect(self.drop)
         self._keys = (_key("Enter"), _key("Esc"))
         column = QVBoxLayout(self)
@@ -82,7 +82,7 @@ class ConfirmBox(QFrame):
         self.reason.setVisible(decision.reasoned)
         for part in (self.do, self._keys[0]):
             part.setVisible(bool(decision.verb))
-        self.leave.setText("Let it be" if decision.verb else "Close")
+        self.leave.setText("Do nothing" if decision.verb else "Close")
         self._fit()
         if anew:
             self.refuse("")

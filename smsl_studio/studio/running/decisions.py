@@ -86,7 +86,7 @@ def veto(address: Address, status: DispatchStatus) -> Decision:
     name = address.operation
     if status.running == address:
         why = (
-            "It already moves: a veto comes too late. Stop brakes it, Prune stops it and shuts it."
+            "It already moves: a veto comes too late. Stop brakes it, Prune stops and excludes it."
         )
         return Decision("", f"{name} is being carried out.", "", address, why)
     item = possible(address, status)

@@ -233,7 +233,7 @@ class PossibleList(QScrollArea):
         words = command.doing(row.name)
         prune.setIcon(icon(command.icon, self._tokens, 14))
         prune.setFixedSize(26, 26)
-        prune.setToolTip(tip_text(f"{words}…: shut it out until it is restored"))
+        prune.setToolTip(tip_text(f"{words}…: exclude it until it is restored"))
         prune.setAccessibleName(plain_text(words))
         prune.clicked.connect(lambda _=False: self.prune_wanted.emit(row.address))
         return prune

@@ -32,7 +32,7 @@ TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "ta
 ADVICE = {
     "fault_hold": "Choose an operation, restore one, or end the run.",
     "no_route": "Choose an operation, restore one, or end the run.",
-    "stopped": "Reset unlatches it, End run is the end of it.",
+    "stopped": "Reset unlatches the run, End run ends it.",
     "taken_over": "Give it back in Supervise mode.",
 }
 """What the person can do about a run that has not ended, by its phase."""
@@ -91,7 +91,7 @@ class RunCanvas(QWidget):
         self.to_drawing = tool(
             "Show the drawing",
             "pencil",
-            "Leave these results; the next run is of the drawing",
+            "Leave these results; the next run uses the drawing",
             tokens,
         )
         self.to_drawing.clicked.connect(self.drawing_wanted)

@@ -37,7 +37,7 @@ from smsl_studio.runlog.playback import RunObserver
 from smsl_studio.studio.running.runner import Runner
 from smsl_studio.world.protocol import Shape
 
-PLANNING = "the way is being planned"
+PLANNING = "the route is being planned"
 FRAME = 33
 """Milliseconds between two readings of the run's news."""
 

@@ -29,7 +29,9 @@ def beside(qapp: QApplication) -> Iterator[Beside]:
     made.stop()
 
 
-def test_work_is_done_elsewhere_and_handed_over_here_in_order(beside: Beside, qtbot: QtBot) -> None:
+def test_work_is_done_on_another_thread_and_results_come_back_in_order(
+    beside: Beside, qtbot: QtBot
+) -> None:
     here, came = threading.get_ident(), []
 
     def then(number: int, there: int) -> None:
@@ -42,7 +44,7 @@ def test_work_is_done_elsewhere_and_handed_over_here_in_order(beside: Beside, qt
 
 
 @pytest.mark.parametrize("end", [Beside.drop, Beside.stop])
-def test_work_that_heeds_is_called_off(
+def test_work_that_checks_for_it_can_be_cancelled(
     beside: Beside, qtbot: QtBot, end: Callable[[Beside], None]
 ) -> None:
     going, ended, came = threading.Event(), threading.Event(), list[str]()
@@ -116,7 +118,7 @@ def test_a_fault_is_raised_where_the_work_was_asked_for(beside: Beside, qtbot: Q
     caught.clear()
 
 
-def test_done_or_dropped_work_is_let_go_of(beside: Beside, qapp: QApplication) -> None:
+def test_done_or_dropped_work_is_freed(beside: Beside, qapp: QApplication) -> None:
     held = []
     for number in range(300):
         thing = Thing()

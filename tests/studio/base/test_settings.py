@@ -34,7 +34,7 @@ def test_recent_files_are_newest_first_and_few(home: Path) -> None:
     assert Path("/a/5.json") not in settings.recent
 
 
-def test_an_unknown_theme_is_the_desktops(home: Path) -> None:
+def test_an_unknown_theme_means_the_theme_of_the_desktop(home: Path) -> None:
     home.mkdir(parents=True, exist_ok=True)
     (home / "window.ini").write_text("[General]\ntheme=pink\n")
     assert Settings().theme == "system"

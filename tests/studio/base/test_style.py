@@ -24,7 +24,7 @@ def test_the_sheet_stays_below_150_lines() -> None:
 
 
 @pytest.mark.parametrize("tokens", [LIGHT, DARK], ids=lambda tokens: tokens.name)
-def test_what_has_the_keys_is_seen_on_a_filled_button_too(tokens: Tokens) -> None:
+def test_the_keyboard_focus_is_visible_on_a_filled_button_too(tokens: Tokens) -> None:
     """The ring of the primary button is not of the colour that fills it."""
     rules = re.findall(r"([^{}]+)\{([^{}]*)\}", style_sheet(tokens))
     (ring,) = (body for names, body in rules if 'QPushButton[role="primary"]:focus' in names)

@@ -14,7 +14,7 @@ from tests.plugin_folder import LAMP, blueprint_of
 STATE, OPERATION = Address("LAMP", "State_0"), Address("LAMP", "State_0", "Op_on")
 
 
-def test_what_was_renamed_is_found_and_what_went_keeps_its_address() -> None:
+def test_renamed_elements_are_found_and_deleted_ones_keep_their_address() -> None:
     before = blueprint_of(LAMP)
     after = rename(before, STATE, "State_2")
     assert now_named(before, after, STATE) == Address("LAMP", "State_2")
@@ -34,7 +34,7 @@ class Walked(dict[str, Mapping[str, str]]):
         return super().__iter__()
 
 
-def test_what_still_stands_is_found_without_a_walk_through_its_state_branch() -> None:
+def test_an_existing_element_is_found_without_searching_its_state_branch() -> None:
     before = blueprint_of(LAMP)
     after = add_state(before, "LAMP", "State_9")
     tables = []

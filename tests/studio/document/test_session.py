@@ -36,7 +36,7 @@ def refused(session: Session) -> list[StudioError]:
     return found
 
 
-def test_a_text_that_reads_is_one_step_like_any_edit(session: Session) -> None:
+def test_a_readable_text_is_one_step_like_any_edit(session: Session) -> None:
     session.write("Type", TEXT.replace("State_1", "State_2"))
     assert list(session.blueprint["SB1"].table) == ["State_0", "State_2"]
     session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_3"))
@@ -47,7 +47,7 @@ def test_a_text_that_reads_is_one_step_like_any_edit(session: Session) -> None:
     assert list(session.blueprint["SB1"].table) == ["State_0", "State_2"]
 
 
-def test_a_text_that_does_not_read_keeps_the_last_good_blueprint(session: Session) -> None:
+def test_a_broken_text_keeps_the_last_good_blueprint(session: Session) -> None:
     good, told = session.blueprint, []
     session.blueprint_changed.connect(lambda *_: told.append("blueprint"))
     session.broken_changed.connect(lambda: told.append("broken"))
@@ -75,7 +75,7 @@ def test_edits_are_refused_until_the_text_is_repaired_or_undone(
     assert session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_3"))
 
 
-def test_what_is_being_typed_goes_before_an_edit(session: Session) -> None:
+def test_typed_text_becomes_a_step_before_an_edit(session: Session) -> None:
     session.settling.connect(lambda: session.write("Type", TEXT.replace("State_1", "State_2")))
     assert session.edit("Add", lambda bp: editing.add_operation(bp, "SB1", "State_2", "O",
                                                                 "State_0"))  # fmt: skip

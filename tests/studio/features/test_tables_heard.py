@@ -44,7 +44,9 @@ def monitored() -> QTableView:
 
 
 @pytest.mark.parametrize("make", [facts, levels, monitored])
-def test_what_is_blank_for_the_eye_is_heard(make: Callable[[], QTableView], qtbot: QtBot) -> None:
+def test_blank_cells_have_a_text_for_assistive_tools(
+    make: Callable[[], QTableView], qtbot: QtBot
+) -> None:
     table = make()
     qtbot.addWidget(table)
     read = QAccessible.queryAccessibleInterface(table)

@@ -23,14 +23,14 @@ def _card(**said: object) -> OperationCard:
     return card
 
 
-def test_what_is_permitted_is_asked_for() -> None:
+def test_a_permitted_operation_can_be_asked_for() -> None:
     decision = decisions.choose(_card())
     assert (decision.command, decision.verb) == ("ask", "Carry out Registered")
     assert decision.detail == "It leads to State111. Cost 1.0."
 
 
 @pytest.mark.parametrize("word", ["pruned", "risky"])
-def test_what_is_shut_out_is_restored(word: str) -> None:
+def test_an_excluded_operation_can_be_restored(word: str) -> None:
     card = _card(permitted=False, reasons=("drill is blunt",), **{word: True})
     decision = decisions.choose(card)
     assert (decision.command, decision.verb) == ("restore", "Restore Registered")
@@ -66,7 +66,7 @@ def test_the_next_route_after_a_veto_with_its_length_and_cost() -> None:
     assert decisions.detour_words(SAMPLE, status(HERE), None) == ""
 
 
-def test_nothing_is_promised_of_a_veto_that_would_change_no_route() -> None:
+def test_a_veto_that_changes_no_route_promises_no_other_route() -> None:
     way = (at("REGISTRATION/State110/ClearLandmarks"),)
     here = status(HERE, route=(at(REGISTERED),), detour=way)
     assert decisions.detour_words(SAMPLE, here, way[0]) == ""

@@ -56,7 +56,7 @@ def test_a_damaged_hash_opens_nothing() -> None:
         assert not Person("A", kept=kept).opens_with("")
 
 
-def test_damaged_settings_are_no_persons(tmp_path: Path) -> None:
+def test_damaged_settings_name_no_persons(tmp_path: Path) -> None:
     for text in ("{", "3", '[1, {"role": "x"}]'):
         settings = Settings(tmp_path)
         settings.store_text("people/persons", text)

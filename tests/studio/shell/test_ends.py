@@ -35,7 +35,7 @@ print("ends with", app.open_window([sys.argv[1]]))
 
 
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP"])
-def test_a_window_that_is_told_to_end_finishes_what_it_is_at(tmp_path: Path, name: str) -> None:
+def test_a_window_that_is_told_to_end_finishes_its_work_first(tmp_path: Path, name: str) -> None:
     done = subprocess.run(
         [sys.executable, "-c", WINDOW.replace("SIGNAL", name), str(ROOT / "samples" / "hfsm.json")],
         env={**os.environ, "SMSL_STUDIO_HOME": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"},

@@ -14,7 +14,7 @@ from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.tips import tip_text
 
 LABEL = 80
-NOT_SAID, VARIOUS = "Not said", "Various"
+NOT_SAID, VARIOUS = "Not set", "Various"
 
 
 @dataclass(frozen=True)

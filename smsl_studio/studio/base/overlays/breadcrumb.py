@@ -70,7 +70,7 @@ class Breadcrumb(QWidget):
                 f"{operations:,} operation{'' if operations == 1 else 's'}"
             )
             if is_grid(shown):
-                self._note += f", too many for distances: in columns from {shown.initial}"
+                self._note += f", very many, so in columns from {shown.initial}"
         self.setAccessibleDescription(plain_text(" > ".join((self._file, *self._chain))))
         self.resize(self.sizeHint())
         self.update()

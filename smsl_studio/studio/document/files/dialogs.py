@@ -86,7 +86,7 @@ class Dialogs:
         return self._agrees(
             "Changed by another program",
             f"{names} was changed by another program since it was read.",
-            "Saving puts your text in the place of what stands there now.",
+            "Saving replaces what is there now with your text.",
             "Save over it",
         )
 
@@ -95,16 +95,16 @@ class Dialogs:
         return self._agrees(
             "What a save cannot keep",
             said,
-            "A save puts a new file in the place of the old one, and the system does not let this "
-            "user give it all of that. Save as writes to another place.",
+            "A save replaces the file with a new one. The system does not allow this user to give "
+            "the new file all of these. Save as writes to another place.",
             "Save",
         )
 
     def may_save_broken(self, name: str, faults: str) -> bool:
         """Ask whether a text that cannot be read as a blueprint may be saved as it is."""
         return self._agrees(
-            "The text does not read",
-            f"The text of {name} does not read as a blueprint.",
+            "The text cannot be read",
+            f"The text of {name} cannot be read as a blueprint.",
             f"It has {faults}. The file can be saved as it is and repaired later.",
             "Save as it is",
         )
@@ -113,8 +113,8 @@ class Dialogs:
         """Ask whether the comments may be left out in a form that has none."""
         return self._agrees(
             "Comments",
-            f"{name} has comments, and they do not come along into {form}.",
-            "The file from which they come keeps them.",
+            f"{name} has comments, and they are lost in {form}.",
+            "The old file keeps them.",
             f"Save as {form}",
         )
 

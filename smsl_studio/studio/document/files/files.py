@@ -393,6 +393,6 @@ def _listed(names: Sequence[str]) -> str:
 
 def _over_an_import(target: str) -> SaveError:
     return SaveError(
-        f"the blueprint imports {target}, and would take its place",
+        f"the blueprint imports {target}, and would overwrite it",
         advice="Save under another name.",
     )

@@ -40,7 +40,7 @@ def moved(document: Document, path: Path, whole: bool = True) -> Moved:
 def _as_it_is(document: Document, path: Path) -> Moved:
     if SUFFIXES.get(path.suffix.lower(), document.form) != document.form:
         raise ConvertError(
-            f"a text that does not read cannot be saved as {form_words(path, document)}",
+            f"a text that cannot be read cannot be saved as {form_words(path, document)}",
             advice="Repair the text first, or save it in its own form.",
         )
     return Moved(replace(document, file=str(path)), False)

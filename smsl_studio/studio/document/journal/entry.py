@@ -76,7 +76,7 @@ def decode(raw: bytes) -> JournalEntry:
     Raises ReadError if they are not complete and valid.
     """
     if not raw.startswith(MAGIC):
-        raise _no("it does not begin as one")
+        raise _no("it does not begin like one")
     end = raw.find(b"\n", len(MAGIC), len(MAGIC) + HEAD)
     if end < 0:
         raise _no("its head is cut off")
@@ -86,7 +86,7 @@ def decode(raw: bytes) -> JournalEntry:
         raise _no("it lists no texts")
     changes = head.get("changes")
     if type(changes) is not int or changes < 0:
-        raise _no("its changes are not counted")
+        raise _no("the number of its changes is missing")
     texts, rest = [], memoryview(raw)[end + 1 :]
     for item in listed:
         if not isinstance(item, dict):
@@ -94,7 +94,7 @@ def decode(raw: bytes) -> JournalEntry:
         kept, rest = _kept(item, rest)
         texts.append(kept)
     if len(rest):
-        raise _no("it holds more than it says")
+        raise _no("it is longer than its head says")
     words = {key: _word(head, key) for key in ("name", "path", "file", "when")}
     return JournalEntry(**words, changes=changes, texts=tuple(texts))
 

@@ -194,7 +194,7 @@ def _whole_first(blueprint: Blueprint, waiting: list[KeptText]) -> list[KeptText
 def _changes(entry: JournalEntry, both: KeptSides) -> str:
     after = both.after
     if after.broken is not None:
-        return f"{faults_of(after.broken).capitalize()}: it does not read as a blueprint."
+        return f"{faults_of(after.broken).capitalize()}: it cannot be read as a blueprint."
     if both.before is None:
         blueprint = after.blueprint
         there = f"{counted(blueprint.state_count, 'state')} and " \

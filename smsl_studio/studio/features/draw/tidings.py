@@ -87,10 +87,14 @@ class Tidings(QObject):
         if broken is None:
             return ""
         shown = self._session.blueprint
-        drawn = "Drawn is the last one that read."
+        drawn = "The drawing shows the last version that could be read."
         if shown is self._salvaged:
-            drawn = "Drawn is what could be read." if len(shown) else "Nothing of it can be drawn."
-        return f"The text of {PurePath(broken.file).name} does not read. {drawn}"
+            drawn = (
+                "The drawing shows what could be read."
+                if len(shown)
+                else "Nothing of it can be drawn."
+            )
+        return f"The text of {PurePath(broken.file).name} cannot be read. {drawn}"
 
     def _checking(self) -> None:
         self._findings.set_checking()

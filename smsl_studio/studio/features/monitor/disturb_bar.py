@@ -28,11 +28,11 @@ class _Kind:
 
 
 KINDS = {
-    "stuck": _Kind("Stuck", "value", "It reads the same whatever holds; empty: as it read first"),
-    "drift": _Kind("Drift", "s", "Every so many seconds it reads one value further on"),
-    "noise": _Kind("Noise", "share", "This share of its samples, 0 to 1, reads any other value"),
+    "stuck": _Kind("Stuck", "value", "It always reads this value; empty: its first reading"),
+    "drift": _Kind("Drift", "s", "After each time this many seconds it reads the next value"),
+    "noise": _Kind("Noise", "share", "This share of its samples, 0 to 1, reads a wrong value"),
     "dropout": _Kind("Dropout", "share", "This share of its samples, 0 to 1, is lost"),
-    "delay": _Kind("Delay", "s", "Its samples come so much later"),
+    "delay": _Kind("Delay", "s", "Its samples arrive this many seconds late"),
 }  # fmt: skip
 
 

@@ -78,7 +78,7 @@ def _broker(remote: RemoteView, running: bool) -> Iterator[ListRow]:
 
 def _refused(remote: RemoteView) -> Iterator[ListRow]:
     if remote.received.refusals:
-        yield ListRow("Counted for nothing", kind="section")
+        yield ListRow("Ignored messages", kind="section")
     for refusal in remote.received.refusals:
         tip = f"{refusal.kind}, the newest: {refusal.example}"
         yield ListRow(refusal.kind, beside=refusal.example, right=f"{refusal.count:,}", tip=tip)

@@ -49,7 +49,7 @@ class AnswerPart(QWidget):
         self.sentence = label("", "hint")
         self._persons = persons
         self.enter = QPushButton("Enter who works here…")
-        self.enter.setToolTip("Nobody is known yet: name, role and PIN of who answers")
+        self.enter.setToolTip("No person is entered yet: add the name, role and PIN of who answers")
         self.enter.clicked.connect(self.who.edit_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

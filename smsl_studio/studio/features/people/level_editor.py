@@ -35,8 +35,8 @@ ABOUT = (
 )
 CHOICES = (("Human", HUMAN), ("Shared", SHARED), ("Automatic", AUTOMATIC), ("As declared", ""))
 USES = "They are part of the record of the run; the file stays as it is"
-WRITES = "What is taken out of the file has to be written; for one run choose another level"
-OUT_TIP = "Their entries in _levels go, and what the blueprint says otherwise counts"
+WRITES = "Taking out changes the file; for one run only, choose another level"
+OUT_TIP = "Remove their entries from _levels; the rest of the blueprint then decides"
 UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 NOT_WRITTEN = "No marked row has an entry in _levels of this file"
 

@@ -104,7 +104,7 @@ class PersonRow(QWidget):
         self.new.returnPressed.connect(self.again.setFocus)
         self.again.returnPressed.connect(self._keep_pin)
         keep = QPushButton("Keep")
-        keep.setToolTip("Two empty fields take the PIN away")
+        keep.setToolTip("Leave both fields empty to remove the PIN")
         keep.setProperty("role", "row")
         keep.setAutoDefault(False)
         keep.clicked.connect(self._keep_pin)
@@ -140,7 +140,7 @@ class PersonRow(QWidget):
     def _keep_pin(self) -> None:
         pin = self.new.text()
         if pin != self.again.text():
-            self.refusal.say("The new PIN was typed in two ways. Type it again.")
+            self.refusal.say("The two new PINs differ. Type them again.")
         elif pin and len(pin) < SHORTEST:
             self.refusal.say(f"A PIN has {SHORTEST} characters or more. Type a longer one.")
         else:

@@ -206,7 +206,7 @@ class RunPane(QWidget):
         if self.next.loaded is None:
             # The worlds are not known before the plugins were searched for.
             self._begin_later = stepping
-            self.canvas.say("Looking at the plugins, the run begins when they are known")
+            self.canvas.say("Loading the plugins. The run begins when they are loaded")
             return
         choice = self.next.choice
         self.events.clear()
@@ -263,7 +263,7 @@ class RunPane(QWidget):
         for name in VIEWS:
             menu.addAction(name, partial(self._look, name))
         self._views.setMenu(menu)
-        self._home = tool("", "fit", "Back to where one looks from", self._tokens)
+        self._home = tool("", "fit", "Back to the chosen view", self._tokens)
         self._home.clicked.connect(self.world.come_back)
         self._world_name = label("", "second")
         words = words_over(label("World", "heading"), self._world_name)

@@ -128,7 +128,7 @@ class Transport(QWidget):
         if self._running:
             words, key, tip = "Pause", "F6", "Hold the run at the next tick (F6)"
         elif self._stopped:
-            words, key, tip = "Reset", "F5", "Unlatch the stop; the run is paused then (F5)"
+            words, key, tip = "Reset", "F5", "Unlatch the stop; the run is then paused (F5)"
         else:
             words, key, tip = "Play", "F5", "Run to the goal (F5)"
         self.play.set_words(words, key, "pause" if self._running else "play")

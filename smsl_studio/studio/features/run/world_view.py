@@ -90,7 +90,7 @@ class WorldView(QWidget):
                 self._renderer.load(self._shapes)
             else:
                 self._sentence = "No graphics here. The run goes on"
-                self.setToolTip(tip_text(f"OpenGL is not to be had: {self._renderer}"))
+                self.setToolTip(tip_text(f"OpenGL is not available: {self._renderer}"))
         self.update()
 
     def clear(self) -> None:

@@ -47,7 +47,7 @@ class SuperviseBar(QWidget):
         for pressed in (self.reset, self.end, self.step, self.play):
             # Enter presses the button with the focus, as in the page.
             pressed.setAutoDefault(True)
-        self.reset.setToolTip("Unlatch the stop, to paused")
+        self.reset.setToolTip("Unlatch the stop; the run is then paused")
         self.end.setToolTip("End the run for good")
         self.reset.clicked.connect(self.reset_wanted)
         self.end.clicked.connect(self.end_wanted)

@@ -102,8 +102,8 @@ class PartialHead(QWidget):
         self.map.setText("Back to the partial view" if on else "Show full map, logged")
         self.map.setEnabled(possible)
         self.map.setToolTip(
-            "Every state and operation of this State Branch. That it was looked at stands in the "
-            "record." if possible else "It is logged in a run's record, and no run is there."
+            "Every state and operation of this State Branch. The record notes that it was "
+            "shown." if possible else "It is logged in a run's record, and no run is there."
         )  # fmt: skip
         self.map.setAccessibleName(plain_text(self.map.text().strip()))
         self._dress_map()

@@ -162,7 +162,7 @@ def test_every_mark_is_seen_in_both_themes_and_goes_again(hfsm: Drawer, marks: M
         assert picture(hfsm) == plain
 
 
-def test_marks_of_what_does_not_stand_here_are_left_alone(hfsm: Drawer) -> None:
+def test_marks_of_elements_that_are_not_shown_are_ignored(hfsm: Drawer) -> None:
     hfsm.canvas.set_marks(
         Marks(
             active="State_gone",

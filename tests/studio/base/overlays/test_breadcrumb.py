@@ -45,4 +45,4 @@ def test_what_is_drawn_in_a_grid_because_it_is_so_large_says_so(
     assert crumb.note == "71 states, 70 operations"
     monkeypatch.setattr("smsl_studio.graph.layout.MOST_SPREAD", 70)
     crumb.show_branch(blueprint, "B")
-    assert crumb.note.endswith(", too many for distances: in columns from S0")
+    assert crumb.note.endswith(", very many, so in columns from S0")

@@ -63,7 +63,7 @@ def test_imports_are_named_from_the_new_folder(
 def test_a_text_that_does_not_read_goes_on_in_its_own_form_alone() -> None:
     given = document("{}")
     assert moved(given, OTHER, whole=False).document.file == "/x/b.json"
-    with pytest.raises(ConvertError, match="does not read cannot be saved as YAML"):
+    with pytest.raises(ConvertError, match="cannot be read cannot be saved as YAML"):
         moved(given, Path("/x/a.yaml"), whole=False)
 
 

@@ -52,7 +52,7 @@ def test_a_journal_that_was_cut_or_damaged_is_refused_or_reads_as_a_whole(
 
 @given(st.binary(max_size=200))
 @settings(max_examples=60)
-def test_any_bytes_are_refused_in_order(raw: bytes) -> None:
+def test_any_other_bytes_are_refused_with_a_sentence(raw: bytes) -> None:
     for odd in (raw, MAGIC + raw, MAGIC + b"{" + raw + b"}\n"):
         with pytest.raises(ReadError, match="journal cannot be read"):
             decode(odd)
@@ -68,7 +68,7 @@ def head(**other: object) -> bytes:
     return MAGIC + json.dumps({**said, **other}).encode() + b"\n" + body
 
 
-def test_the_made_one_is_good() -> None:
+def test_the_entry_made_for_these_tests_is_valid() -> None:
     assert decode(head()).texts == (KeptText("a", "{}"),)
 
 

@@ -119,7 +119,7 @@ def test_locks_without_a_journal_are_swept(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_that_is_none_is_no_trouble(tmp_path: Path) -> None:
+def test_a_missing_folder_is_no_error(tmp_path: Path) -> None:
     assert left_behind(tmp_path / "none") == ()
     odd = tmp_path / "odd.journal"
     odd.mkdir()

@@ -60,7 +60,7 @@ def test_where_nothing_is_unsaved_nothing_is_written(
     assert not (tmp_path / "journal").exists()
 
 
-def test_what_stands_last_is_held_until_it_is_saved(
+def test_the_latest_text_is_kept_until_it_is_saved(
     journal: Journal, work: Work, qtbot: QtBot
 ) -> None:
     for text in ("one", "two", "three"):

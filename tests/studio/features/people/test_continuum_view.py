@@ -26,7 +26,7 @@ def _words(before: Mapping[str, str]) -> list[str]:
     return [row.words for row in _view(before).rows]
 
 
-def test_what_nothing_is_said_of_is_automatic_and_a_person_may_step_in() -> None:
+def test_without_a_declaration_everything_is_automatic_and_a_person_may_step_in() -> None:
     view = _view({})
     edges = sum(branch.edge_count for branch in _blueprint())
     assert [row.name for row in view.rows] == ["Operations", "Facts", "Inspection", "Supervision"]
@@ -60,7 +60,7 @@ def test_the_two_layers_say_what_they_mean() -> None:
 
 
 @pytest.mark.parametrize(("level", "words"), [("human", "human"), ("automatic", "automatic")])
-def test_a_procedure_that_is_one_thing_throughout_says_so(level: str, words: str) -> None:
+def test_a_procedure_with_one_level_throughout_says_so(level: str, words: str) -> None:
     blueprint = _blueprint()
     before = {"inspection": level, "supervision": level}
     for branch in blueprint:

@@ -61,7 +61,7 @@ def test_a_pin_is_typed_twice_and_locks_the_person(dialog: PersonsDialog, person
     _add(dialog, "L. Brandt")
     row = dialog.rows[0]
     row.pin_button.click()
-    for new, again, why in (("12", "12", "4 characters"), ("1234", "1235", "in two ways")):
+    for new, again, why in (("12", "12", "4 characters"), ("1234", "1235", "PINs differ")):
         row.new.setText(new)
         row.again.setText(again)
         row.keep.click()

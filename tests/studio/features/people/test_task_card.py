@@ -158,7 +158,7 @@ def test_an_answer_chosen_for_one_task_is_none_of_another(show: Show) -> None:
     assert not card.answer.button.isEnabled()
 
 
-def test_another_task_takes_no_card_from_under_the_hand(show: Show) -> None:
+def test_another_task_does_not_replace_a_card_that_is_in_use(show: Show) -> None:
     """A more urgent task waits in the queue while this one is open."""
     card = show(BRANDT)
     card.press_letter("M")

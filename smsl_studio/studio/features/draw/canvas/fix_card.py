@@ -48,7 +48,7 @@ class FixCard(Card):
         self.fix.setProperty("role", "primary")
         self.fix.clicked.connect(self._apply)
         self.leave = QPushButton("Close")
-        self.leave.setToolTip("Put this card away; the finding stays in the list")
+        self.leave.setToolTip("Close this card; the finding stays in the list")
         self.leave.clicked.connect(self.hide)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(14, 12, 14, 12)

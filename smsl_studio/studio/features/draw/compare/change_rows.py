@@ -25,7 +25,7 @@ def rows_of(difference: Difference) -> list[ListRow]:
     if difference.moved:
         rows.append(ListRow("Moved in the layout, which is no change of meaning", kind="section"))
     for address in difference.moved[:MOST_MOVED]:
-        words = f"The state {address.state} of {address.branch} stands elsewhere."
+        words = f"The state {address.state} of {address.branch} has another position."
         rows.append(ListRow(words, _moved(difference, address), "fit", pale=True))
     left = len(difference.moved) - MOST_MOVED
     if left > 0:

@@ -12,7 +12,7 @@ from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs, selection_actions
 
 NOT_SHOWN = EditRefused(
-    "the steps of the drawing are undone and done again where it is shown",
+    "undo and redo work only while the drawing is shown",
     advice="Ctrl+1 shows it.",
 )
 
@@ -46,16 +46,16 @@ def edit_actions(
                ("Ctrl+Shift+Z", "Ctrl+Y"), history.canRedo, tip="Do the undone step again"),
         Action("cut", "Cut", clipping.cut, "Edit", "", ("Ctrl+X",),
                lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
-               tip="Take what is selected away, onto the clipboard"),
+               tip="Move the selection to the clipboard"),
         Action("copy", "Copy", clipping.copy, "Edit", "", ("Ctrl+C",),
                lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
                tip="Copy what is selected as SMSL text, for any window or editor"),
         Action("paste", "Paste", clipping.paste, "Edit", "", ("Ctrl+V",), drawn,
                scope="canvas", section=1,
-               tip="Put in what was copied, or any SMSL text, at the pointer"),
+               tip="Paste what was copied, or any SMSL text, at the pointer"),
         Action("duplicate", "Duplicate", clipping.duplicate, "Edit", "", ("Ctrl+D",),
                lambda: drawn() and clipping.can_duplicate(), scope="canvas", section=1,
-               tip="A copy of what is selected, beside it"),
+               tip="Add a copy of the selection next to it"),
         *selection_actions(drawing, drawn),
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),

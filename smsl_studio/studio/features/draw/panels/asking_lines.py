@@ -28,11 +28,11 @@ class AskingLines:
             "“anybody” is a person of any role", "one person, anybody"
         )).field  # fmt: skip
         self.within = form.add("answer_within", NumberLine(
-            "Answer in", "Seconds of simulated time; when they have passed it is no yes, and the "
-            "run holds", NumberBounds(0, open=True), "s", WITHIN
+            "Answer in", "Seconds of simulated time. Then the task has timed out, and "
+            "the run holds", NumberBounds(0, open=True), "s", WITHIN
         )).field  # fmt: skip
         self.escalation = form.add("escalates_to", TextLine(
-            "Then also", "The role that may answer as well from half of the time on", "nobody else"
+            "Then also", "The role that may answer too after half of the time", "nobody else"
         )).field  # fmt: skip
         words = ("question", "roles", "answer_within", "escalates_to")
         self._lines: dict[str, FormLine] = {word: form.line(word) for word in words}

@@ -178,8 +178,8 @@ class FactForm(NoteForm):
     def _word(self, word: str, value: Any) -> None:
         said = {"on": "on", "failure": "failure"}[word]
         words = ", ".join(value) if isinstance(value, list) else value
-        step = f"Let {words} of {self.who()} mean {said}" if value else (
-            f"Leave what means {said} in {self.who()} to the default")  # fmt: skip
+        step = f"Set that {words} means {said} in {self.who()}" if value else (
+            f"Use the default for {said} in {self.who()}")  # fmt: skip
         self._write({word: value}, step)
 
     def _write(self, words: Mapping[str, Any], step: str) -> None:

@@ -42,7 +42,7 @@ class FileForm(Panel):
         self.column.addLayout(row(label("File", "heading"), self._name))
         self.add = QPushButton("Import a file")
         self.add.setProperty("role", "link")
-        self.add.setToolTip("Let another file bring State Branches, named relative to this one")
+        self.add.setToolTip("Import the State Branches of another file, named relative to this one")
         self.add.clicked.connect(self._add)
         self._list = QVBoxLayout()
         self._list.setSpacing(2)

@@ -111,7 +111,7 @@ class Findings(Panel):
             return
         self._pages.setCurrentWidget(self._told)
         self.empty.setText(_faults_told(broken))
-        self.summary.setText("The text does not read")
+        self.summary.setText("The text cannot be read")
         self.fix_all_button.hide()
         self.count_changed.emit(len(broken.error.faults))
 
@@ -172,14 +172,14 @@ class Findings(Panel):
             return
         self._mending = self._session.blueprint
         self._show_mended(0)
-        self.fix_all_button.setToolTip("Call it off; nothing has been changed yet")
+        self.fix_all_button.setToolTip("Cancel; nothing has been changed yet")
         work = partial(mend_errors, self._mending, self._progress.mended.emit)
         self._beside.do(work, partial(self._list_fixes, self._mending))
 
     def _show_mended(self, fixes: int) -> None:
         if self._mending is not None:
             found = f", {fixes} so far" if fixes else ""
-            self.fix_all_button.setText(f"Working it out{found}. Cancel")
+            self.fix_all_button.setText(f"Computing the fixes{found}. Cancel")
 
     def _drop_mending(self) -> None:
         if self._mending is not None:
@@ -193,7 +193,9 @@ class Findings(Panel):
         fixes = len(certain_errors(self._findings))
         self.fix_all_button.setVisible(fixes > 1)
         self.fix_all_button.setText("Fix both…" if fixes == 2 else f"Fix all {fixes:,}…")
-        self.fix_all_button.setToolTip("List the fixes of errors that are certain, and make them")
+        self.fix_all_button.setToolTip(
+            "List the certain fixes of errors, and make them if you agree"
+        )
 
     def _list_fixes(self, blueprint: Blueprint, repair: Repair) -> None:
         if blueprint is not self._mending:
@@ -232,7 +234,7 @@ class _Progress(QObject):
 def _faults_told(broken: Broken) -> str:
     """The faults of a broken text, one line each."""
     faults = broken.error.faults
-    lines = [f"{faults_of(broken)}. What is drawn has its findings listed when it reads again."]
+    lines = [f"{faults_of(broken)}. The findings are listed again when the text can be read."]
     for fault in faults[:MOST]:
         place = f"Line {fault.place.line}, column {fault.place.column}: " if fault.place else ""
         lines.append(f"{place}{capital(fault.sentence)} {fault.advice}".rstrip())

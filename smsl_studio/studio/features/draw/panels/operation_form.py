@@ -83,7 +83,7 @@ class OperationForm(NoteForm):
         seconds = NumberBounds(0, open=True)
         self.title = self.add("title", TextLine("Title", "A plain title, for people")).field
         self.cost = self.add("cost", NumberLine(
-            "Cost", "What a route adds for this operation; 1 where not said", NumberBounds(),
+            "Cost", "What a route adds for this operation; 1 if not set", NumberBounds(),
             hint="1",
         )).field  # fmt: skip
         self.risk = self.add("risk", ChoiceLine(
@@ -95,7 +95,7 @@ class OperationForm(NoteForm):
             "commas between; “anybody” is a person of any role", "nobody"
         )).field  # fmt: skip
         self.duration = self.add("duration", NumberLine(
-            "Duration", "How long it usually takes, in seconds", NumberBounds(), "s", "not said"
+            "Duration", "How long it usually takes, in seconds", NumberBounds(), "s", "not set"
         )).field  # fmt: skip
         self.timeout = self.add("timeout", NumberLine(
             "Time limit", "Seconds until the operation counts as failed", seconds, "s", "none"
@@ -105,7 +105,7 @@ class OperationForm(NoteForm):
             "As its function says",
         )).field  # fmt: skip
         self.resumes = self.add("resumes", SwitchLine(
-            "Resumes", "Whether it goes on after a pause held it; its function says where not said"
+            "Resumes", "Whether it goes on after a pause. If not set, its function decides"
         )).field  # fmt: skip
         self.touches = self.add("touches", DigitsLine(
             "Touches", "Digits of facts that are unknown after it was cancelled, besides those it "

@@ -85,7 +85,7 @@ class TryAlone(QWidget):
     def _press(self) -> None:
         if self._cancelled is not None:
             self._cancelled.set()
-            self._say("Being stopped")
+            self._say("Stopping")
             return
         self._session.settling.emit()
         edge, blueprint = self._edge, self._session.blueprint

@@ -29,7 +29,7 @@ class ChangeBar(QFrame):
         self.theirs = QPushButton("Take theirs")
         self.mine = QPushButton("Keep mine")
         self.theirs.setToolTip("Show what the other program wrote; undo brings yours back")
-        self.mine.setToolTip("Go on with your text; saving puts it in the place of theirs")
+        self.mine.setToolTip("Keep your text; saving overwrites theirs")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 5, 12, 5)
         layout.setSpacing(8)

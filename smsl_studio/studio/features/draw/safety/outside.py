@@ -210,7 +210,7 @@ class OutsideChanges(QObject):
         self._doubted.pop(file, None)
         name = self._files.display(file)
         self._take(look, f"{name} was changed by another program", reading)
-        self.said.emit(f"{name} was changed by another program. Shown is what it holds now.")
+        self.said.emit(f"{name} was changed by another program. The window shows its new text.")
 
     def _held(self, file: str) -> bool:
         """Whether another file is broken, so that no step can be made for this one."""
@@ -274,7 +274,7 @@ class OutsideChanges(QObject):
         name = Path(file).name
         self._session.take(f"Import {name}", reading, self._session.blueprint.file)
         self._settle()
-        self.said.emit(f"{name} is there now, and imported.")
+        self.said.emit(f"{name} exists now, and is imported.")
 
     def _look_for_missing(self) -> None:
         if self._session.broken is None and any(self._signs[one] is None for one in self._watched):

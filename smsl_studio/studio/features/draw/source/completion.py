@@ -80,7 +80,7 @@ def _in_branch(branch: StateBranch | None) -> Iterator[Completion]:
     if branch is not None:
         targets = (target for table in branch.table.values() for target in table.values())
         missing = dict.fromkeys(target for target in targets if target not in branch.table)
-        yield from (Completion(name, "is led to, and missing") for name in missing)
+        yield from (Completion(name, "a target that does not exist yet") for name in missing)
     yield from (
         Completion(name) for name in IN_BRANCH if branch is None or name not in branch.fields
     )

@@ -17,8 +17,8 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, counted
 
 YAML_NOTE = "YAML is written whole: comments may move"
-STANDS = "the graph is the last one that read"
-SALVAGED = "the graph is what could be read"
+STANDS = "the graph shows the last version that could be read"
+SALVAGED = "the graph shows what could be read"
 
 
 class FileRow(QWidget):

@@ -40,7 +40,7 @@ def test_the_nearest_stands_first() -> None:
     assert names(["ab cab", "long_a and_b"], "a b")[0] == "long_a and_b"
 
 
-def test_signs_are_plain_signs() -> None:
+def test_special_characters_of_expressions_are_plain_characters() -> None:
     lines = ["a.b", "a*b", "[x]", "^-]\\", "a\nb"]
     for line in lines[:4]:
         assert names(lines, line) == [line]

@@ -121,7 +121,7 @@ def test_what_is_not_there_is_not_found() -> None:
 
 
 @pytest.mark.parametrize("name", ["sub_cycles", "shared_sub", "sub_chain", "sub_diamonds"])
-def test_what_nobody_looks_at_is_not_worked_out(name: str) -> None:
+def test_lines_that_nobody_asks_for_are_not_made(name: str) -> None:
     blueprint = made(name, 200)
     subs = sum(len(branch.subs) for branch in blueprint)
     assert steps(lambda: OutlineNodes(blueprint)) <= 20 * (len(blueprint.branches) + subs)

@@ -153,7 +153,7 @@ def test_a_line_below_which_something_comes_can_be_opened(make: Make) -> None:
     assert texts(tree) == ["A", "Fact 1", "B", "Fact 1"]
 
 
-def test_of_another_file_nothing_is_kept(make: Make) -> None:
+def test_nothing_of_another_file_is_kept(make: Make) -> None:
     tree = make(read(SMALL))
     tree.collapse(tree.index_of("A"))
     tree.show_blueprint(read(SMALL, "other.json"), True)

@@ -49,7 +49,7 @@ def test_a_folder_that_is_moved_stirs(qapp: QApplication, qtbot: QtBot, tmp_path
     watcher.deleteLater()
 
 
-def test_who_is_busy_beside_a_file_keeps_nobody_from_looking(
+def test_constant_changes_beside_a_file_do_not_delay_looking_for_ever(
     qapp: QApplication, qtbot: QtBot
 ) -> None:
     watcher = Watcher(qapp)

@@ -29,7 +29,7 @@ def test_plain_words_whole_words_case_and_expressions() -> None:
     assert find(text, TextSearch("")).matches == ()
 
 
-def test_what_is_no_expression_or_goes_astray_is_said() -> None:
+def test_an_invalid_or_endless_expression_is_reported() -> None:
     assert "expression" in find("a", TextSearch("(", regular=True)).fault
     assert "too long" in find("a" * 60 + "b", TextSearch("(a+)+$", regular=True)).fault
     for nothing in ("x*", "$", "^"):
@@ -44,7 +44,7 @@ def test_groups_stand_in_the_replacement() -> None:
     assert replaced(Match(0, 1, ("a",)), r"\1", TextSearch("")) == r"\1"
 
 
-def test_one_goes_from_place_to_place(at_text: At) -> None:
+def test_next_and_previous_go_from_match_to_match(at_text: At) -> None:
     writer = at_text()
     bar = writer.pane.find_bar
     writer.key(Qt.Key.Key_F, CTRL)

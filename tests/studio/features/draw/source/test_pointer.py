@@ -58,7 +58,7 @@ def test_f12_and_ctrl_click_go_to_what_a_name_stands_for(at_text: At) -> None:
     assert writer.lines[writer.pane.editor.caret[0]].strip() == '"SB2": {'
 
 
-def test_a_click_selects_also_while_the_text_does_not_read(at_text: At) -> None:
+def test_a_click_selects_also_while_the_text_is_broken(at_text: At) -> None:
     writer = at_text()
     writer.go('"State_2": {"Back": "State_0"')
     writer.key(Qt.Key.Key_Backspace)
@@ -98,7 +98,7 @@ def test_the_file_of_the_shown_sb_is_shown_and_typed_in(at_text: At, tmp_path: P
     assert session.blueprint["SB2"].table["State_1"] == {}
 
 
-def test_while_one_file_does_not_read_no_other_is_typed_in(at_text: At, tmp_path: Path) -> None:
+def test_while_one_file_is_broken_no_other_can_be_typed_in(at_text: At, tmp_path: Path) -> None:
     writer = at_text(session=two_files(tmp_path))
     pane, refused = writer.pane, list[StudioError]()
     writer.session.refused.connect(refused.append)

@@ -76,7 +76,7 @@ def test_a_broken_file_is_shown_with_its_faults_and_repaired_one_by_one(at_text:
     writer = at_text(session=session)
     assert writer.text == text
     assert writer.pane.faults.said.text().startswith("2 faults: line 6")
-    assert writer.pane.faults.said.text().endswith("the graph is what could be read.")
+    assert writer.pane.faults.said.text().endswith("the graph shows what could be read.")
     assert set(writer.pane.editor.gutter.marks) == {5, 7}
     for _ in range(2):
         assert session.broken is not None

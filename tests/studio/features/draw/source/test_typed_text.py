@@ -79,7 +79,7 @@ def test_a_canvas_edit_patches_the_lines_it_changes(at_text: At) -> None:
     assert writer.pane.editor.document().findBlockByNumber(3).revision() == kept
 
 
-def test_what_does_not_read_is_underlined_and_said(at_text: At) -> None:
+def test_a_broken_text_is_underlined_and_reported(at_text: At) -> None:
     writer = at_text()
     good = writer.session.blueprint
     writer.go('"State_1": {}')
@@ -91,7 +91,7 @@ def test_what_does_not_read_is_underlined_and_said(at_text: At) -> None:
     assert writer.pane.faults.isVisible()
     said = writer.pane.faults.said.text()
     assert said.startswith("1 fault: line ")
-    assert said.endswith("the graph is the last one that read.")
+    assert said.endswith("the graph shows the last version that could be read.")
     assert "E" in {mark.severity for mark in writer.pane.editor.gutter.marks.values()}
     writer.type("{}")
     writer.pane.settle()
