@@ -66,3 +66,22 @@ def test_what_is_in_doubt_is_said_anew_also_after_a_second_speaker() -> None:
     host.disturb("table_SB1_0", "none")
     senses.tick()
     assert senses.scene.readings[fact].value == "a"
+
+
+def test_a_reading_from_before_a_doubt_does_not_end_it() -> None:
+    hanoi = sample("hanoi-2")
+    host = LocalHost(hanoi, "table")
+    opened = host.open({"SB1": "State_aa"})
+    senses = Senses(host, opened, opened.rules)
+    fact = ("SB1", 0)
+    senses.look()
+    host.disturb("table_SB1_0", "delay", seconds=0.2)
+    for _ in range(20):
+        senses.tick()
+    assert senses.scene.readings[fact].value == "a"
+    senses.doubt([fact], "it was cancelled")
+    began = senses.time
+    while senses.scene.readings[fact].value is None:
+        senses.tick()
+        assert senses.time < began + 1.0
+    assert senses.time >= began + 0.2 - 1e-9, "it was read before"

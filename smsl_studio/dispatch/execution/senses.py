@@ -18,10 +18,21 @@ from smsl_studio.runlog.events import FactChanged
 
 @dataclass(slots=True)
 class _Doubt:
-    """Why a fact is unknown, and how many samples each of its sources had sent by then."""
+    """Why a fact is unknown since a time, and how many samples each of its sources had sent by
+    then.
+    """
 
     reason: str
+    since: float
     counted: dict[str, int]
+
+    def ends(self, source: SourceState) -> bool:
+        """Whether a source has sent a new sample. One that was read before the doubt, and came
+        late, says nothing about the fact now.
+        """
+        sample = source.sample
+        early = sample is not None and sample.received is None and sample.time < self.since
+        return source.counted > self.counted[source.said.source] and not early
 
 
 class Moment(NamedTuple):
@@ -111,7 +122,7 @@ class Senses:
         Every source that has sent samples of a fact must send a new one. A fact that nobody senses
         stays unknown until a person answers or vouches for it.
         """
-        fresh = {key: _Doubt(reason, {}) for key in sorted(set(facts))}
+        fresh = {key: _Doubt(reason, self.time, {}) for key in sorted(set(facts))}
         for source in self.sources if fresh else ():
             if source.fact in fresh:
                 fresh[source.fact].counted[source.said.source] = source.counted
@@ -162,7 +173,7 @@ class Senses:
                 # If two programs send as this source and one stops, the other must send a new
                 # sample too.
                 doubt.counted[name] = source.counted
-            elif source.counted > doubt.counted[name] or source.said.value is None:
+            elif doubt.ends(source) or source.said.value is None:
                 del doubt.counted[name]
                 if not doubt.counted:
                     del self._doubts[source.fact]
