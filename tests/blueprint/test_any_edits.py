@@ -95,6 +95,7 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "rename_everywhere": lambda: True,
         "index": lambda: chance.randrange(4),
         "digit": lambda: chance.randrange(2),
+        "fact_value": lambda: chance.choice(["", "1", "b", "10", odd]),
         "at": lambda: where,
         "positions": lambda: {at.state: where},
         "key": lambda: key,

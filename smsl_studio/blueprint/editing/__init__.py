@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.additions import add_operation as add_operation
     from smsl_studio.blueprint.editing.additions import add_state as add_state
     from smsl_studio.blueprint.editing.deletion import delete as delete
+    from smsl_studio.blueprint.editing.digits import add_fact as add_fact
+    from smsl_studio.blueprint.editing.digits import delete_fact as delete_fact
+    from smsl_studio.blueprint.editing.digits import move_fact as move_fact
     from smsl_studio.blueprint.editing.excerpts import cut as cut
     from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
     from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
@@ -37,17 +40,20 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "add_branch": "additions",
+    "add_fact": "digits",
     "add_operation": "additions",
     "add_state": "additions",
     "attach_sub": "headers",
     "change_notes": "notes",
     "cut": "excerpts",
     "delete": "deletion",
+    "delete_fact": "digits",
     "detach_sub": "headers",
     "duplicate": "pasted_text",
     "excerpt": "excerpts",
     "keep_activating": "headers",
     "keep_last": "notes",
+    "move_fact": "digits",
     "paste": "pasted_text",
     "rename": "renames",
     "reorder": "moves",

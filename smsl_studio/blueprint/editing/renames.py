@@ -96,26 +96,43 @@ def _renamed_fact(text: str, names: Mapping[str, str]) -> str:
 
 
 def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
-    found = draft.before[branch]
-    leading = [state for state, inside in found.table.items() if old in inside.values()]
-    for state in leading:
-        inner = draft.at(branch, state)
-        for operation, target in found.table[state].items():
-            if target == old:
-                inner[operation] = new
-    rename_keys(draft.at(branch), {old: new})
-    for key in ("INITIAL", "ACTIVATING"):
-        if getattr(found.header, key.lower()) == old:
-            draft.header(branch)[key] = new
-    for table in draft.tables(branch, "_states", "_layout"):
-        rename_keys(table, {old: new})
-    for table in draft.tables(branch, "_operations"):
-        operations = found.table[old]
-        rename_keys(table, {note_key(op, old): note_key(op, new) for op in operations})
+    states_renamed(draft, branch, {old: new})
     gone = (branch, old)
     levels_follow(
         draft, lambda key: (branch, new, key[2]) if len(key) == 3 and key[:2] == gone else key
     )
+
+
+def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
+    """Give states of an SB other names in their places. All that names them follows, but for
+    ``_levels``.
+
+    An entry that is left of a former state is removed if one of the states gets its name.
+    """
+    found = draft.before[branch]
+    for state, inside in found.table.items():
+        leading = {op: names[target] for op, target in inside.items() if target in names}
+        if leading:
+            draft.at(branch, state).update(leading)
+    rename_keys(draft.at(branch), names)
+    for key in ("INITIAL", "ACTIVATING"):
+        named = getattr(found.header, key.lower())
+        if named in names:
+            draft.header(branch)[key] = names[named]
+    former = set(names.values()) - found.table.keys()
+    for table in draft.tables(branch, "_states", "_layout"):
+        for key in former & table.keys():
+            del table[key]
+        rename_keys(table, names)
+    for table in draft.tables(branch, "_operations"):
+        moved = {}
+        for key in list(table):
+            state, *operation = Address.split(key)
+            if len(operation) == 1 and state in former:
+                del table[key]
+            elif len(operation) == 1 and operation[0] in found.table.get(state, {}):
+                moved[key] = note_key(operation[0], names.get(state, state))
+        rename_keys(table, moved)
 
 
 def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool) -> None:
