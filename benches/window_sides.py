@@ -81,10 +81,19 @@ class Seat:
                 yield edit(editing.delete, (address,))
             elif kind == "move a state":
                 yield lambda name=name, x=x, y=y: editor.move({name: (x + 24.0, y + 16.0)})  # type: ignore[misc]
+            elif kind == "duplicate a state":
+                yield edit(lambda bp, one=address: editing.duplicate(bp, [one])[0])
             else:
                 goal = self._names[middle + 5]
                 yield edit(editing.add_operation, "SB1", name, "Op_bench", goal)
             session.history.undo()
+
+    def place_by_hand(self) -> None:
+        """Move one state, as somebody has in most files; the places of all are written then."""
+        name = self._names[0]
+        x, y = self.window.canvas.positions[name]
+        self.window.editor.move({name: (x + 3.0, y + 3.0)})
+        self.rest()
 
     def look(self, near: bool) -> None:
         """Fit the picture, or look at its middle at 100 %."""

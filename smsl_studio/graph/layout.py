@@ -31,6 +31,8 @@ NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
 """The least distance (pixels) between two nodes, across and down. A full node is 108 by 54."""
 _WIDE = 1.6
 """The ratio of the width of a grid to its height."""
+TENTH = 0.1
+"""The unit (pixels) in which a layout is written."""
 TRIED = 200_000
 """The number of places that are tried for all new states together. The other states stand in rows
 below.
@@ -65,8 +67,41 @@ def place_states(
 def place_anew(branch: StateBranch) -> dict[str, Point]:
     """Return the centre of each state's node (pixels), computed without ``_layout``."""
     triangle = in_triangle(branch)
-    if triangle is not None:
-        return triangle
+    return _place_freely(branch) if triangle is None else triangle
+
+
+def is_placed(branch: StateBranch, places: Mapping[str, Point]) -> bool:
+    """Return whether ``place_states`` gives all states of an SB these places.
+
+    A spread takes long. It is not computed if a place is in none of its cells.
+    """
+    if branch.notes.layout:
+        return _are_equal(places, place_states(branch))
+    found = in_triangle(branch)
+    if found is None:
+        if SMALL < len(branch.table) <= MOST_SPREAD:
+            from smsl_studio.graph.spread import CELL_X, CELL_Y
+
+            if any(
+                abs(x - round(x / CELL_X) * CELL_X) > TENTH
+                or abs(y - round(y / CELL_Y) * CELL_Y) > TENTH
+                for x, y in places.values()
+            ):
+                return False
+        found = _place_freely(branch)
+    return _are_equal(places, found)
+
+
+def _are_equal(places: Mapping[str, Point], others: Mapping[str, Point]) -> bool:
+    """Return whether no state has different places in two layouts, as they are written."""
+    return places == others or not any(
+        abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
+        for name, (x, y) in places.items()
+    )
+
+
+def _place_freely(branch: StateBranch) -> dict[str, Point]:
+    """Return the places of states that are in no triangle."""
     if len(branch.table) <= SMALL:
         return in_columns(branch)
     if len(branch.table) > MOST_SPREAD:

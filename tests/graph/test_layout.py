@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import itertools
 from pathlib import Path
+from random import Random
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.generate import rules
 from smsl_studio.graph import layout
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.layout import MOST_SPREAD, is_grid, place_states
+from smsl_studio.graph.layout import MOST_SPREAD, SMALL, TENTH, is_grid, is_placed, place_states
 from smsl_studio.graph.triangle import in_triangle
 from smsl_studio.smsl.json_form import parse_json
 from tests.bombs.test_work import steps
@@ -313,3 +317,27 @@ def test_states_that_no_operations_join_are_seen_at_once_to_be_no_triangle() -> 
     branch = StateBranch("SB", {f"S{i}": {} for i in range(3_000)})
     graph_of(branch)
     assert steps(lambda: in_triangle(branch)) <= 50
+
+
+def test_places_are_told_from_a_new_layout_as_if_it_were_computed() -> None:
+    chance = Random(5)
+    answers = set()
+    for disks in (2, 3, 4):
+        for seed in range(12):
+            blueprint = rules.hanoi(disks)
+            names = list(blueprint["SB1"].table)
+            places = place_states(blueprint["SB1"])
+            for gone in chance.sample(names, chance.choice([0, 1, 1, 2 if disks > 3 else 1])):
+                blueprint = editing.delete(blueprint, [Address("SB1", gone)])
+            if seed % 3 == 0:
+                places = place_states(blueprint["SB1"])
+            if seed % 4 == 0:
+                stays = next(iter(blueprint["SB1"].table))
+                places[stays] = (places[stays][0] + chance.choice([0.04, 7.0]), places[stays][1])
+            branch = blueprint["SB1"]
+            here = {name: places[name] for name in branch.table}
+            anew = place_states(branch)
+            far = max(max(abs(x - anew[n][0]), abs(y - anew[n][1])) for n, (x, y) in here.items())
+            assert is_placed(branch, here) is (far <= TENTH)
+            answers.add((len(branch.table) > SMALL, far <= TENTH))
+    assert len(answers) == 4

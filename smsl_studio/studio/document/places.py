@@ -6,18 +6,15 @@ are remembered here, so that an edit never moves a state that nobody moved.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import compress, filterfalse
 from operator import ne
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.layout import SMALL, place_states
+from smsl_studio.graph.layout import SMALL, is_placed, place_states
 
 Position = tuple[float, float]
-TENTH = 0.1
-"""The precision of a layout in a file (scene units)."""
 
 
 class Places:
@@ -65,7 +62,7 @@ class Places:
                 continue
             kept = former is not None and set(layout.values()) <= set(former.notes.layout.values())
             places = self.of(branch)
-            if (layout and not kept) or _elsewhere(places, place_states(branch)):
+            if (layout and not kept) or not is_placed(branch, places):
                 rest = {state: places[state] for state in branch.table if state in missing}
                 after = editing.set_layout(after, name, rest)
         return after
@@ -118,11 +115,3 @@ def _ends(branch: StateBranch) -> tuple[int | None, int | None]:
     """INITIAL and ACTIVATING by number."""
     index = graph_of(branch).index
     return index.get(branch.initial), index.get(branch.activating)
-
-
-def _elsewhere(places: Mapping[str, Position], others: Mapping[str, Position]) -> bool:
-    """Whether a state has different places in the two layouts."""
-    return places != others and any(
-        abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
-        for name, (x, y) in places.items()
-    )
