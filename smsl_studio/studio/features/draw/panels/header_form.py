@@ -153,7 +153,8 @@ class HeaderForm(Panel):
                 combo.addItem(first)
             combo.model().removeRows(gone.begin + 1, gone.end - gone.begin)
             combo.insertItems(gone.begin + 1, states[gone.first : gone.last])
-            combo.setItemText(0, first)
+            if combo.itemText(0) != first:
+                combo.setItemText(0, first)
             if written is not None and written not in branch.table:
                 combo.setItemText(0, f"{written} (no such state)")
                 combo.setCurrentIndex(0)

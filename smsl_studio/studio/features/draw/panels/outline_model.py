@@ -20,7 +20,7 @@ from PySide6.QtCore import (
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine
+from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine, fact_line
 from smsl_studio.studio.features.draw.panels.outline_nodes import Key, OutlineNode, OutlineNodes
 
 Index = QModelIndex | QPersistentModelIndex
@@ -185,8 +185,24 @@ class OutlineModel(QAbstractItemModel):
             for node in self.nodes.standing((name, None)):
                 index, below = self.index_of(node), node.below
                 self.dataChanged.emit(index, index)
-                if below:
+                if below and not _facts_are_alike(before, after, [one.key for one in below]):
                     self.dataChanged.emit(self.index_of(below[0]), self.index_of(below[-1]))
+
+
+def _facts_are_alike(before: Blueprint, after: Blueprint, keys: list[Key]) -> bool:
+    """Whether a few facts of an SB have the same lines, as after most edits: painting takes longer
+    than this comparison.
+    """
+    if len(keys) > FEW or any(
+        digit is None or name not in before.branches or digit >= before[name].num_facts
+        for name, digit in keys
+    ):
+        return False
+    return all(
+        fact_line(before, name, digit) == fact_line(after, name, digit)
+        for name, digit in keys
+        if digit is not None
+    )
 
 
 def _leads(branch: StateBranch | None) -> object:

@@ -171,3 +171,26 @@ def test_a_star_opens_what_is_below_but_never_without_end(make: Make) -> None:
     deep.setCurrentIndex(deep.index_of("l0"))
     QTest.keyClick(deep, Qt.Key.Key_Asterisk)
     assert 100 < len(shown(deep)) <= FULL + 10
+
+
+def test_facts_are_painted_anew_only_after_an_edit_that_they_show(make: Make) -> None:
+    blueprint = read(SMALL)
+    tree = make(blueprint)
+    told: list[str] = []
+    tree.lines.dataChanged.connect(
+        lambda first, last: told.extend(
+            line_of(tree.lines.index(row, 0, first.parent())).text
+            for row in range(first.row(), last.row() + 1)
+        )
+    )
+    edits: tuple[tuple[Callable[[Blueprint], Blueprint], list[str]], ...] = (
+        (lambda bp: editing.rename(bp, Address("A", "S_00", "o"), "p"), ["A"]),
+        (lambda bp: editing.rename(bp, Address("A", "S_00"), "S_20"), ["A", "Fact 1", "Fact 2"]),
+        (lambda bp: editing.set_note(bp, "A", "_facts", "1", {"name": "held"}),
+         ["A", "Fact 1", "held"]),
+    )  # fmt: skip
+    for edit, changed in edits:
+        told.clear()
+        blueprint = edit(blueprint)
+        tree.show_blueprint(blueprint, another=False)
+        assert told == changed
