@@ -5,9 +5,9 @@ A ``FactKey`` identifies a fact: the name of the SB, and the digit counted from 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, ItemsView, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -29,6 +29,12 @@ class Reading:
     reason: str = ""
     age: float = 0.0
     sensed: bool = True
+
+
+@lru_cache(maxsize=256)
+def fresh_reading(value: str | None) -> Reading:
+    """The reading of a fact that was sensed at this instant: one object for each value."""
+    return Reading(value)
 
 
 NOTHING_SENSED: Mapping[FactKey, Reading] = MappingProxyType({})
@@ -97,11 +103,12 @@ class CheckResult:
 class _Expected(NamedTuple):
     """The values that each fact of a state must have, for a state without sub-SBs.
 
-    Two results are made in advance: one for all facts sensed with these values, and one for no
-    sensed fact.
+    ``fresh`` are these values as readings of this instant. Two results are made in advance: one for
+    all facts sensed with these values, and one for no sensed fact.
     """
 
     pairs: tuple[tuple[FactKey, str], ...]
+    fresh: ItemsView[FactKey, Reading]
     sensed: CheckResult
     believed: CheckResult
 
@@ -187,6 +194,10 @@ def as_expected(
     readings = scene.readings
     if not readings:
         return kept.believed if held == state and kept.pairs else None
+    if not kept.pairs:
+        return None
+    if kept.fresh <= readings.items():
+        return kept.sensed
     unsensed = 0
     for key, value in kept.pairs:
         reading = readings.get(key)
@@ -194,8 +205,6 @@ def as_expected(
             unsensed += 1
         elif reading.value != value:
             return None
-    if not kept.pairs:
-        return None
     if not unsensed:
         return kept.sensed
     return kept.believed if held == state and unsensed == len(kept.pairs) else None
@@ -208,6 +217,7 @@ def _expected(branch: StateBranch, state: str) -> _Expected:
     believed = tuple(Term(key, value, value, True, BELIEVED) for key, value in pairs)
     return _Expected(
         pairs if not branch.subs else (),
+        {key: fresh_reading(value) for key, value in pairs}.items(),
         CheckResult(name, state, sensed),
         CheckResult(name, state, believed),
     )

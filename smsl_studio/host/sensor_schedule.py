@@ -14,7 +14,7 @@ from smsl_studio.host.brief import invalid
 from smsl_studio.host.call import words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
-from smsl_studio.monitor.sample import BAD, GOOD, Sample
+from smsl_studio.monitor.sample import BAD, GOOD, Sample, sample_of
 
 _REMEMBERED = 1000
 """So many different values of sensors are remembered: far more than facts have."""
@@ -40,7 +40,10 @@ class SensorSchedule:
         seed: int = 0,
     ) -> None:
         self._sensors = tuple(sensors)
-        self._calls = tuple(partial(one.function, **one.arguments) for one in self._sensors)
+        self._rows = tuple(
+            (partial(one.function, **one.arguments), one.branch, one.digit, one.name)
+            for one in self._sensors
+        )
         self._read: set[str] = set()
         """Values that were looked at before and are readings."""
         self._every = tuple(_ticks(sensor.period, tick) for sensor in self._sensors)
@@ -54,12 +57,16 @@ class SensorSchedule:
 
     def all(self, subject: Any, time: float) -> tuple[Sample, ...]:
         """Read every sensor. For a disturbed sensor, return the samples that arrive now."""
+        if not self._sensors:
+            return ()
         return self._heard(self._indices, subject, time)
 
     def due(self, subject: Any, ticks: int, time: float) -> tuple[Sample, ...]:
         """Read the sensors whose period ends with this tick. Add delayed samples that arrive
         now."""
         due = self._indices
+        if not due:
+            return ()
         if self._slowest > 1:
             due = [i for i in due if ticks % self._every[i] == 0]
         return self._heard(due, subject, time)
@@ -98,11 +105,11 @@ class SensorSchedule:
     def _heard(self, indices: Sequence[int], subject: Any, time: float) -> tuple[Sample, ...]:
         if not indices and not self._disturbed:
             return ()
+        samples = self._samples(indices, subject, time)
         if not self._disturbed:
-            return tuple([self._sample(index, subject, time) for index in indices])
+            return tuple(samples)
         heard: list[Sample] = []
-        for index in indices:
-            sample = self._sample(index, subject, time)
+        for index, sample in zip(indices, samples, strict=True):
             if index in self._disturbed:
                 self._disturbed[index].take(sample, time)
             else:
@@ -111,37 +118,40 @@ class SensorSchedule:
             heard.extend(disturbed.release(time))
         return tuple(heard)
 
-    def _sample(self, index: int, subject: Any, time: float) -> Sample:
-        sensor = self._sensors[index]
-        self._spoken[index] += 1
-        reason = ""
-        try:
-            value = self._calls[index](subject)
-        except KeyboardInterrupt:
-            raise
-        except BaseException as error:  # SystemExit, and what compiled libraries raise
-            value, reason = None, words_of(error, sensor.location)
-        if type(value) is str and value in self._read:
-            return Sample(
-                sensor.branch, sensor.digit, sensor.name, value, time, self._spoken[index],
-                self._boot,
-            )  # fmt: skip
+    def _samples(self, indices: Sequence[int], subject: Any, time: float) -> list[Sample]:
+        """Read these sensors, all in one pass."""
+        rows, spoken, boot, read = self._rows, self._spoken, self._boot, self._read
+        samples: list[Sample] = []
+        for index in indices:
+            call, branch, digit, name = rows[index]
+            spoken[index] = count = spoken[index] + 1
+            reason, quality = "", GOOD
+            try:
+                value = call(subject)
+            except KeyboardInterrupt:
+                raise
+            except BaseException as error:  # SystemExit, and what compiled libraries raise
+                value, reason = None, words_of(error, self._sensors[index].location)
+            if type(value) is not str or value not in read:
+                value, reason = self._weighed(value, reason)
+                quality = BAD if value is None else GOOD
+            samples.append(
+                sample_of(
+                    (branch, digit, name, value, time, count, boot, reason, quality, None, "")
+                )
+            )
+        return samples
+
+    def _weighed(self, value: Any, reason: str) -> tuple[str | None, str]:
+        """Return what a sensor returned if it is a reading, or None with the reason."""
         wrong = invalid(value)
         if wrong:
-            value, reason = None, wrong
-        elif type(value) is str and len(self._read) < _REMEMBERED:
+            return None, wrong
+        if value is None:
+            return None, reason or "no valid reading"
+        if len(self._read) < _REMEMBERED:
             self._read.add(value)
-        return Sample(
-            sensor.branch,
-            sensor.digit,
-            sensor.name,
-            value,
-            time,
-            self._spoken[index],
-            self._boot,
-            reason or ("no valid reading" if value is None else ""),
-            BAD if value is None else GOOD,
-        )
+        return str(value), reason
 
 
 def _ticks(period: float, tick: float) -> int:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import threading
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
+from itertools import chain
 
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.sample import Sample
@@ -46,32 +47,39 @@ class BusCounts:
 
 
 class Mailbox:
-    """The samples that wait for one subscriber."""
+    """The samples that wait for one subscriber: ``waiting`` has those of each source."""
 
     def __init__(self, bus: FactBus) -> None:
         self._bus = bus
-        self._waiting: dict[SourceKey, list[Sample]] = {}
+        self.waiting: dict[SourceKey, list[Sample]] = {}
 
     def take(self) -> tuple[Sample, ...]:
         """Return the newest sample of every speaker since the last call, in the order in which the
         sources first sent samples."""
-        if not self._waiting:
+        if not self.waiting:
             return ()
         with self._bus.lock:
-            waiting, self._waiting = self._waiting, {}
-        return tuple([sample for samples in waiting.values() for sample in samples])
+            waiting, self.waiting = self.waiting, {}
+        return tuple(chain.from_iterable(waiting.values()))
 
     def close(self) -> None:
         """End the subscription. A second call does nothing."""
         self._bus.forget(self)
-        self._waiting = {}
+        self.waiting = {}
 
-    def put(self, samples: Iterable[Sample]) -> list[tuple[str, SourceKey]]:
+    def put(self, samples: Collection[Sample]) -> list[tuple[str, SourceKey]]:
         """Add waiting samples, while the bus holds its lock. Return a pair (kind of loss, source)
         for each sample that was left out."""
-        waiting, left_out = self._waiting, []
+        left_out: list[tuple[str, SourceKey]] = []
+        if not self.waiting and len(samples) <= MOST_SOURCES:
+            # Nearly always they are all that waits, and each is of another source.
+            alone = {sample[:3]: [sample] for sample in samples}
+            if len(alone) == len(samples):
+                self.waiting = alone
+                return left_out
+        waiting = self.waiting
         for sample in samples:
-            key = (sample.branch, sample.digit, sample.source)
+            key = sample[:3]
             known = waiting.get(key)
             if known is not None:
                 if _beside(known, sample):
@@ -112,11 +120,12 @@ class FactBus:
             if retained:
                 self._counts["retained"] += len(heard)
                 return
-            short = [sample for sample in heard if not too_long(sample)]
-            if len(short) < len(heard):
+            if not _all_short(heard):
+                short = [sample for sample in heard if not too_long(sample)]
                 self._counts["refused"] += len(heard) - len(short)
+                heard = short
             for inbox in self._inboxes:
-                for what, key in inbox.put(short):
+                for what, key in inbox.put(heard):
                     self._counts[what] += 1
                     if what == "replaced":
                         self._flooded(key)
@@ -163,6 +172,16 @@ def _beside(waiting: list[Sample], sample: Sample) -> bool:
         waiting.append(sample)
         return False
     waiting[-1] = sample
+    return True
+
+
+def _all_short(samples: Collection[Sample]) -> bool:
+    """Whether a bus refuses none of these samples for certain: even all texts of each together
+    are short."""
+    for sample in samples:
+        texts = len(sample.branch) + len(sample.source) + len(sample.reason) + len(sample.node)
+        if texts + len(sample.value or "") > LONGEST:
+            return False
     return True
 
 

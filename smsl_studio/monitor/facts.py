@@ -11,12 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from types import MappingProxyType
 from typing import Protocol
 
 from smsl_studio.blueprint.address import fact_text
-from smsl_studio.blueprint.check import FactKey, Reading, Scene
+from smsl_studio.blueprint.check import NOTHING_SENSED, FactKey, Reading, Scene, fresh_reading
 from smsl_studio.errors import UsageError
 from smsl_studio.monitor.aggregate import NOBODY, Aggregate, FactRule, SourceValue, aggregate
 from smsl_studio.monitor.ledger import Ledger
@@ -100,6 +99,12 @@ class FactMonitor:
         self.strangers = 0
         self._facts: dict[FactKey, _Fact] = {}
         self._bare = Scene()
+        self._fresh: dict[FactKey, str] = {}
+        """The values that lone sources have sent at the instant ``_fresh_at``."""
+        self._fresh_at = 0.0
+        self._shown: dict[FactKey, str] = {}
+        """The values of the newest readings if all facts were fresh."""
+        self._readings = NOTHING_SENSED
         for sensor in sensors:
             key = (sensor.branch, sensor.digit)
             if key not in self._facts:
@@ -118,15 +123,23 @@ class FactMonitor:
             alone = len(fact.sources) == 1 and not fact.rule.people
             if alone and fact.rule.aggregation in ("single", "any", "priority"):
                 fact.alone = next(iter(fact.sources.values()))
+        self._lone = all(fact.alone is not None for fact in self._facts.values())
 
     def accept(self, samples: Iterable[Sample], now: float) -> None:
         """Take in samples, at ``now`` (s) on the clock of the run."""
+        if self._fresh_at != now:
+            self._fresh, self._fresh_at = {}, now
+        ledgers, fresh = self._ledgers, self._fresh
         for sample in samples:
-            ledger = self._ledgers.get((sample.branch, sample.digit, sample.source))
+            ledger = ledgers.get(sample[:3])
             if ledger is None:
                 self.strangers += 1
+                continue
+            value = ledger.take(sample, now)
+            if value is not None:
+                fresh[sample[:2]] = value
             else:
-                ledger.take(sample, now)
+                fresh.pop(sample[:2], None)
 
     def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
         """Take in the answer of a person ``who`` to a fact, at ``now`` (s). None takes it back.
@@ -156,8 +169,21 @@ class FactMonitor:
             if self._bare.time != now:
                 self._bare = Scene(time=now)
             return self._bare
+        if self._lone and self._fresh_at == now and len(self._fresh) == len(self._facts):
+            return Scene(self._fresh_readings(), now)
         readings = {key: _reading(fact, now, live) for key, fact in self._facts.items()}
         return Scene(MappingProxyType(readings), now)
+
+    def _fresh_readings(self) -> Mapping[FactKey, Reading]:
+        """Return the readings if every fact has a value of this instant. They are the same object
+        as before if no value is another, which is so in most ticks."""
+        fresh = self._fresh
+        if fresh != self._shown:
+            self._shown = dict(fresh)
+            self._readings = MappingProxyType(
+                {key: fresh_reading(fresh[key]) for key in self._facts}
+            )
+        return self._readings
 
     def sources(self, now: float, live: float = 0.0) -> tuple[SourceState, ...]:
         """Return the state of every source at ``now`` (s), even of sources that do not count."""
@@ -218,7 +244,7 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
     if alone is not None:
         newest = alone.said_now(now)
         if newest is not None:
-            return _fresh_reading(newest.value)
+            return fresh_reading(newest.value)
         only = alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
@@ -227,12 +253,6 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
         elsewhere = any(ledger.live for ledger in fact.sources.values())
         verdict = _patient(fact, verdict, said, live if elsewhere else now)
     return Reading(verdict.value, verdict.reason, verdict.age)
-
-
-@lru_cache(maxsize=256)
-def _fresh_reading(value: str | None) -> Reading:
-    """Return the reading of a fact whose only source has sent a sample at this instant."""
-    return Reading(value)
 
 
 def _patient(fact: _Fact, verdict: Aggregate, said: list[SourceValue], now: float) -> Aggregate:

@@ -31,23 +31,18 @@ class Ledger:
         self._speakers: list[Speaker] = []
         self._only: Speaker | None = None
 
-    def take(self, sample: Sample, now: float) -> None:
+    def take(self, sample: Sample, now: float) -> str | None:
         """Accept a sample if it is newer than all earlier samples of its speaker and not late.
 
-        It arrived at ``now`` (s), or at its own ``received`` time.
+        It arrived at ``now`` (s), or at its own ``received`` time. Return its value if it is
+        evidence of this instant without doubt; None says nothing.
         """
-        if sample.received is not None:
-            now = sample.received
         only = self._only
-        if (
-            only is not None
-            and only.boot == sample.boot
-            and only.node == sample.node
-            and only.follow(sample, now, self.max_age)
-        ):
+        if only is not None and only.follow(sample, now, self.max_age):
             self.counted += 1
-        else:
-            self._weigh(sample, now)
+            return None if only.live or sample.quality != GOOD else sample.value
+        self._weigh(sample, now if sample.received is None else sample.received)
+        return None
 
     def speaker(self, now: float, live: float = 0.0) -> Speaker | None:
         """Return the speaker of the newest sample, or None if there is no sample yet.

@@ -46,6 +46,20 @@ class Speaker:
     newer than the known ones.
     """
 
+    __slots__ = (
+        "_quickest",
+        "_shadow",
+        "_time",
+        "boot",
+        "heard",
+        "latency",
+        "live",
+        "node",
+        "over",
+        "received",
+        "sample",
+    )
+
     def __init__(self, sample: Sample, now: float, over: bool = False) -> None:
         self.node, self.boot, self.over = sample.node, sample.boot, over
         self.sample, self.received, self.heard = sample, now, now
@@ -96,8 +110,14 @@ class Speaker:
         return Fit.FOREIGN if on > HAIR else Fit.FORMER
 
     def follow(self, sample: Sample, now: float, max_age: float) -> bool:
-        """Accept a sample if it is without doubt the next one. Return whether it was accepted."""
-        time = sample.time
+        """Accept a sample if it is without doubt the next one. Return whether it was accepted.
+
+        It came at ``now`` (s), or at its own ``received`` time."""
+        time, received = sample.time, sample.received
+        if sample.boot != self.boot or sample.node != self.node:
+            return False
+        if received is not None:
+            now = received
         way = now - time
         quickest = self._quickest + CREEP * (now - self.received)
         latency = way - quickest
@@ -111,7 +131,7 @@ class Speaker:
             self._quickest, self.latency = way, 0.0
         self.sample, self._time = sample, time
         self.received = self.heard = now
-        self.live = sample.received is not None
+        self.live = received is not None
         return True
 
     def take(self, sample: Sample, now: float) -> None:

@@ -129,3 +129,23 @@ def test_any_thread_may_publish() -> None:
         (name, 299) for name in "abcd"
     ]
     assert bus.counts.published == 1201
+
+
+def test_a_repeated_source_among_the_first_samples_waits_once() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    bus.publish([_sample("eye", 1), _sample("ear", 1), _sample("eye", 2)])
+    assert [(one.source, one.sequence) for one in inbox.take()] == [("eye", 2), ("ear", 1)]
+    assert bus.counts == BusCounts(published=3, replaced=1)
+    bus.publish([_sample("eye", 3)])
+    bus.publish([_sample("eye", 4), _sample("ear", 2)])
+    assert [(one.source, one.sequence) for one in inbox.take()] == [("eye", 4), ("ear", 2)]
+    assert bus.counts == BusCounts(published=6, replaced=2)
+
+
+def test_texts_that_are_long_only_together_are_not_refused() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    bus.publish([_sample("s" * LONGEST, value="v" * LONGEST), _sample()])
+    assert len(inbox.take()) == 2
+    assert bus.counts.refused == 0

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import nan
 
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.blueprint.check import Reading
+from smsl_studio.blueprint.check import FactKey, Reading
 from smsl_studio.monitor.facts import FactMonitor
 from smsl_studio.monitor.sample import Sample
 
@@ -100,3 +101,29 @@ def test_by_priority_the_first_that_can_speak_decides() -> None:
     assert _read(monitor, 1.0).value == "a"
     monitor.accept([_sample("b", 2, source="ear"), _sample(None, 2)], 1.1)
     assert _read(monitor, 1.1).value == "b"
+
+
+_ROUND = st.tuples(
+    st.sampled_from([0.0, 0.05, 0.5]), st.tuples(*[st.sampled_from(["-", None, "a", "b"])] * 2)
+)
+
+
+@given(st.lists(_ROUND, max_size=12))
+def test_a_scene_says_of_each_lone_source_what_the_source_says_now(
+    rounds: list[tuple[float, tuple[str | None, ...]]],
+) -> None:
+    """Whether all sources, some or none have spoken at this instant, or twice (``-``: silent)."""
+    monitor = FactMonitor([Sensor(digit=0), Sensor(digit=1)])
+    now = 1.0
+    former: list[tuple[Mapping[FactKey, Reading], dict[FactKey, Reading]]] = []
+    both: tuple[float, tuple[str | None, ...]] = (0.05, ("a", "b"))
+    for sequence, (pause, values) in enumerate([both, both, *rounds], 1):
+        now += pause
+        spoken = [pair for pair in enumerate(values) if pair[1] != "-"]
+        if spoken:
+            monitor.accept([Sample("SB1", d, "eye", v, now, sequence) for d, v in spoken], now)
+        readings = monitor.scene(now).readings
+        said = {one.fact: one.said for one in monitor.sources(now)}
+        assert dict(readings) == {k: Reading(v.value, v.reason, v.age) for k, v in said.items()}
+        former.append((readings, dict(readings)))
+    assert all(readings == copy for readings, copy in former), "a scene never changes"

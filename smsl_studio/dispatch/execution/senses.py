@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from types import MappingProxyType
 from typing import NamedTuple
 
-from smsl_studio.blueprint.check import FactKey, Reading, Scene
+from smsl_studio.blueprint.check import NOTHING_SENSED, FactKey, Reading, Scene
 from smsl_studio.host.protocol import Host, OpenedWorld, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.bus import FactBus
@@ -35,6 +36,9 @@ class _Doubt:
         return source.counted > self.counted[source.said.source] and not early
 
 
+_TIME = attrgetter("time")
+
+
 class Moment(NamedTuple):
     """A time on the run's clock (simulated s), and on the clock of remote sensors (s)."""
 
@@ -57,6 +61,8 @@ class Senses:
         self._inbox = self.bus.subscribe()
         self._monitor = FactMonitor(opened.sensors, rules)
         self._told: dict[FactKey, str | None] = {}
+        self._compared = NOTHING_SENSED
+        """The readings that were last compared with what was told."""
         self._doubts: dict[FactKey, _Doubt] = {}
         self.time = 0.0
         self.scene = Scene()
@@ -64,8 +70,8 @@ class Senses:
     def look(self) -> tuple[FactChanged, ...]:
         """Read every sensor once, and return the changed facts."""
         samples = self._host.sense()
-        for sample in samples:
-            self.time = max(self.time, sample.time)
+        if samples:
+            self.time = max((self.time, *map(_TIME, samples)))
         return self._take(samples)
 
     def listen(self) -> tuple[FactChanged, ...]:
@@ -86,7 +92,7 @@ class Senses:
     @property
     def moment(self) -> Moment:
         """The current time on both clocks."""
-        return Moment(self.time, self._live)
+        return Moment(self.time, self._live if self._remote is not None else 0.0)
 
     def late(self, since: Moment, facts: Collection[FactKey]) -> tuple[FactKey, ...]:
         """Return those of some facts that rest on a reading which is not newer than a time.
@@ -152,14 +158,13 @@ class Senses:
             self.bus.publish(samples)
         if self._remote is not None:
             self.bus.publish(self._remote.heard())
-        heard = self._inbox.take()
-        if heard:
-            self._monitor.accept(heard, self.time)
+        if self._inbox.waiting:
+            self._monitor.accept(self._inbox.take(), self.time)
         live = self._live if self._remote is not None else 0.0
         self.scene = self._monitor.scene(self.time, live)
         if self._doubts:
             self._dispel()
-        return self._changes() if self.scene.readings else ()
+        return self._changes() if self.scene.readings is not self._compared else ()
 
     def _dispel(self) -> None:
         """Remove the doubts whose sources have all sent new samples. Facts with other doubts are
@@ -187,6 +192,7 @@ class Senses:
 
     def _changes(self) -> tuple[FactChanged, ...]:
         told, readings = self._told, self.scene.readings
+        self._compared = readings
         new = [key for key, one in readings.items() if told.get(key, ...) != one.value]
         return tuple([self._change(key, readings[key]) for key in new]) if new else ()
 
