@@ -8,6 +8,10 @@ in a world where nobody senses anything, so that facts are believed: guards, che
 believed, a library function, a commit and four events are left. The peers fire a transition between
 three states and call a listener: they know no facts, no guards over them and no outcome; py_trees
 ticks a behaviour.
+
+What is kept differs, too: a peer's trace has one word for each operation (sismic's the names of its
+steps), ours four or five events with time and addresses. The peers are warm and walk three edges
+again and again; a route of ours is the first of its run and uses every edge once.
 """
 
 from __future__ import annotations

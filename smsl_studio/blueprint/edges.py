@@ -38,6 +38,7 @@ class Edge:
     (clause 12). ``price`` is its declared cost, by which edges of bases are chosen (clause 10).
     ``requires`` has (SB, digit, value); a digit of -1 is a fact that does not exist. ``fails``
     names the failure if it leads from a state without failure into a failure state.
+    ``text`` is its address as text.
     """
 
     branch: str
@@ -55,18 +56,18 @@ class Edge:
     requires: tuple[tuple[str, int, str], ...] = ()
     fails: str = ""
     address: Address = field(init=False, repr=False, compare=False)
-    _text: str = field(init=False, repr=False, compare=False)
+    text: str = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         address = Address(self.branch, self.source, self.name)
         object.__setattr__(self, "address", address)
-        object.__setattr__(self, "_text", str(address))
+        object.__setattr__(self, "text", str(address))
 
     def __hash__(self) -> int:
-        return hash(self._text)
+        return hash(self.text)
 
     def __str__(self) -> str:
-        return self._text
+        return self.text
 
 
 class Extra(Protocol):

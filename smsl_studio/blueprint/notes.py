@@ -36,6 +36,8 @@ class Notes:
         """Return the note of one edge: that of its name, with the changes of the edge's own
         note.
         """
+        if not self.operations:
+            return _plain()
         key = note_key(operation, state)
         common, own = self.operations.get(note_key(operation)), self.operations.get(key)
         if common is None or own is None:

@@ -129,7 +129,8 @@ class Dispatcher(Commands):
         if driver.ended is not None:
             self._ended = driver.ended
             driver.run.emit(driver.ended)
-        return self._drain()
+        self._status = None
+        return driver.run.drain()
 
     def watch(self) -> tuple[Event, ...]:
         """Return the events of a run that stands still: the host may be lost, and remote sensors
@@ -251,6 +252,4 @@ class Dispatcher(Commands):
 
     def _drain(self) -> tuple[Event, ...]:
         self._status = None
-        if self._driver is None:
-            return ()
-        return self._driver.run.drain()
+        return self._driver.run.drain() if self._driver is not None else ()

@@ -6,7 +6,7 @@ from collections.abc import Generator
 from typing import Any
 
 from smsl_studio.host.brief import words_for
-from smsl_studio.host.protocol import Outcome
+from smsl_studio.host.protocol import RETURNED, RUNNING, Outcome
 from smsl_studio.library.bound import BoundOperation
 from smsl_studio.library.plugin_package import where
 
@@ -30,12 +30,12 @@ class Call:
         except StopIteration as end:
             if end.value is False:
                 return Outcome.FAILED, f"{self._bound.name} says that it failed"
-            return Outcome.RETURNED, ""
+            return RETURNED, ""
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # SystemExit, and what compiled libraries raise
             return Outcome.RAISED, words_of(error, self._bound.location)
-        return Outcome.RUNNING, ""
+        return RUNNING, ""
 
     def drop(self) -> None:
         """End the function at its current ``yield``. Errors that it raises then are ignored."""

@@ -18,7 +18,8 @@ class Injections:
         self._world = world
         self._offered = dict(offered)
         self._location = location
-        self._ongoing: list[tuple[str, Generator[Any, Any, Any]]] = []
+        self.ongoing: list[tuple[str, Generator[Any, Any, Any]]] = []
+        """The faults that last, with the code that goes on at the next tick."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -50,17 +51,15 @@ class Injections:
         except BaseException as error:  # SystemExit, and what compiled libraries raise
             raise self._broke(name, error) from None
         if lasts:
-            self._ongoing.append((name, begun))
+            self.ongoing.append((name, begun))
 
     def resume(self) -> None:
         """Advance every fault that lasts by one tick."""
-        if not self._ongoing:
-            return
-        ongoing, self._ongoing = self._ongoing, []
+        ongoing, self.ongoing = self.ongoing, []
         for name, generator in ongoing:
             try:
                 if _resume(generator):
-                    self._ongoing.append((name, generator))
+                    self.ongoing.append((name, generator))
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
@@ -68,7 +67,7 @@ class Injections:
 
     def drop(self) -> None:
         """Forget the faults that last, because the world begins anew."""
-        self._ongoing = []
+        self.ongoing = []
 
     def _broke(self, name: str, error: BaseException) -> HostError:
         words = words_of(error, self._location)

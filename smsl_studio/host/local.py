@@ -21,13 +21,15 @@ from smsl_studio.host.cost_functions import CostFunctions
 from smsl_studio.host.fact_rules import rules_of
 from smsl_studio.host.injections import Injections
 from smsl_studio.host.protocol import (
+    IDLE,
+    RUNNING,
     Bound,
     Happened,
     OpenedWorld,
-    Outcome,
     Priced,
     SensorInfo,
     Tick,
+    tick_of,
 )
 from smsl_studio.host.sensor_schedule import SensorSchedule
 from smsl_studio.library.bindings import bind
@@ -75,7 +77,6 @@ class LocalHost:
         self._offered: Mapping[str, FaultEntry] | None = None
         self._costing = CostFunctions({})
         self._stepping = self._mending("broke")
-        self._aside = _prints_aside()
         self._ticks = 0
         self._boot = 0
         self._poses: tuple[float, ...] = ()
@@ -128,8 +129,12 @@ class LocalHost:
     def sense(self) -> tuple[Sample, ...]:
         """Read every sensor once. The simulated time does not move."""
         engine = self._engine or self._standing()
-        with self._aside:
+        # As ``_prints_aside``, without its calls: this is done at every tick.
+        kept, sys.stdout = sys.stdout, sys.stderr
+        try:
             return self._sensing.all(self._subject, self._ticks * engine.tick)
+        finally:
+            sys.stdout = kept
 
     def begin(self, edge: Address) -> None:
         """Start the library function bound to an edge; it first moves at the next tick."""
@@ -145,13 +150,15 @@ class LocalHost:
         """Advance the world and the running call by one tick. HostError if the world's code raises
         an error."""
         engine = self._engine or self._standing()
-        outcome, message = Outcome.IDLE, ""
-        with self._aside:
+        outcome, message = IDLE, ""
+        kept, sys.stdout = sys.stdout, sys.stderr
+        try:
             if self._call is not None:
                 outcome, message = self._call.resume()
-                if outcome is not Outcome.RUNNING:
+                if outcome is not RUNNING:
                     self._call = None
-            self._injecting.resume()
+            if self._injecting.ongoing:
+                self._injecting.resume()
             try:
                 engine.step()
             except BaseException as error:
@@ -160,7 +167,9 @@ class LocalHost:
             self._ticks += 1
             time = self._ticks * engine.tick
             samples = self._sensing.due(self._subject, self._ticks, time)
-        return Tick(time, outcome, samples, message)
+        finally:
+            sys.stdout = kept
+        return tick_of((time, outcome, samples, message))
 
     def cancel(self, mode: str) -> None:
         """End the running call. ``abort`` and ``hold`` brake the world and drop the call;
@@ -316,7 +325,7 @@ class _Mending:
 
 
 class _prints_aside:  # noqa: N801 -- used as contextlib's own are
-    """Sends printed output to standard error. It is entered at every tick."""
+    """Sends printed output to standard error."""
 
     __slots__ = ("_kept",)
 

@@ -7,9 +7,10 @@ process host give equal answers to equal calls.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import partial
 from typing import NamedTuple, Protocol
 
 from smsl_studio.blueprint.address import Address
@@ -32,6 +33,10 @@ class Outcome(Enum):
     FAILED = "failed"
     """The function returned False."""
     RAISED = "raised"
+
+
+IDLE, RUNNING, RETURNED = Outcome.IDLE, Outcome.RUNNING, Outcome.RETURNED
+"""Some outcomes as plain names, because an attribute of an enumeration is slow to look up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,6 +141,12 @@ class Tick(NamedTuple):
     outcome: Outcome
     samples: tuple[Sample, ...]
     message: str = ""
+
+
+tick_of: Callable[[tuple[float, Outcome, tuple[Sample, ...], str]], Tick] = partial(
+    tuple.__new__, Tick
+)
+"""Return the tick with these fields. This is quicker than a call of ``Tick``."""
 
 
 class Host(Protocol):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import OperationNote
@@ -13,9 +13,9 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place
 
 
-@dataclass(frozen=True, slots=True)
-class BoundOperation:
-    """The code of one edge, ready to be called as ``function(world, **arguments)``.
+class BoundOperation(NamedTuple):
+    """The code of one edge, ready to be called as ``function(world, **arguments)``. It is a light
+    value, because the table world makes one whenever an operation begins.
 
     ``exact`` says that the binding names exactly this ``State/Operation``. ``location`` is the
     folder of the code. ``timeout`` is in simulated seconds. ``resumes`` and ``touches`` have the
@@ -102,4 +102,6 @@ def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:
 def noted_touches(branch: StateBranch, note: OperationNote) -> tuple[FactKey, ...]:
     """Return the facts that may have any value after an operation is cancelled, as an annotation
     declares them."""
+    if not note.touches:
+        return ()
     return tuple((branch.name, digit) for digit in note.touches if digit < branch.num_facts)

@@ -8,6 +8,7 @@ them. Every fact is sensed at every tick (clause 14).
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping
+from itertools import count, repeat
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
@@ -46,8 +47,10 @@ def table_bindings(blueprint: Blueprint) -> Bindings:
 
 def facts_of(branch: StateBranch, state: str) -> dict[FactKey, str]:
     """Return the facts of a state, without the facts that a sub-SB expands."""
-    name, subs, values = branch.name, branch.subs, enumerate(branch.facts(state))
-    return {(name, digit): value for digit, value in values if digit not in subs}
+    facts = dict(zip(zip(repeat(branch.name), count()), branch.facts(state), strict=False))
+    for digit in branch.subs:
+        facts.pop((branch.name, digit), None)
+    return facts
 
 
 def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:

@@ -7,6 +7,8 @@ why the step was refused at once. The text is empty if the step begins or if peo
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import HUMAN, SHARED
 from smsl_studio.blueprint.joint import JointStep
@@ -50,9 +52,11 @@ class Admission:
         nobody supervises the choice, and the run does not hold if it is refused.
         """
         self.proposed, self.chosen = step.asked.address, chosen
-        facts = of_step(self._run, step)
-        if not facts:
-            return self._guarded(step, chosen)
+        facts = of_step(self._run, step) if self._run.people_say else ()
+        return self._informed(step, chosen, facts) if facts else self._guarded(step, chosen)
+
+    def _informed(self, step: JointStep, chosen: bool, facts: Sequence[Question]) -> str:
+        """Ask people for facts first, then ask the guards."""
 
         def said(closed: tuple[Closed, ...]) -> None:
             """Go on to the guards if people have told all facts. Otherwise refuse the step."""
@@ -79,7 +83,7 @@ class Admission:
 
     def _guarded(self, step: JointStep, chosen: bool) -> str:
         run = self._run
-        reasons = self._barred(step) or refusals(run, step)
+        reasons = (self._course.shut and self._barred(step)) or refusals(run, step)
         if reasons:
             return self._refuse(step, chosen, reasons)
         if chosen:
@@ -99,7 +103,10 @@ class Admission:
                 self._course.drop_plan()
             return ""
         if run.levels.supervision != HUMAN:
-            return self._confirmed(step, chosen, fresh=True)
+            if run.people_act:
+                return self._confirmed(step, chosen, fresh=True)
+            self._conduct.begin(step, chosen)
+            return ""
         nobody = self._supervised(step)
         return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
@@ -109,8 +116,15 @@ class Admission:
         ``fresh`` says that the guards were checked at this moment.
         """
         questions = confirmations(self._run, step) if self._run.people_act else ()
-        if not questions:
-            return self._begin(step, chosen, fresh)
+        if questions:
+            return self._consented(step, chosen, questions)
+        if not fresh:
+            return self._begin(step, chosen)
+        self._conduct.begin(step, chosen)
+        return ""
+
+    def _consented(self, step: JointStep, chosen: bool, questions: Sequence[Question]) -> str:
+        """Ask people whether the step may begin."""
 
         def said(closed: tuple[Closed, ...]) -> None:
             """Begin the step if everybody has agreed. Otherwise refuse it."""
@@ -120,9 +134,9 @@ class Admission:
         nobody = self._desk.ask(questions, said)
         return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
-    def _begin(self, step: JointStep, chosen: bool, fresh: bool = False) -> str:
+    def _begin(self, step: JointStep, chosen: bool) -> str:
         """Begin a step if the guards still agree."""
-        reasons = () if fresh else self._barred(step) or refusals(self._run, step)
+        reasons = self._barred(step) or refusals(self._run, step)
         if reasons:
             return self._refuse(step, chosen, reasons)
         self._conduct.begin(step, chosen)

@@ -25,7 +25,7 @@ from smsl_studio.dispatch.execution.desk import Desk
 from smsl_studio.dispatch.execution.outlook import Outlook
 from smsl_studio.dispatch.execution.price_updates import PriceUpdates
 from smsl_studio.dispatch.execution.run import LiveRun
-from smsl_studio.dispatch.execution.stage import ActionStage, StepFailure
+from smsl_studio.dispatch.execution.stage import ASKING, DONE, RUNNING, StepFailure
 from smsl_studio.dispatch.execution.trouble import Hold, Trouble
 from smsl_studio.dispatch.people.board import Closed
 from smsl_studio.dispatch.route.course import Course
@@ -121,7 +121,7 @@ class Driver:
         else:
             self._tick()
             self.carrier.watch()
-            if self.carrier.stage is not ActionStage.ASKING:
+            if self.carrier.stage is not ASKING:
                 self.desk.withdraw()
                 self._after(self.carrier)
                 return
@@ -132,7 +132,7 @@ class Driver:
         """Return whether people are asked about a step that has ended meanwhile. Then the questions
         are withdrawn.
         """
-        if self.carrier is None or self.carrier.stage is ActionStage.ASKING:
+        if self.carrier is None or self.carrier.stage is ASKING:
             return False
         self.desk.withdraw()
         return True
@@ -166,7 +166,7 @@ class Driver:
         self.run.emit(*changes)
 
     def _propose(self) -> None:
-        if self._lost():
+        if self.run.critical and self._lost():
             return
         if self.arrival.closing or self.arrival.open:
             self.arrival.begin()
@@ -180,7 +180,11 @@ class Driver:
     def _next(self) -> JointStep | None:
         """Return the next step of the route, or None if the run holds instead."""
         run, course = self.run, self.course
-        self.pricing.ask()
+        if run.opened.priced:
+            self.pricing.ask()
+        step = course.following(run.configuration)
+        if step is not None:
+            return step
         try:
             with restartable():
                 step, leg = course.next_step(run.configuration)
@@ -213,26 +217,29 @@ class Driver:
         else:
             self.loops.count(self.run.configuration, step.asked)
         self.state.begin(chosen)
-        self.release()
-        self.desk.withdraw()
+        self._no_trouble()
+        if self.desk.busy:
+            self.desk.withdraw()
         self.carrier = Carrier(self.run, step)
         self._carry(self.carrier)
 
     def _carry(self, carrier: Carrier) -> None:
         if carrier.failure is None:
             carrier.advance(self.course.shut)
+            if carrier.stage is RUNNING:
+                return
         self._after(carrier)
 
     def _after(self, carrier: Carrier) -> None:
         """Handle the new stage of a step, after a tick or an answer."""
-        if carrier.stage is ActionStage.ASKING:
+        if carrier.stage is ASKING:
             nobody = self.desk.ask(carrier.wants, partial(self._answered, carrier))
             if nobody:
                 carrier.unanswered(nobody)
         if carrier.failure is not None:
             self.carrier = None
             self._failed(carrier.step, carrier.failure)
-        elif carrier.stage is ActionStage.DONE:
+        elif carrier.stage is DONE:
             self.carrier = None
             if self.run.broken():
                 self.hold(self.trouble.relocalise())
@@ -350,6 +357,9 @@ class Driver:
     def release(self) -> None:
         """End the hold."""
         self.state.release()
+        self._no_trouble()
+
+    def _no_trouble(self) -> None:
         self.sentence, self._broken_since = "", None
         self.trouble.forget()
 

@@ -21,26 +21,23 @@ class LoopGuard:
 
     def __init__(self, most: int = VISITS) -> None:
         self.most = most
-        self._visits: dict[tuple[tuple[str, ...], str], int] = {}
+        self._visits: dict[tuple[str, ...], int] = {}
+        """How often each edge (last, as text) was begun from each configuration."""
 
     def why_not(self, configuration: Mapping[str, str], edge: Edge) -> str:
         """Return why an edge must not begin: it was begun too often from here. Empty if it may
         begin.
         """
-        if self._visits.get(_key(configuration, edge), 0) < self.most:
+        if self._visits.get((*configuration.values(), edge.text), 0) < self.most:
             return ""
         here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
         return f"{edge} was begun {self.most} times from {here} without getting further."
 
     def count(self, configuration: Mapping[str, str], edge: Edge) -> None:
         """Count one beginning of an edge."""
-        key = _key(configuration, edge)
+        key = (*configuration.values(), edge.text)
         self._visits[key] = self._visits.get(key, 0) + 1
 
     def forget(self) -> None:
         """Set all counts to zero."""
         self._visits.clear()
-
-
-def _key(configuration: Mapping[str, str], edge: Edge) -> tuple[tuple[str, ...], str]:
-    return tuple(configuration.values()), str(edge)

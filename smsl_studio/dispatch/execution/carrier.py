@@ -14,16 +14,28 @@ from smsl_studio.dispatch.execution.guards import doubt
 from smsl_studio.dispatch.execution.needed import in_checks
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.safeguards import Safeguards
-from smsl_studio.dispatch.execution.stage import ENDED, ActionStage, StepFailure, fault_words
+from smsl_studio.dispatch.execution.stage import (
+    ASKING,
+    DONE,
+    ENDED,
+    FAILED,
+    NEXT,
+    RUNNING,
+    SETTLING,
+    ActionStage,
+    StepFailure,
+    fault_words,
+)
 from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.questions import operation_task
-from smsl_studio.host.protocol import Bound, Outcome, Tick
+from smsl_studio.host.protocol import RETURNED, Bound, Tick
+from smsl_studio.host.protocol import RUNNING as GOES_ON
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 from smsl_studio.world.engines import TABLE
 
 HAIR = 1e-9
-MOVING = (ActionStage.RUNNING, ActionStage.ASKING, ActionStage.SETTLING)
+MOVING = (RUNNING, ASKING, SETTLING)
 UNSURE = "the operation was cancelled and may have changed it"
 
 
@@ -37,9 +49,9 @@ class Carrier:
 
     def __init__(self, run: LiveRun, step: JointStep) -> None:
         self.step = step
-        self.stage = ActionStage.NEXT
+        self.stage: ActionStage = NEXT
         self.failure: StepFailure | None = None
-        self.since = run.time
+        self.since = run.senses.time
         self.check: CheckResult | None = None
         self.wants: tuple[Question, ...] = ()
         self.action = step.actions[0]
@@ -51,7 +63,7 @@ class Carrier:
         self._blame = self._answerable = True
         self._unanswered = False
         self._by = ""
-        self._rests = Safeguards(run, step)
+        self._rests = Safeguards(run, step) if run.guarded else None
         self._lost: tuple[str, ...] = ()
 
     @property
@@ -67,7 +79,7 @@ class Carrier:
     @property
     def remaining(self) -> tuple[Edge, ...]:
         """The edges that have not started yet."""
-        later = self._index if self.stage is ActionStage.NEXT else self._index + 1
+        later = self._index if self.stage is NEXT else self._index + 1
         return tuple(e for action in self.step.actions[later:] for e in action.begins)
 
     @property
@@ -78,7 +90,7 @@ class Carrier:
     @property
     def can_freeze(self) -> bool:
         """Whether a pause may freeze the step as it is, so that it can go on later."""
-        return self.stage in (ActionStage.ASKING, ActionStage.SETTLING) or (
+        return self.stage in (ASKING, SETTLING) or (
             self.bound.stop == "hold" and self.bound.resumes
         )
 
@@ -91,18 +103,18 @@ class Carrier:
     @property
     def touched(self) -> tuple[FactKey, ...]:
         """The facts that actions which have begun and are not committed may have changed."""
-        begun = self.step.actions[: self._index + (self.stage is not ActionStage.NEXT)]
+        begun = self.step.actions[: self._index + (self.stage is not NEXT)]
         return tuple(sorted(touched(self._run, begun, set(self.uncommitted))))
 
     def advance(self, shut: Mapping[Address, str]) -> None:
         """Make one tick. Then ``stage`` says whether the step goes on, is done or has failed.
         ``shut`` are the edges that must not begin, with reasons.
         """
-        if self.stage is ActionStage.NEXT:
+        if self.stage is NEXT:
             self._begin(shut)
-        elif self.stage is ActionStage.RUNNING:
-            self._running()
-        elif self.stage is ActionStage.SETTLING:
+        elif self.stage is RUNNING:
+            self._go_on()
+        elif self.stage is SETTLING:
             tick = self._tick()
             self._notice()
             if tick.time >= self._until - HAIR:
@@ -115,10 +127,10 @@ class Carrier:
         """
         if not self.moving or not self._notice():
             return
-        own = self.stage is ActionStage.RUNNING or self._person_acts
-        if self.stage is ActionStage.SETTLING or (own and self.bound.stop == "finish"):
+        own = self.stage is RUNNING or self._person_acts
+        if self.stage is SETTLING or (own and self.bound.stop == "finish"):
             return
-        if self.stage is ActionStage.RUNNING:
+        if self.stage is RUNNING:
             self._cancel(self.bound.stop, "cancelled", self._lost_words)
         else:
             self._end_asking(self._lost_words)
@@ -126,7 +138,7 @@ class Carrier:
 
     def _notice(self) -> bool:
         """Return whether the step has lost a needed fact just now, and not before."""
-        if self._lost:
+        if self._rests is None or self._lost:
             return False
         asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
         self._lost = self._rests.lost([fact for fact in asked if fact is not None])
@@ -138,21 +150,21 @@ class Carrier:
 
     @property
     def _person_acts(self) -> bool:
-        return self.stage is ActionStage.ASKING and self.wants[0].kind == "operation"
+        return self.stage is ASKING and self.wants[0].kind == "operation"
 
     def abort(self, mode: str, reason: str) -> None:
         """Cancel the running function. The step fails after the world has settled, and no operation
         is tagged risky.
         """
-        if self.stage is ActionStage.RUNNING:
+        if self.stage is RUNNING:
             self._cancel(mode, "cancelled", reason)
             self._fault, self._blame = reason, False
             self._settle()
-        elif self.stage is ActionStage.ASKING:
+        elif self.stage is ASKING:
             self._end_asking(reason)
             self._fault, self._blame = reason, False
             self._settle()
-        elif self.stage is ActionStage.NEXT:
+        elif self.stage is NEXT:
             self._fail(reason, risky=False, pending=bool(self._run.transit))
 
     def cut(self, reason: str) -> tuple[FactKey, ...]:
@@ -160,12 +172,12 @@ class Carrier:
         Return the facts that the step may have changed.
         """
         touched = self.touched
-        if self.stage is ActionStage.RUNNING:
+        if self.stage is RUNNING:
             stop = self.bound.stop
             self._cancel("hold" if stop == "finish" else stop, "cancelled", reason)
-        elif self.stage is ActionStage.ASKING:
+        elif self.stage is ASKING:
             self._end_asking(reason)
-        self.stage = ActionStage.FAILED
+        self.stage = FAILED
         return touched
 
     def _end_asking(self, reason: str) -> None:
@@ -192,7 +204,8 @@ class Carrier:
         if barred is not None:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
-        self._lost = self._rests.begin(action)
+        if self._rests is not None:
+            self._lost = self._rests.begin(action)
         if self._lost:
             self._fail(self._lost_words, risky=False, pending=bool(run.transit))
             return
@@ -201,22 +214,23 @@ class Carrier:
             self._fail(unsure, risky=False, pending=bool(run.transit))
             return
         run.cross(action.transit)
-        now = run.time
+        now = run.senses.time
         for edge in action.begins:
-            function = self.bound.function if edge is action.edge else self._function(edge)
-            address, target = str(edge), edge.target
-            run.emit(OperationStarted(t=now, address=address, target=target, function=function))
+            function = run.bound[edge.address].function if edge.function else ""
+            run.tell(
+                OperationStarted(t=now, address=edge.text, target=edge.target, function=function)
+            )
         if run.people_say:
             run.emit(*run.senses.forget(changed_by(run, action)))
         self.since, self._answerable, self._by = now, True, ""
-        if run.by_person(action.edge):
+        if run.people_act and run.by_person(action.edge):
             self._want(operation_task(run.blueprint, action.edge.address))
             return
         run.host.begin(action.edge.address)
-        self.stage = ActionStage.RUNNING
+        self.stage = RUNNING
 
     def _want(self, *questions: Question) -> None:
-        self.wants, self.stage = questions, ActionStage.ASKING
+        self.wants, self.stage = questions, ASKING
 
     def answered(self, closed: Sequence[Closed]) -> None:
         """Go on after people have answered the questions, or will not answer them."""
@@ -247,7 +261,7 @@ class Carrier:
                 # Nobody can touch a table in memory, so its function writes down what the person
                 # has done.
                 run.host.begin(edge.address)
-                self.stage = ActionStage.RUNNING
+                self.stage = RUNNING
                 return
             self._ended("returned", self._by)
         else:
@@ -256,25 +270,27 @@ class Carrier:
             self._fault, self._blame, self._unanswered = no, told, not told
         self._settle()
 
-    def _function(self, edge: Edge) -> str:
-        if not edge.function:
-            return ""
-        return self._run.bound[edge.address].function
-
     def _tick(self) -> Tick:
         tick, changes = self._run.senses.tick()
-        self._run.emit(*changes)
+        if changes:
+            self._run.emit(*changes)
         return tick
 
-    def _running(self) -> None:
-        tick = self._tick()
-        if tick.outcome is Outcome.RUNNING:
+    def _go_on(self) -> None:
+        """Let the world and the function go on for one tick."""
+        tick, changes = self._run.senses.tick()
+        if changes:
+            self._run.emit(*changes)
+        if tick.outcome is GOES_ON:
             self.watch()
             limit = self.bound.timeout
-            if self.stage is not ActionStage.RUNNING or tick.time - self.since < limit - HAIR:
+            if self.stage is not RUNNING or tick.time - self.since < limit - HAIR:
                 return
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
             self._cancel("abort", "timed_out", self._fault)
+        elif tick.outcome is RETURNED:
+            self._ended("returned", tick.message or self._by)
+            self._notice()
         else:
             self._ended(ENDED[tick.outcome], tick.message or self._by)
             self._fault = fault_words(self.action.edge, tick)
@@ -282,14 +298,14 @@ class Carrier:
         self._settle()
 
     def _ended(self, outcome: str, message: str) -> None:
-        run = self._run
-        address = str(self.action.edge)
-        run.emit(OperationEnded(t=run.time, address=address, outcome=outcome, message=message))
+        run, address = self._run, self.action.edge.text
+        now = run.senses.time
+        run.tell(OperationEnded(t=now, address=address, outcome=outcome, message=message))
 
     def _settle(self) -> None:
-        self.stage = ActionStage.SETTLING
+        self.stage = SETTLING
         settle = self._run.opened.settle
-        self._until = self._run.time + settle
+        self._until = self._run.senses.time + settle
         if settle <= 0:
             self._decide()
 
@@ -299,7 +315,8 @@ class Carrier:
         """
         run, action = self._run, self.action
         run.look()
-        self._notice()
+        if self._rests is not None:
+            self._notice()
         if self._fault:
             self._fail(self._fault, risky=self._blame, unanswered=self._unanswered)
             return
@@ -308,8 +325,12 @@ class Carrier:
             return
         after = action.after
         run.cross(after, action.moved)
-        targets = {**action.moved, **action.committed}
-        checks = [run.check(branch, state, after) for branch, state in targets.items()]
+        targets = action.moved
+        if action.committed is not targets:  # where one SB moves alone they are one object
+            targets = {**targets, **action.committed}
+        checks: list[CheckResult] = []
+        for branch, state in targets.items():
+            checks.append(run.check(branch, state, after))
         asked = in_checks(run, checks) if run.people_say and self._answerable else ()
         if asked and all(check.truth is not False for check in checks):
             self._answerable = False
@@ -323,33 +344,33 @@ class Carrier:
                 return
         if action.commits:
             run.commit(action.committed, action.commits)
-            operations = tuple(map(str, action.commits))
+            operations = tuple([edge.text for edge in action.commits])
             committed = dict(action.committed)
-            run.emit(Committed(t=run.time, operations=operations, configuration=committed))
-        self._rests.end(action)
+            now = run.senses.time
+            run.tell(Committed(t=now, operations=operations, configuration=committed))
+        if self._rests is not None:
+            self._rests.end(action)
         self._index += 1
         if self._index == len(self.step.actions):
-            self.stage = ActionStage.DONE
+            self.stage = DONE
             return
-        self.action, self.stage = self.step.actions[self._index], ActionStage.NEXT
+        self.action, self.stage = self.step.actions[self._index], NEXT
         broken = run.broken()
         if broken:
             words = "; ".join(all_words(run.blueprint, broken))
             self._fail(words, risky=False, pending=bool(run.transit))
 
     def _told(self, check: CheckResult) -> None:
-        run, truth = self._run, check.truth
-        # A check that is true has neither. Most checks are true, so this saves time.
-        misses = () if truth else all_words(run.blueprint, check.misses)
-        unknown = () if truth else all_words(run.blueprint, check.unknown)
-        run.emit(
-            StateChecked(
-                t=run.time,
-                address=check.address,
-                result=truth_word(truth),
-                misses=misses,
-                unknown=unknown,
-            )
+        run, truth, address = self._run, check.truth, check.address
+        now = run.senses.time
+        if truth:
+            run.tell(StateChecked(t=now, address=address, result="true"))
+            return
+        misses = all_words(run.blueprint, check.misses)
+        unknown = all_words(run.blueprint, check.unknown)
+        result = truth_word(truth)
+        run.tell(
+            StateChecked(t=now, address=address, result=result, misses=misses, unknown=unknown)
         )
 
     def _fail(
@@ -362,4 +383,4 @@ class Carrier:
             pending = bool(self.action.transit)
         edge = self.action.edge
         self.failure = StepFailure(edge, reason, risky, pending, unanswered, self._lost)
-        self.stage = ActionStage.FAILED
+        self.stage = FAILED

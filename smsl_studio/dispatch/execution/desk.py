@@ -31,6 +31,7 @@ class Desk:
     ``someone`` says whether anybody is there to answer. The desk decides nothing. It calls ``then``
     with the closed tasks when all are closed, or when one of them is not a yes. In this case the
     others are withdrawn, because their answers could change nothing.
+    ``busy`` says whether the run waits for people.
     """
 
     def __init__(self, run: LiveRun, someone: Callable[[], bool]) -> None:
@@ -39,6 +40,7 @@ class Desk:
         self._board = TaskBoard()
         self._names: tuple[str, ...] = ()
         self._then: Then | None = None
+        self.busy = False
         self._keeps = False
 
     @property
@@ -47,11 +49,6 @@ class Desk:
         whatever commands come about edges, and the scene is not judged until they are answered.
         """
         return self.busy and self._keeps
-
-    @property
-    def busy(self) -> bool:
-        """Whether the run waits for people."""
-        return self._then is not None
 
     @property
     def tasks(self) -> tuple[Task, ...]:
@@ -81,6 +78,7 @@ class Desk:
             self._run.emit(*events)
             names.append(task.name)
         self._names, self._then, self._keeps = tuple(names), then, keep
+        self.busy = True
         return ""
 
     def answer(self, task: str, option: str, role: str, by: str) -> str:
@@ -103,7 +101,7 @@ class Desk:
             len(closed) < len(self._names) and all(one.yes for one in closed)
         ):
             return False
-        then, self._then, self._names = self._then, None, ()
+        then, self._then, self._names, self.busy = self._then, None, (), False
         self._run.emit(*self._board.withdraw(self._run.time))
         then(tuple(closed))
         return True
@@ -112,7 +110,7 @@ class Desk:
         """Withdraw all questions, because the run has moved on. Nobody is called back."""
         if self._then is None:  # without a group of questions no task is open
             return
-        self._then, self._names = None, ()
+        self._then, self._names, self.busy = None, (), False
         self._run.emit(*self._board.withdraw(self._run.time))
 
     def _tell(self, events: Sequence[Event]) -> None:

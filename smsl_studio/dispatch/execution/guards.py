@@ -23,11 +23,10 @@ from smsl_studio.errors import AddressError
 
 def refusals(run: LiveRun, step: JointStep) -> tuple[str, ...]:
     """Return why a joint step may not begin now, as sentences. Empty if it may."""
-    reasons = [*_sources(run, step), *lost_critical(run)]
-    for edge in step.edges:
-        if edge.requires:
-            reasons.extend(_required(run, step))
-            break
+    reasons = _sources(run, step)
+    if run.guarded:
+        reasons.extend(lost_critical(run))
+        reasons.extend(_required(run, step))
     return tuple(dict.fromkeys(reasons)) if reasons else ()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
@@ -38,7 +38,8 @@ class LiveRun:
     if any. ``levels`` say who acts and who senses. ``bound`` has the function or person for each
     edge. ``people_act`` are the SBs in which people carry out or confirm operations. ``people_say``
     says whether people may tell any fact. ``critical`` has the critical digits of each SB that has
-    any. ``history`` has the results of edges, for cost functions.
+    any. ``guarded`` says whether there are any, or an operation requires facts. ``history`` has the
+    results of edges, for cost functions.
     """
 
     def __init__(
@@ -65,10 +66,15 @@ class LiveRun:
         self.transit: frozenset[FactKey] = frozenset()
         self.operations = 0
         self.critical = critical_facts(self.blueprint)
+        self.guarded = bool(self.critical) or any(
+            note.requires for branch in self.blueprint for note in branch.notes.operations.values()
+        )
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []
         self.events: list[Event] = []
+        self.tell: Callable[[Event], None] = self.events.append
+        """Add one event that waits to be told. It is ``emit`` without a call of Python."""
 
     @property
     def time(self) -> float:
@@ -101,12 +107,15 @@ class LiveRun:
 
     def drain(self) -> tuple[Event, ...]:
         """Return the waiting events and forget them."""
-        events, self.events = tuple(self.events), []
+        events = tuple(self.events)
+        self.events.clear()
         return events
 
     def look(self) -> None:
         """Read every sensor now."""
-        self.events.extend(self.senses.look())
+        changes = self.senses.look()
+        if changes:
+            self.events.extend(changes)
 
     def check(
         self, branch: str, state: str, transit: Collection[FactKey] = frozenset()
@@ -149,7 +158,7 @@ class LiveRun:
                 transit = self.transit
                 check = state_check(self.blueprint, name, state, scene, believed, transit=transit)
                 found.extend(check.misses)
-        return tuple(found)
+        return tuple(found) if found else ()
 
     def relocate(self, configuration: Mapping[str, str]) -> None:
         """Set the states that the scene shows. No edge of this run led there."""
@@ -161,7 +170,8 @@ class LiveRun:
 
     def cross(self, transit: frozenset[FactKey], moved: Mapping[str, str] = NOWHERE) -> None:
         """Set the base digits in transit, and the SBs that have moved and are not committed."""
-        self.pending.update(moved)
+        if moved:
+            self.pending.update(moved)
         self.transit = transit
 
     def blame(self, edge: Edge) -> None:
@@ -174,18 +184,19 @@ class LiveRun:
 
     def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
         """Set the states that were committed together with these edges."""
-        self.configuration.update(committed)
-        now = self.time
+        configuration, since, previous = self.configuration, self.since, self.previous
+        configuration.update(committed)
+        now = self.senses.time
         for name in committed:
-            self.since[name] = now
-            self.previous.pop(name, None)
+            since[name] = now
+            previous.pop(name, None)
         for edge in edges:
             self.operations += 1
-            self.since[edge.branch], self.previous[edge.branch] = now, edge.address
-            self.history.append((str(edge), "committed"))
-        self.pending = {
-            name: state for name, state in self.pending.items() if self.configuration[name] != state
-        }
+            since[edge.branch], previous[edge.branch] = now, edge.address
+            self.history.append((edge.text, "committed"))
+        for name, state in tuple(self.pending.items()):
+            if configuration[name] == state:
+                del self.pending[name]
 
 
 def critical_facts(blueprint: Blueprint) -> dict[str, tuple[int, ...]]:

@@ -28,6 +28,10 @@ class ActionStage(Enum):
     FAILED = "failed"
 
 
+NEXT, RUNNING, ASKING, SETTLING, DONE, FAILED = ActionStage
+"""The same stages as plain names, because an attribute of an enumeration is slow to look up."""
+
+
 @dataclass(frozen=True)
 class StepFailure:
     """Why a joint step has failed.

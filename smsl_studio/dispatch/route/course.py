@@ -162,6 +162,21 @@ class Course:
             self._lift_vetoes(configuration)
         return self._next(configuration, self.planner)
 
+    def following(self, configuration: Mapping[str, str]) -> JointStep | None:
+        """Return the next joint step of the current leg.
+
+        It is None if the leg is over, if the run does not stand where the leg has it, or if a veto
+        may have to be lifted. Then ``next_step`` knows the answer.
+        """
+        leg, step = self._at
+        if self.vetoed or leg >= len(self._legs):
+            return None
+        current = self._legs[leg]
+        if step >= len(current.steps) or current.before[step] != configuration:
+            return None
+        self._at, self._ahead = (leg, step + 1), None
+        return current.steps[step]
+
     def _next(
         self, configuration: Mapping[str, str], planner: Planner
     ) -> tuple[JointStep | None, Leg | None]:
