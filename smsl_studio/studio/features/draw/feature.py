@@ -21,6 +21,7 @@ from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
 from smsl_studio.studio.document.journal.entry import JournalEntry
 from smsl_studio.studio.document.notices import step_notice
+from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
@@ -70,6 +71,7 @@ class DrawFeature(Feature):
         self.canvas = Canvas(tokens)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = DrawVerbs(session, self.editor)
+        self.align = AlignVerbs(self.editor)
         self.clipping = ClipboardVerbs(session, self.canvas, parts.toast.say)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
@@ -92,6 +94,7 @@ class DrawFeature(Feature):
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
             "new": ("Open sample", lambda menu: fill_samples(files, menu)),
+            "tidy": ("Align", lambda menu: fill_align(self._actions, menu)),
         }
 
     def actions(self) -> tuple[Action, ...]:
@@ -102,7 +105,14 @@ class DrawFeature(Feature):
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, shell),
             *view_actions(self.drawing, shell.sides, shell.program, shell),
-            *blueprint_actions(self.drawing, self.findings, self._choose_sub_sb, shell),
+            *blueprint_actions(
+                self.drawing,
+                self.findings,
+                self._choose_sub_sb,
+                self.align,
+                self._choose_align,
+                shell,
+            ),
             *compare_actions(self.comparing),
         )
 
@@ -225,6 +235,12 @@ class DrawFeature(Feature):
         menu = passing_menu(self._parts.window)
         fill_sub_sbs(self._parts.session, self.drawing, menu)
         menu.popup(self._shell.corner_below("sub_sb"))
+
+    def _choose_align(self) -> None:
+        """Open the menu of all ways to arrange the selected states."""
+        menu = passing_menu(self._parts.window)
+        fill_align(self._actions, menu)
+        menu.popup(self._shell.corner_below("align"))
 
     def _offer_samples(self) -> None:
         menu = passing_menu(self._parts.window)

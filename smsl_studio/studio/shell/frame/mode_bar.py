@@ -29,7 +29,7 @@ from smsl_studio.studio.running.phase_badge import PhaseBadge
 DRAW_TOOLS = (
     ("undo", "redo"),
     ("add_state", "connect", "sub_sb"),
-    ("tidy",),
+    ("tidy", "align"),
 )
 SEARCH = 248
 """Largest width of the search field; it becomes narrower in a narrow bar (pixels)."""
@@ -196,7 +196,9 @@ class _DrawTools(QWidget):
         layout.addWidget(run)
         self.setLayout(layout)
         last = [buttons[name] for name in ("undo", "redo", "sub_sb", "connect", "add_state")]
-        self._precedence = Precedence(self, rules[1], buttons["tidy"], rules[0], *last, search, run)
+        self._precedence = Precedence(
+            self, rules[1], buttons["align"], buttons["tidy"], rules[0], *last, search, run
+        )
 
     def show_run(self, shown: bool) -> None:
         """Show or hide Run. While a run exists Stop takes its place."""

@@ -12,6 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.align_verbs import fill_align
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 
@@ -45,6 +46,10 @@ def context_menu(
         _add(menu, actions, (*ON_OPERATION, *_at_pointer(actions, "operation")))
         return menu
     _add(menu, actions, (*ON_STATE, *_at_pointer(actions, "state")))
+    if actions["align"].isEnabled():
+        inner = menu.addMenu("Align")
+        inner.setIcon(actions["align"].icon())
+        fill_align(actions, inner)
     menu.addSeparator()
     for key, words in (("INITIAL", "Make initial"), ("ACTIVATING", "Make activating")):
         chosen = getattr(session.blueprint[address.branch], key.lower()) == address.state

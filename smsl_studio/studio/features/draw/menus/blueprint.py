@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, align_actions
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.panels.findings import Findings
 
@@ -14,6 +15,8 @@ def blueprint_actions(
     drawing: DrawVerbs,
     findings: Findings,
     choose_sub_sb: Callable[[], object],
+    align: AlignVerbs,
+    choose_align: Callable[[], object],
     shell: Shell,
 ) -> tuple[Action, ...]:
     """The rows of the Blueprint menu that edit the drawing."""
@@ -37,6 +40,10 @@ def blueprint_actions(
         Action("tidy", "Tidy the drawing", drawing.tidy, "Blueprint", "tidy", ("Ctrl+Shift+T",),
                lambda: drawn() and drawing.has_states(), section=1, short="Tidy",
                tip="Lay the State Branch out anew, as one step that can be undone"),
+        Action("align", "Align…", choose_align, "", "align-left", ("Ctrl+Shift+A",),
+               lambda: drawn() and align.can_align(), short="Align",
+               tip="Line the selected states up, or space them equally; two or more"),
+        *align_actions(align, shell),
         Action("enter", "Enter the sub-SB", drawing.enter, "Blueprint", "", ("Return",),
                lambda: drawn() and drawing.can_enter(), scope="canvas", section=2),
         Action("leave", "Back to the base SB", drawing.leave, "Blueprint", "", ("Backspace",),
