@@ -1,16 +1,19 @@
-"""The layer that shows a gesture: selection band, drawn line, handle, and grip."""
+"""The layer that shows a gesture: selection band, drawn line, guides, handle, and grip."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
+from smsl_studio.picture.guides import Guide
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, faded, pen
 
 HANDLE_RADIUS = 8.0
+BEYOND = 90.0
+"""How far a guide goes beyond the centre of the last node on it (scene units)."""
 
 
 @dataclass
@@ -37,6 +40,7 @@ class GestureLayer(QGraphicsItem):
         self.drawn: DrawnOperation | None = None
         self.handle: QPointF | None = None
         self.grip: QPointF | None = None
+        self.guides: tuple[Guide, ...] = ()
         self.setZValue(40.0)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
@@ -47,12 +51,14 @@ class GestureLayer(QGraphicsItem):
             self._rect = rect
 
     def clear(self) -> None:
-        """Remove band, line, handle and grip."""
+        """Remove band, line, guides, handle and grip."""
         for name in ("band", "drawn", "handle", "grip"):
             self.put(name, None)
+        self.put("guides", ())
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``handle`` or ``grip``, and repaint only what it covers."""
+        """Set ``band``, ``drawn``, ``guides``, ``handle`` or ``grip``, and repaint only what it
+        covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -68,6 +74,8 @@ class GestureLayer(QGraphicsItem):
         for point in (self.handle, self.grip, *ends):
             if point is not None:
                 rect = rect.united(QRectF(point.x(), point.y(), pixel, pixel))
+        for line in self._guide_lines():
+            rect = rect.united(QRectF(line.p1(), line.p2()).adjusted(0.0, 0.0, pixel, pixel))
         pad = 16.0 * pixel
         if self.drawn is not None:
             pad = 80.0 * max(pixel, 1.0)
@@ -80,12 +88,15 @@ class GestureLayer(QGraphicsItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint band, line, handle and grip, if they are set."""
+        """Paint guides, band, line, handle and grip, if they are set."""
         ink = self.ink
         if ink is None:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         pixel = 1.0 / (self._view.transform().m11() or 1.0)
+        if self.guides:
+            painter.setPen(pen(ink.tokens.acc, pixel))
+            painter.drawLines(self._guide_lines())
         if self.band is not None:
             painter.setPen(pen(ink.tokens.acc, pixel))
             painter.setBrush(faded(ink.tokens.acc, 0.08))
@@ -98,6 +109,15 @@ class GestureLayer(QGraphicsItem):
             painter.setPen(pen(ink.tokens.acc, 2.0 * pixel))
             painter.setBrush(ink.tokens.surf)
             painter.drawEllipse(self.grip, 4.5 * pixel, 4.5 * pixel)
+
+    def _guide_lines(self) -> list[QLineF]:
+        """The guides as they are drawn: longer than from centre to centre, to be seen beside the
+        nodes."""
+        lines = []
+        for x, y, x_end, y_end in self.guides:
+            across, down = (0.0, BEYOND) if x == x_end else (BEYOND, 0.0)
+            lines.append(QLineF(x - across, y - down, x_end + across, y_end + down))
+        return lines
 
     def _paint_drawn(
         self, painter: QPainter, drawn: DrawnOperation, ink: Ink, pixel: float

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from typing import Protocol
 
+import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.guides import Guide, snapped
+from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
+from smsl_studio.studio.base.canvas.sheet import Sheet
 
 GRID = 8.0
+SNAP = 5.0
+"""How near a dragged state has to come to the line of another one to snap to it (pixels)."""
 Modifier = Qt.KeyboardModifier
 
 
@@ -146,26 +152,34 @@ class DragStates:
         picture = sheet.picture
         states = dict.fromkeys([state, *(i for a in chosen if (i := picture.node(a)) >= 0)])
         self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
+        self._others = _centres_in_view(canvas, sheet, list(states))
 
     def move(self, event: QMouseEvent) -> None:
-        """Move the states in steps of the grid; with Alt without the grid."""
+        """Move the states. The one under the pointer snaps, except with Alt.
+
+        It snaps to centres of other states in view, which guides show, and else to the grid.
+        """
         here = event.position().toPoint()
         if not self._canvas.editing or (not self._begun and not _is_far(self._start, here)):
             return
         self._begun = True
+        self._canvas.gestures.put("handle", None)
         step = self._canvas.mapToScene(here) - self._canvas.mapToScene(self._start)
         x, y = self._places[self._state]
         dx, dy = step.x(), step.y()
+        guides: tuple[Guide, ...] = ()
         if not event.modifiers() & Modifier.AltModifier:
-            # Only the state under the pointer snaps to the grid. The others keep their distance to
-            # it.
-            dx = round((x + dx) / GRID) * GRID - x
-            dy = round((y + dy) / GRID) * GRID - y
+            # The other dragged states keep their distance to the one under the pointer.
+            reach = SNAP / self._canvas.zoom
+            (to_x, to_y), guides = snapped((x + dx, y + dy), self._others, reach, GRID)
+            dx, dy = to_x - x, to_y - y
+        self._canvas.gestures.put("guides", guides)
         self._canvas.drag_states({i: (px + dx, py + dy) for i, (px, py) in self._places.items()})
 
     def release(self, event: QMouseEvent) -> None:
         """Emit the new places after a drag; select the state after a click."""
         sheet = self._canvas.sheet
+        self._canvas.gestures.put("guides", ())
         if not self._begun or sheet is None:
             if self._late:
                 self._canvas.selection_wanted.emit(self._only)
@@ -189,6 +203,7 @@ class DragStates:
 
     def cancel(self) -> None:
         """Put the states back where they were."""
+        self._canvas.gestures.put("guides", ())
         if self._begun:
             self._canvas.drag_states(self._places)
             self._canvas.settle()
@@ -316,6 +331,13 @@ def selection_after(
     if modifiers & Modifier.ShiftModifier:
         return tuple(dict.fromkeys((*selection, address)))
     return (address,)
+
+
+def _centres_in_view(canvas: BranchView, sheet: Sheet, without: list[int]) -> Floats:
+    """The centres of all states in view except these, (n, 2)."""
+    seen = canvas.seen
+    found = sheet.states_in(seen.left(), seen.top(), seen.right(), seen.bottom())
+    return sheet.at[np.setdiff1d(np.array(found, dtype=np.intp), without)].copy()
 
 
 def _state_at(canvas: BranchView, at: QPointF) -> Address | None:
