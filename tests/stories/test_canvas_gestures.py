@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
@@ -137,10 +139,13 @@ def test_the_rubber_band_selects_what_it_touches(hfsm: Drawer) -> None:
     assert hfsm.canvas.gestures.band is None
 
 
-def test_arrows_go_from_state_to_state_and_pan_without_selection(hfsm: Drawer) -> None:
+def test_ctrl_and_an_arrow_go_from_state_to_state_and_arrows_alone_pan(hfsm: Drawer) -> None:
     hfsm.click(hfsm.place("State000"))
-    hfsm.key(Key.Key_Right)
+    hfsm.key(Key.Key_Right, Modifier.ControlModifier)
     assert hfsm.selected() == ["State100"]
+    hfsm.key(Key.Key_Right, Modifier.ControlModifier | Modifier.ShiftModifier)
+    assert len(hfsm.selected()) == 2
+    assert hfsm.steps() == 0
     hfsm.key(Key.Key_Escape)
     assert hfsm.selected() == []
     before = hfsm.place("State000")
@@ -148,7 +153,164 @@ def test_arrows_go_from_state_to_state_and_pan_without_selection(hfsm: Drawer) -
     assert hfsm.place("State000").x() < before.x()
 
 
+def test_ctrl_and_an_arrow_select_the_state_in_the_middle_as_the_first(hfsm: Drawer) -> None:
+    hfsm.key(Key.Key_Up, Modifier.ControlModifier)
+    (name,) = hfsm.selected()
+    middle = hfsm.canvas.rect().center()
+    away = {one: (hfsm.place(one) - middle).manhattanLength() for one in hfsm.canvas.positions}
+    assert away[name] <= min(away.values()) + 2
+
+
+def test_without_editing_arrows_go_from_state_to_state(hfsm: Drawer) -> None:
+    hfsm.canvas.editing = False
+    hfsm.session.select((Address("SB1", "State000"),))
+    before = hfsm.canvas.positions
+    hfsm.key(Key.Key_Right)
+    assert hfsm.selected() == ["State100"]
+    assert hfsm.canvas.positions == before
+    assert hfsm.steps() == 0
+
+
 # Moving
+
+
+def offset(person: Drawer, before: dict[str, tuple[float, float]], name: str) -> QPointF:
+    return QPointF(*person.canvas.positions[name]) - QPointF(*before[name])
+
+
+def test_arrows_move_the_selection_by_the_grid_and_with_shift_by_one(hfsm: Drawer) -> None:
+    before = hfsm.canvas.positions
+    hfsm.editor.nudge.clock = lambda: 0.0
+    hfsm.click(hfsm.place("State000"))
+    hfsm.click(hfsm.place("State100"), Modifier.ShiftModifier)
+    hfsm.key(Key.Key_Right)
+    hfsm.key(Key.Key_Down, Modifier.ShiftModifier)
+    for name in ("State000", "State100"):
+        assert offset(hfsm, before, name) == QPointF(8.0, 1.0)
+    assert offset(hfsm, before, "State110") == QPointF(0.0, 0.0)
+    assert hfsm.selected() == ["State000", "State100"]
+
+
+def test_arrows_pressed_soon_after_each_other_are_one_step(hfsm: Drawer) -> None:
+    before, text = hfsm.canvas.positions, hfsm.session.blueprint.document.text
+    now = 0.0
+    hfsm.editor.nudge.clock = lambda: now
+    hfsm.click(hfsm.place("State110"))
+    for _ in range(5):
+        hfsm.key(Key.Key_Left)
+        now += 0.4
+    assert hfsm.steps() == 1
+    assert offset(hfsm, before, "State110") == QPointF(-40.0, 0.0)
+    now += 2.0
+    hfsm.key(Key.Key_Up)
+    assert hfsm.steps() == 2
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Up)
+    assert hfsm.steps() == 3, "another selection is another step"
+    hfsm.session.history.undo()
+    hfsm.session.history.undo()
+    assert offset(hfsm, before, "State110") == QPointF(-40.0, 0.0)
+    hfsm.session.history.undo()
+    assert hfsm.canvas.positions == before
+    assert hfsm.session.blueprint.document.text == text
+    hfsm.session.history.redo()
+    assert offset(hfsm, before, "State110") == QPointF(-40.0, 0.0)
+
+
+def test_arrows_that_wait_are_carried_out_together_and_before_any_edit(hfsm: Drawer) -> None:
+    before, told = hfsm.canvas.positions, []
+    hfsm.session.blueprint_changed.connect(lambda *_: told.append(""))
+    hfsm.click(hfsm.place("State110"))
+    for _ in range(20):
+        QTest.keyClick(hfsm.canvas, Key.Key_Left)
+    QApplication.processEvents()
+    assert offset(hfsm, before, "State110") == QPointF(-160.0, 0.0)
+    assert len(told) == 1
+    QTest.keyClick(hfsm.canvas, Key.Key_Left)
+    QTest.keyClick(hfsm.canvas, Key.Key_Delete)
+    QApplication.processEvents()
+    assert "State110" not in hfsm.table()
+    hfsm.session.history.undo()
+    assert offset(hfsm, before, "State110") == QPointF(-168.0, 0.0)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_any_arrows_are_undone_to_the_same_bytes(hfsm: Drawer, seed: int) -> None:
+    chance, text, now = random.Random(seed), hfsm.session.blueprint.document.text, 0.0
+    hfsm.editor.nudge.clock = lambda: now
+    for _ in range(30):
+        if chance.random() < 0.2:
+            chosen = chance.sample([*hfsm.canvas.positions], chance.randint(1, 4))
+            hfsm.session.select(Address("SB1", name) for name in chosen)
+        arrow = chance.choice((Key.Key_Left, Key.Key_Right, Key.Key_Up, Key.Key_Down))
+        hfsm.key(arrow, chance.choice((Modifier.NoModifier, Modifier.ShiftModifier)))
+        now += chance.choice((0.1, 0.1, 3.0))
+    while hfsm.session.history.canUndo():
+        hfsm.session.history.undo()
+    assert hfsm.session.blueprint.document.text == text
+    while hfsm.session.history.canRedo():
+        hfsm.session.history.redo()
+    assert hfsm.canvas.positions == hfsm.session.blueprint["SB1"].notes.layout
+
+
+def test_an_edit_or_a_save_between_two_arrows_ends_the_step(hfsm: Drawer) -> None:
+    hfsm.editor.nudge.clock = lambda: 0.0
+    hfsm.click(hfsm.place("State110"))
+    hfsm.key(Key.Key_Left)
+    hfsm.session.history.setClean()
+    hfsm.key(Key.Key_Left)
+    assert hfsm.steps() == 2
+    hfsm.session.history.undo()
+    assert not hfsm.session.edited, "what was saved is a step of its own"
+
+
+def drag_to(person: Drawer, start: QPoint, end: QPoint, held: Qt.KeyboardModifier) -> None:
+    """Press on a point and move to another one, without letting go."""
+    person.press(start, modifiers=held)
+    for share in (0.2, 0.6, 1.0):
+        step = QPointF(start) + QPointF(end - start) * share
+        person.canvas.hand.move(_moved(person, step.toPoint(), held))
+    QApplication.processEvents()
+
+
+def test_a_dragged_state_snaps_to_the_centre_of_another_and_a_guide_shows_it(
+    hfsm: Drawer,
+) -> None:
+    hfsm.canvas.zoom_to(1.0)
+    line = hfsm.canvas.positions["State000"]
+    goal = hfsm.at((line[0] + 3.0, line[1] + 203.0))
+    start = hfsm.place("State111")
+    drag_to(hfsm, start, goal, Modifier.NoModifier)
+    assert hfsm.canvas.positions["State111"][0] == line[0]
+    assert hfsm.canvas.gestures.handle is None, "the handle does not stay behind"
+    (guide,) = hfsm.canvas.gestures.guides
+    assert guide == (line[0], line[1], line[0], hfsm.canvas.positions["State111"][1])
+    QTest.mouseRelease(hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, goal)
+    assert hfsm.canvas.gestures.guides == ()
+    assert hfsm.canvas.positions["State111"][0] == line[0]
+    assert hfsm.steps() == 1
+
+
+def test_alt_snaps_to_nothing(hfsm: Drawer) -> None:
+    hfsm.canvas.zoom_to(1.0)
+    line = hfsm.canvas.positions["State000"]
+    goal = hfsm.at((line[0] + 3.0, line[1] + 203.0))
+    drag_to(hfsm, hfsm.place("State111"), goal, Modifier.AltModifier)
+    assert hfsm.canvas.gestures.guides == ()
+    assert hfsm.canvas.positions["State111"][0] == pytest.approx(line[0] + 3.0, abs=1.0)
+    assert hfsm.canvas.positions["State111"][0] != line[0]
+    QTest.mouseRelease(hfsm.hands_on, Button.LeftButton, Modifier.AltModifier, goal)
+
+
+def test_escape_removes_the_guides(hfsm: Drawer) -> None:
+    line, before = hfsm.canvas.positions["State000"], hfsm.canvas.positions
+    goal = hfsm.at((line[0] + 1.0, line[1] + 203.0))
+    drag_to(hfsm, hfsm.place("State111"), goal, Modifier.NoModifier)
+    assert hfsm.canvas.gestures.guides
+    hfsm.key(Key.Key_Escape)
+    assert hfsm.canvas.gestures.guides == ()
+    assert hfsm.canvas.positions == before
+    QTest.mouseRelease(hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, goal)
 
 
 def test_a_dragged_state_is_kept_as_one_step_and_undo_puts_it_back(hfsm: Drawer) -> None:

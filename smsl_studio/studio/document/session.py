@@ -35,11 +35,24 @@ Show = Callable[[Blueprint, Broken | None], None]
 
 
 class _Edit(QUndoCommand):
-    """An undo step: the blueprint and the broken text before and after."""
+    """An undo step: the blueprint and the broken text before and after.
 
-    def __init__(self, words: str, show: Show, before: Stand, after: Stand) -> None:
+    Qt joins a step with the one before it if both have the same ``run``; -1 joins nothing.
+    """
+
+    def __init__(self, words: str, show: Show, before: Stand, after: Stand, run: int) -> None:
         super().__init__(words)
-        self._show, self._before, self._after = show, before, after
+        self._show, self._before, self._after, self._run = show, before, after, run
+
+    def id(self) -> int:
+        """The run of steps to which this one belongs."""
+        return self._run
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        """Take over the result of the next step of the same run."""
+        assert isinstance(other, _Edit)
+        self._after = other._after
+        return True
 
     def undo(self) -> None:
         """Show what was before the step."""
@@ -173,14 +186,14 @@ class Session(QObject):
         """Whether there are unsaved changes."""
         return not self.history.isClean()
 
-    def edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
+    def edit(self, words: str, change: Callable[[Blueprint], Blueprint], run: int = -1) -> bool:
         """Carry out one undoable edit; False (and ``refused``) if it is refused.
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
         changes nothing makes no step. Some things hold by default, without being written: the
         places of states, and which state is activating. If the edit would change them, they are
         written. While a text is broken every edit is refused, because its result would replace the
-        broken text.
+        broken text. Edits of the same ``run`` right after each other become one step.
         """
         self.settling.emit()
         try:
@@ -192,7 +205,7 @@ class Session(QObject):
         except StudioError as error:
             self.refused.emit(error)
             return False
-        self._push(words, after, None)
+        self._push(words, after, None, run)
         return True
 
     def write(self, words: str, text: str, file: str | None = None) -> None:
@@ -308,11 +321,11 @@ class Session(QObject):
         operations = branch.table.get(address.state)
         return operations is not None and (not address.operation or address.operation in operations)
 
-    def _push(self, words: str, after: Blueprint, broken: Broken | None) -> None:
+    def _push(self, words: str, after: Blueprint, broken: Broken | None, run: int = -1) -> None:
         if after is not self._blueprint or broken != self._broken:
             after = brought_back(after, self._aside, self.unsaved)
             before = (self._blueprint, self._broken)
-            self.history.push(_Edit(words, self._show, before, (after, broken)))
+            self.history.push(_Edit(words, self._show, before, (after, broken), run))
 
     def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
         former = self._aside.keys()

@@ -39,6 +39,8 @@ class BranchView(Stage):
     """Address: edit the name of this element in place."""
     moved = Signal(object)
     """dict[str, (x, y)]: the user dragged these states to these scene points."""
+    nudge_wanted = Signal(float, float)
+    """(dx, dy) in scene units: move the selected states (arrow keys)."""
     enter_wanted = Signal(str)
     """The name of a sub-SB: show it."""
     leave_wanted = Signal()

@@ -8,6 +8,8 @@ from PySide6.QtGui import QKeyEvent
 
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
+from smsl_studio.studio.base.canvas.gestures import GRID
+from smsl_studio.studio.base.canvas.sheet import Sheet
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
 ARROWS = {
@@ -31,9 +33,8 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
     """Act on a key; False if the canvas has no use for it."""
     key = Key(event.key())
     modifiers = event.modifiers() & ~Modifier.KeypadModifier
-    if key in ARROWS and modifiers in (Modifier.NoModifier, Modifier.ShiftModifier):
-        _arrow(canvas, *ARROWS[key], extend=bool(modifiers))
-        return True
+    if key in ARROWS and not modifiers & ~(Modifier.ShiftModifier | Modifier.ControlModifier):
+        return _arrow(canvas, *ARROWS[key], modifiers)
     if _is_view_key(canvas, key, event.text(), modifiers):
         return True
     if modifiers == Modifier.ControlModifier and key == Key.Key_A:
@@ -106,23 +107,44 @@ def select_all(canvas: BranchView) -> None:
         canvas.selection_wanted.emit(tuple(sheet.address_of_state(i) for i in range(count)))
 
 
-def _arrow(canvas: BranchView, dx: float, dy: float, extend: bool) -> None:
-    """Select the next state in a direction; without a selected state pan instead."""
+def _arrow(canvas: BranchView, dx: float, dy: float, modifiers: Qt.KeyboardModifier) -> bool:
+    """Move the selected states, or with Ctrl select the next one; False if there is no use.
+
+    Without ``editing`` an arrow selects as with Ctrl. Without a selected state it pans.
+    """
+    shift = bool(modifiers & Modifier.ShiftModifier)
+    ctrl = bool(modifiers & Modifier.ControlModifier)
     sheet = canvas.sheet
-    selection = canvas.marks.selection
-    states = [s for a in selection if sheet and (s := sheet.picture.node(a)) >= 0]
-    if sheet is None or not states:
+    states = [s for a in canvas.marks.selection if sheet and (s := sheet.picture.node(a)) >= 0]
+    if ctrl and not canvas.editing:
+        return False
+    if sheet is None or not (states or (ctrl and len(sheet.at))):
         canvas.camera.pan(-dx * PAN_STEP, -dy * PAN_STEP)
-        return
-    step = sheet.at - sheet.at[states[-1]]
-    along = step[:, 0] * dx + step[:, 1] * dy
-    across = np.abs(step[:, 0] * dy + step[:, 1] * dx)
-    # Sideways distance counts double, so that the next state is one of the same row.
-    cost = np.where(along > 1.0, along + 2.0 * across, np.inf)
+    elif canvas.editing and not ctrl:
+        step = 1.0 if shift else GRID
+        canvas.nudge_wanted.emit(dx * step, dy * step)
+    else:
+        _select_next(canvas, sheet, states, (dx, dy), shift)
+    return True
+
+
+def _select_next(
+    canvas: BranchView, sheet: Sheet, states: list[int], way: tuple[float, float], extend: bool
+) -> None:
+    """Select the next state in a direction, or the one in the middle of the view as the first."""
+    if states:
+        step = sheet.at - sheet.at[states[-1]]
+        along = step[:, 0] * way[0] + step[:, 1] * way[1]
+        across = np.abs(step[:, 0] * way[1] + step[:, 1] * way[0])
+        # Sideways distance counts double, so that the next state is one of the same row.
+        cost = np.where(along > 1.0, along + 2.0 * across, np.inf)
+    else:
+        middle = canvas.seen.center()
+        cost = np.abs(sheet.at - (middle.x(), middle.y())).sum(axis=1)
     best = int(cost.argmin())
     if not np.isfinite(cost[best]):
         return
     address = sheet.address_of_state(best)
-    chosen = (*selection, address) if extend else (address,)
+    chosen = (*canvas.marks.selection, address) if extend else (address,)
     canvas.selection_wanted.emit(tuple(dict.fromkeys(chosen)))
     canvas.reveal(address)

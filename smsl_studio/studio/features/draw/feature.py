@@ -56,6 +56,9 @@ CANVAS_KEYS = (
     ("Zoom", "Mouse wheel"),
     ("Add a state there", "Double click on empty canvas"),
     ("Connect", "Drag from a state's handle"),
+    ("Move the selected states", "Arrows; with Shift by one pixel"),
+    ("Drag without snapping to grid and states", "Alt"),
+    ("Select the next state", "Ctrl and an arrow; with Shift it is added"),
     ("Select several", "Drag over empty canvas, Shift and click"),
 )
 
@@ -171,8 +174,9 @@ class DrawFeature(Feature):
         self.properties.set_plugins(loaded)
 
     def settle(self) -> None:
-        """Take over the text that is being typed in the source."""
+        """Take over the text that is being typed in the source, and arrow keys that wait."""
         self.source.settle()
+        self.editor.nudge.settle()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

@@ -308,10 +308,19 @@ def test_gestures_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
     for step in range(10, 120, 30):
         QTest.mouseMove(hands, start + QPoint(step, -step))
         same_when_painted_whole("drag a state")
+    for name in ("State000", "State111"):
+        QTest.mouseMove(hands, hfsm.place(name) + QPoint(0, 130))
+        assert hfsm.canvas.gestures.guides
+        same_when_painted_whole("guides")
+    QTest.mouseMove(hands, start + QPoint(100, -100))
+    same_when_painted_whole("guides go")
     QTest.mouseRelease(hands, left, none, start + QPoint(100, -100))
     same_when_painted_whole("let it go")
     hfsm.session.history.undo()
     same_when_painted_whole("undo")
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Up):
+        hfsm.key(key)
+        same_when_painted_whole("move by a key")
     hfsm.click(QPoint(20, 600))
     same_when_painted_whole("select nothing")
     hfsm.press(QPoint(40, 200))

@@ -24,6 +24,7 @@ from smsl_studio.studio.features.draw.canvas.free_places import (
     place_near,
 )
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.suggest import Suggestions
 
 Position = tuple[float, float]
@@ -56,6 +57,7 @@ class CanvasEditor(QObject):
         canvas.delete_wanted.connect(self.delete_selected)
         canvas.quick_add_wanted.connect(self.quick_add)
         canvas.pressed.connect(self._leave_card)
+        self.nudge = Nudge(session, canvas)
         canvas.extended = lambda: session.extended
         self._show(session.branch)
 
