@@ -7,7 +7,7 @@ label has a place. A large SB keeps its layout and shows less of each element.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +18,7 @@ from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, rest_mark
 from smsl_studio.picture.picture import Chip, Face, Picture
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.picture.words import elided, mono_width, width
+from smsl_studio.stop import heed
 
 Rect = tuple[float, float, float, float]
 NAME, LABEL, CHIP_TEXT, SHORT = 12.0, 11.0, 12.0, 12.0
@@ -47,6 +48,8 @@ class Figure:
         self.level = self._level()
         self.faces = [picture.face(i) for i in range(len(picture))] if self.shows_nodes else []
         self.widths = self._widths()
+        self.scale = 1.0
+        """How much larger the layout is drawn than the canvas draws it at 100 %."""
         self._draw_out()
 
     @property
@@ -76,18 +79,21 @@ class Figure:
         """Enlarge the layout until nodes are apart and each label of a small SB has a place."""
         if not self.shows_nodes:
             # The layout was made for boxes, and dots need less room.
-            self.at = self.at * (DOT_PITCH / max(self._pitch(), 1.0))
+            self._enlarge(DOT_PITCH / max(self._pitch(), 1.0))
         elif len(self.at) > 1:
             for _ in range(_STEPS):
                 if self._is_roomy():
                     break
-                self.at = self.at * _LARGER
+                self._enlarge(_LARGER)
         self.geometry = self._geometry()
         for _ in range(_STEPS if self.picture.small else 0):
             if not self._hidden():
                 break
-            self.at = self.at * _LARGER
+            self._enlarge(_LARGER)
             self.geometry = self._geometry()
+
+    def _enlarge(self, factor: float) -> None:
+        self.at, self.scale = self.at * factor, self.scale * factor
 
     def _is_roomy(self) -> bool:
         spacing = spacing_of(self.at, self.widths, self.widths)
@@ -97,10 +103,8 @@ class Figure:
         return spacing_of(self.at, self.widths, self.widths).pitch
 
     def _geometry(self) -> Geometry:
-        half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
-        boxes = np.hstack([self.at, half]) if len(self.at) else np.zeros((0, 4))
         style = LineStyle(1.0, self.level is not Level.FULL)
-        return Geometry(self.picture, boxes, style, self.label_size)
+        return Geometry(self.picture, self.boxes, style, self.label_size)
 
     def _hidden(self) -> bool:
         edges = range(len(self.picture.operations))
@@ -133,27 +137,50 @@ class Figure:
         signs = bool(picture.kind(edge)) + bool(picture.guards(edge)) + (edge in self.signed)
         return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 
-    def bounds(self) -> Rect:
-        """Return the left, top, right and bottom of everything that is drawn (pixels)."""
-        if not len(self.at):
-            return 0.0, 0.0, 160.0, 20.0
+    @property
+    def boxes(self) -> Floats:
+        """The centre and half the size of each node, (n, 4) (pixels)."""
         half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
-        low, high = (self.at - half).min(axis=0), (self.at + half).max(axis=0)
+        return np.hstack([self.at, half]) if len(self.at) else np.zeros((0, 4))
+
+    def rects_of(self, edge: int) -> tuple[Rect, ...]:
+        """Return what an operation covers: its line, and its label if that is shown."""
+        heed()
+        if not self.shows_nodes:
+            source, target = int(self.picture.source[edge]), int(self.picture.target[edge])
+            ends = self.at[[source, target if target >= 0 else source]]
+            (left, top), (right, bottom) = ends.min(axis=0).tolist(), ends.max(axis=0).tolist()
+            return ((left, top, right, bottom),)
+        label = self.geometry.label(edge)
+        line = self.geometry.shape(edge).bounds
+        return (line,) if label is None else (line, label)
+
+    def bounds(
+        self, states: Sequence[int] | None = None, edges: Sequence[int] | None = None
+    ) -> Rect:
+        """Return the left, top, right and bottom of what is drawn (pixels): of everything, or of
+        these states and operations.
+        """
+        states = range(len(self.at)) if states is None else states
+        edges = range(len(self.picture.operations)) if edges is None else edges
+        if not len(states):
+            return 0.0, 0.0, 160.0, 20.0
+        boxes = self.boxes[list(states)]
+        low = (boxes[:, :2] - boxes[:, 2:]).min(axis=0)
+        high = (boxes[:, :2] + boxes[:, 2:]).max(axis=0)
         found = [(low[0] - 10.0, low[1] - 10.0, high[0] + 10.0, high[1] + 10.0)]
         initial = self.picture.index.get(self.picture.branch.initial, -1)
-        if initial >= 0:
-            x, y = self.at[initial] - half[initial]
-            found.append((x - 30.0, y, x, y))
+        if initial in states:
+            x, y, w, h = self.boxes[initial]
+            found.append((x - w - 30.0, y - h, x - w, y - h))
         if not self.shows_nodes:
             for state, wide in self.named.items():
-                x, y = self.at[state]
-                found.append((x - wide / 2, y - 26.0, x + wide / 2, y))
-        if self.shows_nodes:
-            for edge in range(len(self.picture.operations)):
-                found.append(self.geometry.shape(edge).bounds)
-                label = self.geometry.label(edge)
-                if label is not None:
-                    found.append(label)
+                if state in states:
+                    x, y = self.at[state]
+                    found.append((x - wide / 2, y - 26.0, x + wide / 2, y))
+        else:
+            for edge in edges:
+                found.extend(self.rects_of(edge))
         rects = np.array(found)
         left, top = rects[:, :2].min(axis=0)
         right, bottom = rects[:, 2:].max(axis=0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.legible import markup
 from smsl_studio.picture.colours import Colours
@@ -12,18 +12,22 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import EdgeShape, Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import arch, box, number, polygon, polyline, text
+from smsl_studio.stop import heed
 
 HEAD = 8.0
+MOST_PIECES = 4_000
+"""The largest number of lines in one path. Qt draws only the beginning of a path of more than
+32,767 points.
+"""
 NO_SIGNS: Mapping[int, str] = {}
 
 
 def draw_lines(
-    figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
+    figure: Figure, edges: Sequence[int], colours: Colours, signs: Mapping[int, str] = NO_SIGNS
 ) -> Iterator[str]:
-    """Yield all lines. If states are dots, all lines with the same sign are one path between
-    centres.
+    """Yield the lines of these operations. If states are dots, the lines with the same sign are
+    paths between centres.
     """
-    edges = range(len(figure.picture.operations))
     if figure.shows_nodes:
         # Lines with a sign lie on top of the others.
         for edge in sorted(edges, key=lambda one: one in signs):
@@ -35,12 +39,12 @@ def draw_lines(
 
 
 def draw_labels(
-    figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
+    figure: Figure, edges: Sequence[int], colours: Colours, signs: Mapping[int, str] = NO_SIGNS
 ) -> Iterator[str]:
-    """Yield the labels that have a place."""
+    """Yield the labels of these operations that have a place."""
     if not figure.shows_labels:
         return
-    places = {e: figure.geometry.label(e) for e in range(len(figure.picture.operations))}
+    places = {e: figure.geometry.label(e) for e in edges}
     # All grounds lie below all labels, because labels of neighbouring lines may overlap.
     for left, top, right, bottom in filter(None, places.values()):
         yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
@@ -50,6 +54,7 @@ def draw_labels(
 
 
 def _line(figure: Figure, edge: int, colours: Colours, sign: str) -> Iterator[str]:
+    heed()
     shape = figure.geometry.shape(edge)
     colour = inks(sign, colours).line if sign else colours["edge"]
     wide = 2.2 if sign else 1.5 if figure.level is Level.FULL else 1.2
@@ -73,8 +78,6 @@ def _head(shape: EdgeShape, size: float) -> list[Point]:
 
 
 def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> Iterator[str]:
-    if not edges:
-        return
     picture, at = figure.picture, figure.at
     pieces = []
     for edge in edges:
@@ -86,7 +89,9 @@ def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> 
             )
     colour = inks(sign, colours).line if sign else colours["edge"]
     wide = "2.4" if sign else "0.8"
-    yield f'<path d="{"".join(pieces)}" fill="none" stroke="{colour}" stroke-width="{wide}"/>'
+    for first in range(0, len(pieces), MOST_PIECES):
+        d = "".join(pieces[first : first + MOST_PIECES])
+        yield f'<path d="{d}" fill="none" stroke="{colour}" stroke-width="{wide}"/>'
 
 
 def _label(

@@ -49,10 +49,11 @@ def panel_of(
     parts = [*_title(title, note, wide, colours)]
     x, y = (wide - right - left) / 2, HEAD + EDGE - top
     parts.append(f'<g transform="translate({number(x)} {number(y)})">')
-    parts.extend(draw_lines(figure, colours, operations))
+    edges = range(len(figure.picture.operations))
+    parts.extend(draw_lines(figure, edges, colours, operations))
     for state in range(len(figure.picture)):
         parts.extend(draw_node(figure, state, colours, states.get(state, "")))
-    parts.extend(draw_labels(figure, colours, operations))
+    parts.extend(draw_labels(figure, edges, colours, operations))
     if not len(figure.picture):
         parts.append(text((80.0, 14.0), "no states", NOTE, colours["tx3"]))
     parts.append("</g>")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import ceil
 
 from smsl_studio.blueprint.model import Blueprint
@@ -10,7 +10,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import markup
 from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.crowd import crowd_of, refuse_too_many
-from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.figure import Figure, Rect
 from smsl_studio.picture.panel import SvgPanel, panel_of
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.strokes import box, number
@@ -32,9 +32,9 @@ def draw_blueprint(
 
 def _panel(picture: Picture, colours: Colours) -> SvgPanel:
     branch = picture.branch
-    name = branch.name
     figure = Figure(picture, place_states(branch))
-    return panel_of(figure, name, size_words(len(branch.table), branch.edge_count), colours)
+    words = size_words(len(branch.table), branch.edge_count)
+    return panel_of(figure, branch.name, words, colours)
 
 
 def size_words(states: int, operations: int) -> str:
@@ -61,15 +61,27 @@ def one_below_another(panels: Sequence[SvgPanel], colours: Colours = LIGHT) -> S
 
 def as_svg(panel: SvgPanel, title: str, colours: Colours = LIGHT) -> str:
     """Return a panel as the text of an SVG file."""
-    wide, high = (4.0 * ceil((side + 2 * GAP) / 4) for side in (panel.width, panel.height))
+    frame = 0.0, 0.0, panel.width + 2 * GAP, panel.height + 2 * GAP
+    return framed([panel.at(GAP, GAP)], frame, title, colours)
+
+
+def framed(parts: Iterable[str], frame: Rect, title: str, colours: Colours = LIGHT) -> str:
+    """Return pieces of SVG as the text of an SVG file that shows a frame of them.
+
+    Its width and height are multiples of four (see ``paper``).
+    """
+    left, top, right, bottom = frame
+    x, y = number(left), number(top)
+    wide, high = (number(4.0 * ceil(side / 4)) for side in (right - left, bottom - top))
+    at = f'x="{x}" y="{y}" ' if (x, y) != ("0", "0") else ""
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" '
-            f'viewBox="0 0 {number(wide)} {number(high)}" width="{number(wide)}" '
-            f'height="{number(high)}" font-family="{FAMILY}">',
+            f'viewBox="{x} {y} {wide} {high}" width="{wide}" '
+            f'height="{high}" font-family="{FAMILY}">',
             f"<title>{markup(title)}</title>",
-            f'<rect width="{number(wide)}" height="{number(high)}" fill="{colours["canvas"]}"/>',
-            panel.at(GAP, GAP),
+            f'<rect {at}width="{wide}" height="{high}" fill="{colours["canvas"]}"/>',
+            *parts,
             "</svg>",
             "",
         ]

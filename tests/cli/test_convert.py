@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 
+import smsl_studio as smsl
 from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Shell, sample
 
@@ -147,3 +148,20 @@ def test_moved_boxes_change_no_digest(shell: Shell, tmp_path: Path) -> None:
     moved = tmp_path / "moved.json"
     moved.write_text(json.dumps(values), "utf-8")
     assert len(set(digests(shell, sample("hfsm"), moved))) == 1
+
+
+@pytest.mark.parametrize(("suffix", "begin"), [("dot", "digraph {"), ("mmd", "stateDiagram-v2")])
+def test_a_diagram_is_written_for_other_programs(
+    shell: Shell, tmp_path: Path, suffix: str, begin: str
+) -> None:
+    out = tmp_path / f"out.{suffix}"
+    answer = shell("convert", sample("hfsm"), "-o", str(out))
+    assert (answer.status, answer.out) == (0, "")
+    assert answer.err == f"{out} has states and operations alone. It cannot be read back.\n"
+    assert out.read_text("utf-8").startswith(begin)
+    assert smsl.convert(smsl.read(sample("hfsm")), tmp_path / f"two.{suffix}").comments_left == 0
+    assert (tmp_path / f"two.{suffix}").read_bytes() == out.read_bytes()
+    onto = tmp_path / f"own.{suffix}"
+    onto.write_text(Path(sample("hfsm")).read_text("utf-8"), "utf-8")
+    assert shell("convert", str(onto), "-o", str(onto)).status == 2
+    assert shell("convert", sample("hfsm"), "-o", str(tmp_path / "no" / f"x.{suffix}")).status == 2
