@@ -166,19 +166,31 @@ def drawn(
 ) -> bytes:
     """Return the bytes that ``render`` writes. It raises the same errors, except SaveError."""
     from smsl_studio.picture.colours import DARK, LIGHT
-    from smsl_studio.picture.svg import draw_blueprint
 
     picture_form(output)
     if theme not in THEMES:
         raise UsageError(f"there is no theme {theme!r}", advice=did_you_mean(theme, THEMES))
+    colours = DARK if theme == "dark" else LIGHT
+    panels = panels_of(blueprint, branches, colours)
+    return picture_of(panels, title_of(blueprint), output, colours)
+
+
+def panels_of(blueprint: Blueprint, branches: Collection[str], colours: Colours) -> list[SvgPanel]:
+    """Return the panels of SBs, of all if none is named. UsageError if there is no SB."""
+    from smsl_studio.picture.svg import draw_blueprint
+
     chosen = [blueprint[name].name for name in branches or blueprint.branches]
     if not chosen:
         raise UsageError(
             f"{blueprint.file} has no State Branch to draw", advice="Name another file."
         )
-    colours = DARK if theme == "dark" else LIGHT
-    panels = draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
-    return picture_of(panels, blueprint.file, output, colours)
+    return draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
+
+
+def title_of(blueprint: Blueprint) -> str:
+    """Return the title of a picture, which is read aloud: the name of the file without its folder,
+    so that equal blueprints have equal pictures wherever they stand."""
+    return PurePath(blueprint.file).name
 
 
 def drawn_difference(difference: Difference, output: Name) -> bytes:
@@ -204,14 +216,27 @@ def picture_form(output: Name) -> str:
 def picture_of(panels: Sequence[SvgPanel], title: str, output: Name, colours: Colours) -> bytes:
     """Return the bytes of a picture of several panels. A PDF has one panel on each page. Other
     pictures have one panel below another."""
-    from smsl_studio.picture.paper import as_pdf, as_png
+    apart = picture_form(output) == ".pdf"
+    return picture_bytes(svg_pages(panels, title, colours, apart), title, output)
+
+
+def svg_pages(panels: Sequence[SvgPanel], title: str, colours: Colours, apart: bool) -> list[str]:
+    """Return panels as SVG: ``apart`` one on each page, else one below another on one page."""
     from smsl_studio.picture.svg import as_svg, one_below_another
+
+    pages = panels if apart else [one_below_another(panels, colours)]
+    return [as_svg(page, title, colours) for page in pages]
+
+
+def picture_bytes(svgs: Sequence[str], title: str, output: Name, scale: float = 2.0) -> bytes:
+    """Return pages in the form that the suffix of a file names. Only a PDF has several, and only a
+    PNG a ``scale``."""
+    from smsl_studio.picture.paper import as_pdf, as_png
 
     form = picture_form(output)
     if form == ".pdf":
-        return as_pdf([as_svg(panel, title, colours) for panel in panels], title)
-    svg = as_svg(one_below_another(panels, colours), title, colours)
-    return as_png(svg, title) if form == ".png" else svg.encode("utf-8")
+        return as_pdf(svgs, title)
+    return as_png(svgs[0], title, scale) if form == ".png" else svgs[0].encode("utf-8")
 
 
 def _files(blueprint: Blueprint) -> tuple[str, ...]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from smsl_studio.legible import one_line
-from smsl_studio.picture.part import Part
+from smsl_studio.picture.part import PicturePart
 from smsl_studio.stop import heed
 
 
-def as_dot(parts: Sequence[Part]) -> str:
+def as_dot(parts: Sequence[PicturePart]) -> str:
     """Return parts of SBs as DOT. Several SBs have a cluster each.
 
     A state is a node whose id is its name, with the name of its SB before it if there are several.
@@ -29,7 +29,7 @@ def as_dot(parts: Sequence[Part]) -> str:
     return "\n".join([*lines, "}", ""])
 
 
-def _lines(part: Part, ids: _Ids, before: str, indent: str) -> Iterator[str]:
+def _lines(part: PicturePart, ids: _Ids, before: str, indent: str) -> Iterator[str]:
     picture, branch = part.picture, part.picture.branch
     names = {state: ids.of(before + picture.names[state]) for state in part.states}
     gone: dict[str, str] = {}

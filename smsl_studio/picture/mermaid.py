@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import count
 
 from smsl_studio.legible import one_line
-from smsl_studio.picture.part import Part
+from smsl_studio.picture.part import PicturePart
 from smsl_studio.stop import heed
 
 MOST_EDGES = 500
@@ -15,7 +15,7 @@ _PLAIN = frozenset(" _-.,()+=*/!?'")
 """Characters that mean nothing in a state diagram, besides letters and digits."""
 
 
-def as_mermaid(parts: Sequence[Part]) -> str:
+def as_mermaid(parts: Sequence[PicturePart]) -> str:
     """Return parts of SBs as a Mermaid state diagram. Several SBs are a composite state each.
 
     The states are ``s0``, ``s1`` and so on, with their names as descriptions. INITIAL has the arrow
@@ -38,7 +38,7 @@ def as_mermaid(parts: Sequence[Part]) -> str:
 
 
 def _lines(
-    part: Part, numbers: Iterator[int], looks: dict[str, list[str]], indent: str
+    part: PicturePart, numbers: Iterator[int], looks: dict[str, list[str]], indent: str
 ) -> Iterator[str]:
     picture, branch = part.picture, part.picture.branch
     ids = {state: f"s{next(numbers)}" for state in part.states}

@@ -21,7 +21,7 @@ _SOURCE = b"""#set document(title: sys.inputs.title, date: none)
 """
 MOST_PIXELS = 40e6
 """Many programs cannot open a picture with more pixels than this."""
-_LARGEST_SCALE = 2.0
+SCALE = 2.0
 """Pictures are as wide and high as multiples of four, so the scale can be halved down to a quarter
 without losing a row of pixels.
 """
@@ -32,17 +32,26 @@ def as_pdf(svgs: Sequence[str], title: str) -> bytes:
     return _compiled(svgs, title, "pdf", 144.0)
 
 
-def as_png(svg: str, title: str) -> bytes:
-    """Return a PNG at twice the picture's size, or smaller if it would have more than
-    ``MOST_PIXELS``. ConvertError if it cannot be written.
+def as_png(svg: str, title: str, scale: float = SCALE) -> bytes:
+    """Return a PNG at ``scale`` times the picture's size (see ``png_scale``). ConvertError if it
+    cannot be written.
     """
-    size = re.match(r'.*?width="([\d.]+)" height="([\d.]+)"', svg, re.DOTALL)
-    area = float(size[1]) * float(size[2]) if size else 1e6
-    scale = _LARGEST_SCALE
-    while area * scale**2 > MOST_PIXELS:
-        scale /= 2
     # A pixel of the SVG is three quarters of a point, and there are 72 points in an inch.
-    return _compiled([svg], title, "png", 96.0 * scale)
+    return _compiled([svg], title, "png", 96.0 * png_scale(svg, scale))
+
+
+def png_scale(svg: str, wanted: float = SCALE) -> float:
+    """Return the wanted scale of a picture, halved until it has no more than ``MOST_PIXELS``."""
+    wide, high = size_of(svg)
+    while wide * high * wanted**2 > MOST_PIXELS:
+        wanted /= 2
+    return wanted
+
+
+def size_of(svg: str) -> tuple[float, float]:
+    """Return the width and height of a picture (pixels)."""
+    size = re.match(r'.*?width="([\d.]+)" height="([\d.]+)"', svg, re.DOTALL)
+    return (float(size[1]), float(size[2])) if size else (1e3, 1e3)
 
 
 def _compiled(

@@ -1,4 +1,4 @@
-"""Part: the states and operations of one SB that are drawn or written, if not all of it is."""
+"""PicturePart: the states and operations of an SB that are drawn or written, if not all are."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.picture.picture import Picture
 
 
 @dataclass(frozen=True)
-class Part:
+class PicturePart:
     """Some states and operations of a picture, by number and in written order."""
 
     picture: Picture
@@ -21,12 +21,12 @@ class Part:
     edges: tuple[int, ...]
 
 
-def whole_part(picture: Picture) -> Part:
+def whole_part(picture: Picture) -> PicturePart:
     """Return the part that has everything."""
-    return Part(picture, tuple(range(len(picture))), tuple(range(len(picture.operations))))
+    return PicturePart(picture, tuple(range(len(picture))), tuple(range(len(picture.operations))))
 
 
-def chosen_part(picture: Picture, chosen: Iterable[Address]) -> Part:
+def chosen_part(picture: Picture, chosen: Iterable[Address]) -> PicturePart:
     """Return the part that a selection means.
 
     It has the chosen states with all operations between them, and the chosen operations with the
@@ -40,11 +40,11 @@ def chosen_part(picture: Picture, chosen: Iterable[Address]) -> Part:
     between = inside[picture.source] & inside[picture.target]
     for edge in edges:
         states |= {int(picture.source[edge]), int(picture.target[edge])} - {-1}
-    edges |= set(between.nonzero()[0].tolist())
-    return Part(picture, tuple(sorted(states)), tuple(sorted(edges)))
+    edges |= set(np.nonzero(between)[0].tolist())
+    return PicturePart(picture, tuple(sorted(states)), tuple(sorted(edges)))
 
 
-def part_in(figure: Figure, frame: Rect) -> Part:
+def part_in(figure: Figure, frame: Rect) -> PicturePart:
     """Return the part of a figure of which something lies in a frame."""
     left, top, right, bottom = frame
     boxes = figure.boxes
@@ -55,7 +55,7 @@ def part_in(figure: Figure, frame: Rect) -> Part:
         for edge in range(len(figure.picture.operations))
         if any(_meet(rect, frame) for rect in figure.rects_of(edge))
     )
-    return Part(figure.picture, tuple(seen.nonzero()[0].tolist()), tuple(edges))
+    return PicturePart(figure.picture, tuple(np.nonzero(seen)[0].tolist()), tuple(edges))
 
 
 def _meet(one: Rect, other: Rect) -> bool:

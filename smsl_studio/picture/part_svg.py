@@ -6,11 +6,11 @@ from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.figure import Figure, Rect
 from smsl_studio.picture.lines import draw_labels, draw_lines
 from smsl_studio.picture.nodes import draw_node
-from smsl_studio.picture.part import Part
+from smsl_studio.picture.part import PicturePart
 from smsl_studio.picture.svg import GAP, framed
 
 
-def draw_part(figure: Figure, part: Part, title: str, colours: Colours = LIGHT) -> str:
+def draw_part(figure: Figure, part: PicturePart, title: str, colours: Colours = LIGHT) -> str:
     """Return the SVG of a part. Lines and labels lie where the picture of the whole SB has them."""
     left, top, right, bottom = figure.bounds(part.states, part.edges)
     return draw_frame(
@@ -19,7 +19,7 @@ def draw_part(figure: Figure, part: Part, title: str, colours: Colours = LIGHT) 
 
 
 def draw_frame(
-    figure: Figure, part: Part, frame: Rect, title: str, colours: Colours = LIGHT
+    figure: Figure, part: PicturePart, frame: Rect, title: str, colours: Colours = LIGHT
 ) -> str:
     """Return the SVG of a frame of a figure. What crosses its border is cut off there."""
     return framed(

@@ -19,7 +19,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.legible import one_line
 from smsl_studio.picture.dot import as_dot
 from smsl_studio.picture.mermaid import as_mermaid
-from smsl_studio.picture.part import Part, chosen_part, whole_part
+from smsl_studio.picture.part import PicturePart, chosen_part, whole_part
 from smsl_studio.picture.picture import Picture
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
@@ -34,11 +34,11 @@ def of(values: Any) -> Blueprint:
     return read_blueprint(parse_json(json.dumps(values), "test.json"))
 
 
-def parts_of(blueprint: Blueprint) -> list[Part]:
+def parts_of(blueprint: Blueprint) -> list[PicturePart]:
     return [whole_part(Picture(blueprint, name)) for name in blueprint.branches]
 
 
-def read(form: str, parts: list[Part]) -> Diagram:
+def read(form: str, parts: list[PicturePart]) -> Diagram:
     text = (as_dot if form == "dot" else as_mermaid)(parts)
     assert not hidden(text)
     return FORMS[form](text)

@@ -12,6 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.draw.feature import DrawFeature
+from smsl_studio.studio.features.export.feature import ExportFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
@@ -51,6 +52,7 @@ class Features(QObject):
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
         self.draw = DrawFeature(parts, shell)
+        self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.run = RunFeature(parts, shell, windows.spare)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
@@ -64,7 +66,8 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.run, self.supervise, self.people, self.monitor, self.replay)
+        yield from (self.draw, self.export, self.run, self.supervise)
+        yield from (self.people, self.monitor, self.replay)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane
@@ -139,7 +142,7 @@ class Features(QObject):
     def stop(self) -> None:
         """End all work, because the window closes. The run ends first."""
         self.end_run()
-        for feature in (self.replay, self.draw):
+        for feature in (self.replay, self.export, self.draw):
             feature.stop()
 
     def end_run(self) -> None:

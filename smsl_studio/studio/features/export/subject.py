@@ -1,0 +1,99 @@
+"""Subject: what of a blueprint is drawn, and the pictures of it as SVG and as files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.outputs import panels_of, picture_bytes, svg_pages, title_of
+from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.colours import DARK, LIGHT, Colours
+from smsl_studio.picture.crowd import crowd_of
+from smsl_studio.picture.figure import Figure, Rect
+from smsl_studio.picture.part import PicturePart, chosen_part, part_in, whole_part
+from smsl_studio.picture.part_svg import draw_frame, draw_part
+from smsl_studio.picture.picture import Picture
+from smsl_studio.stop import heed
+
+VIEW, SELECTION, BRANCH, ALL = "view", "selection", "branch", "all"
+PAPER = "paper"
+COLOURS: Mapping[str, Colours] = {
+    "light": LIGHT,
+    "dark": DARK,
+    PAPER: {**LIGHT, "canvas": "#FFFFFF"},
+}
+"""The colours by theme. On paper the ground stays white."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is drawn of a blueprint: ``view``, ``selection``, ``branch`` or ``all``.
+
+    ``branch`` is the SB that is shown, ``view`` the visible part of its drawing (left, top, right,
+    bottom, in scene units). It keeps the blueprint as it was when it was asked for.
+    """
+
+    what: str
+    blueprint: Blueprint
+    branch: str
+    selection: tuple[Address, ...]
+    view: Rect
+
+    def pages(self, theme: str) -> list[str]:
+        """The pictures as SVG, one for each page of a PDF or of paper."""
+        if self.what in (BRANCH, ALL):
+            colours = COLOURS[theme]
+            return svg_pages(panels_of(self.blueprint, self._branches, colours), self.title,
+                             colours, apart=True)  # fmt: skip
+        return [self._detail(COLOURS[theme])]
+
+    def svg(self, theme: str) -> str:
+        """The one picture of an SVG or PNG file."""
+        if self.what in (BRANCH, ALL):
+            colours = COLOURS[theme]
+            panels = panels_of(self.blueprint, self._branches, colours)
+            return svg_pages(panels, self.title, colours, apart=False)[0]
+        return self._detail(COLOURS[theme])
+
+    def file(self, output: PurePath, theme: str, scale: float) -> bytes:
+        """The bytes of a file with the suffix of ``output``."""
+        is_pdf = output.suffix.lower() == ".pdf"
+        svgs = self.pages(theme) if is_pdf else [self.svg(theme)]
+        heed()
+        raw = picture_bytes(svgs, self.title, output, scale)
+        heed()
+        return raw
+
+    def parts(self) -> list[PicturePart]:
+        """The states and operations, for a diagram."""
+        if self.what == ALL:
+            return [whole_part(self._picture(name)) for name in self.blueprint.branches]
+        picture = self._picture(self.branch)
+        if self.what == SELECTION:
+            return [chosen_part(picture, self.selection)]
+        return [whole_part(picture)]
+
+    @property
+    def title(self) -> str:
+        """The title of the picture, which is read aloud."""
+        return title_of(self.blueprint)
+
+    @property
+    def _branches(self) -> list[str]:
+        return [self.branch] if self.what == BRANCH else list(self.blueprint.branches)
+
+    def _picture(self, name: str) -> Picture:
+        return Picture(self.blueprint, name, crowd_of(self.blueprint, [name]))
+
+    def _detail(self, colours: Colours) -> str:
+        picture = self._picture(self.branch)
+        figure = Figure(picture, place_states(picture.branch))
+        heed()
+        if self.what == SELECTION:
+            return draw_part(figure, chosen_part(picture, self.selection), self.title, colours)
+        left, top, right, bottom = (side * figure.scale for side in self.view)
+        frame = left, top, right, bottom
+        return draw_frame(figure, part_in(figure, frame), frame, self.title, colours)
