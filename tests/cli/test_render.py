@@ -65,6 +65,17 @@ def test_a_file_whose_name_is_no_text_is_drawn(form: str, shell: Shell, tmp_path
     assert shell("diff", str(odd), sample("hfsm"), "-o", str(out)).status == 1
 
 
+def test_a_picture_does_not_tell_in_which_folder_its_blueprint_stands(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "plan.json").write_bytes(Path(sample("hfsm")).read_bytes())
+    monkeypatch.chdir(tmp_path)
+    for name, out in (("plan.json", "a.svg"), (str(tmp_path / "plan.json"), "b.svg")):
+        assert shell("render", name, "-o", out).status == 0
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+    assert "<title>plan.json</title>" in (tmp_path / "a.svg").read_text("utf-8")
+
+
 def test_diff_draws_both_sides(shell: Shell, tmp_path: Path) -> None:
     out = tmp_path / "out.svg"
     answer = shell("diff", sample("hanoi"), sample("hanoi-corrected"), "-o", str(out))

@@ -127,11 +127,12 @@ def test_the_selection_has_no_ring_and_nothing_else(sit: Sit, hfsm: Path, tmp_pa
     ), "the bar of a sub-SB alone has the colour of a selection"
 
 
-def test_the_view_is_what_is_seen(sit: Sit, hfsm: Path, tmp_path: Path) -> None:
-    person = sit(hfsm)
+@pytest.mark.parametrize(("name", "state"), [("hfsm", "State000"), ("hanoi", "State_bbb")])
+def test_the_view_is_what_is_seen(sit: Sit, tmp_path: Path, name: str, state: str) -> None:
+    person = sit(SAMPLES / f"{name}.json", (1000, 700))
     canvas = person.window.canvas
     canvas.camera.motion = False
-    rect = canvas.rect_of(person.blueprint.resolve("SB1/State000"))
+    rect = canvas.rect_of(Address("SB1", state))
     assert rect is not None
     canvas.camera.go(rect.center(), 4.0)
     seen = canvas.seen
@@ -140,7 +141,7 @@ def test_the_view_is_what_is_seen(sit: Sit, hfsm: Path, tmp_path: Path) -> None:
         for name in person.blueprint["SB1"].table
         if (box := canvas.rect_of(Address("SB1", name))) is not None and seen.intersects(box)
     ]
-    assert inside == ["State000"]
+    assert inside == [state]
     dialog = open_dialog(person)
     choose(person, dialog, "what", "What is in view")
     export(person, dialog, tmp_path / "a.svg")
