@@ -49,6 +49,9 @@ class Face:
 MOST_CHIPS = 64
 """The largest number of facts of a state with a chip. A node is never wide enough for more."""
 
+LONGEST_WORD = 10
+"""The largest number of characters of a meaning on a chip. A node has room for some of these."""
+
 
 class Picture:
     """States and operations of one SB as integer arrays. Faces and labels are made when they are
@@ -59,8 +62,11 @@ class Picture:
     picture with several SBs (see ``crowd_of``).
     """
 
-    def __init__(self, blueprint: Blueprint, branch: str, crowd: int = 0) -> None:
-        self.blueprint, self.crowd = blueprint, crowd
+    def __init__(
+        self, blueprint: Blueprint, branch: str, crowd: int = 0, words: bool = False
+    ) -> None:
+        """``words`` shows on the chips what values mean, if the blueprint says it."""
+        self.blueprint, self.crowd, self._words = blueprint, crowd, words
         self.branch: StateBranch = blueprint[branch]
         self.names = tuple(self.branch.table)
         numbers, table = numbers_of(self.branch), self.branch.table
@@ -241,7 +247,14 @@ class Picture:
 
     def _chip(self, state: str, digit: int, value: str) -> Chip:
         sub = self.branch.subs.get(digit, "")
+        text = self._meaning(digit, value) if self._words else value
         two_valued = digit < len(self._binary) and (self._binary[digit] or bool(sub))
         if not two_valued:
-            return Chip(value, "value", sub)
-        return Chip(value, "on" if self.branch.is_on(state, digit) else "off", sub)
+            return Chip(text, "value", sub)
+        return Chip(text, "on" if self.branch.is_on(state, digit) else "off", sub)
+
+    def _meaning(self, digit: int, value: str) -> str:
+        note = self.branch.fact_note(digit)
+        meaning = note.values.get(value, "") if note is not None else ""
+        long = len(meaning) > LONGEST_WORD
+        return f"{meaning[: LONGEST_WORD - 1]}…" if long else meaning or value

@@ -101,6 +101,7 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "key": lambda: key,
         "value": lambda: chance.choice([other.state, None, 1, 2, 3]),
         "table": lambda: chance.choice(["_facts", "_states", "_operations"]),
+        "fact_rows": lambda: chance.choice(["", "a\t0 = no\nb", f"name\tunit\n{odd}\tmm"]),
         "note": lambda: chance.choice(notes),
         "changes": lambda: {(at.branch, key): chance.choice(notes) or {}},
         "levels": lambda: {str(at): level, "supervision": level},

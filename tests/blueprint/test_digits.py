@@ -29,7 +29,7 @@ NAMED: dict[str, Any] = {
         "State_01": {"up": "State_11"},
         "State_11": {},
         "_facts": {"0": {"name": "clamp"}, "1": {"name": "tool"}, "2": {"name": "left over"}},
-        "_states": {"State_01": {"title": "half"}, "State_010": {"title": "long gone"}},
+        "_states": {"State_01": {"title": "half"}, "State_110": {"title": "long gone"}},
         "_operations": {"State_01/up": {"cost": 2},
                         "up": {"requires": {"A/1": "1"}, "touches": [1]}},
         "_layout": {"State_00": [0, 0]},

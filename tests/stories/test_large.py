@@ -64,6 +64,7 @@ def test_a_note_that_many_edges_share_is_written_once(
         return change_notes(blueprint, table, changes)  # type: ignore[arg-type]
 
     monkeypatch.setattr(note_form, "change_notes", count)
+    person.window.docks.show_tab("Library")
     person.click_row(person.window.library.list, "Op_1b")
     assert len(person.selected()) > 10
     form = person.window.properties.operation
@@ -109,6 +110,7 @@ def test_what_the_library_selects_is_shown(sit: Sit) -> None:
         for name in operations
         if not any(name in there for there in person.blueprint["SB1"].table.values())
     )
+    person.window.docks.show_tab("Library")
     person.click_row(person.window.library.list, only)
     assert person.window.session.branch == "SB2"
     assert person.selected()

@@ -409,6 +409,7 @@ def test_a_click_in_the_history_goes_there(sit: Sit) -> None:
 
 def test_the_library_counts_filters_and_selects(sit: Sit, tmp_path: Path) -> None:
     person = sit(HANOI)
+    person.window.docks.show_tab("Library")
     library = person.window.library
     person.click_row(library.list, "Op_3a")
     assert set(person.selected()) == {"SB1/State_bbc/Op_3a", "SB1/State_ccb/Op_3a"}

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.digits import move_fact as move_fact
     from smsl_studio.blueprint.editing.excerpts import cut as cut
     from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
+    from smsl_studio.blueprint.editing.fact_table import fill_facts as fill_facts
     from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
     from smsl_studio.blueprint.editing.headers import detach_sub as detach_sub
     from smsl_studio.blueprint.editing.headers import keep_activating as keep_activating
@@ -51,6 +52,7 @@ _HOMES = {
     "detach_sub": "headers",
     "duplicate": "pasted_text",
     "excerpt": "excerpts",
+    "fill_facts": "fact_table",
     "keep_activating": "headers",
     "keep_last": "notes",
     "move_fact": "digits",

@@ -29,6 +29,12 @@ def add_fact(blueprint: Blueprint, branch: str, fact_value: str = "") -> Bluepri
     return _arranged(blueprint, found, [*range(count_of(found)), NEW], fact_value)
 
 
+def more_facts(blueprint: Blueprint, branch: str, count: int) -> Blueprint:
+    """Give every state of an SB so many facts more behind the others, all ``0``."""
+    found = branch_of(blueprint, branch)
+    return _arranged(blueprint, found, [*range(count_of(found)), *[NEW] * count])
+
+
 def delete_fact(blueprint: Blueprint, branch: str, digit: int) -> Blueprint:
     """Take a fact out of the names of all states of an SB. Facts behind it move up.
 

@@ -27,6 +27,13 @@ def kind_of(branch: StateBranch, state: str, digit: int) -> str:
     return ON if branch.is_on(state, digit) else OFF
 
 
+def fact_words(branch: StateBranch, digit: int, value: str) -> str:
+    """What a value of a fact says: ``Clamp: fixed (1)``, or ``Clamp: 1`` if it has no meaning."""
+    note = branch.fact_note(digit)
+    meaning = note.values.get(value, "") if note is not None else ""
+    return f"{branch.fact_name(digit)}: {f'{meaning} ({value})' if meaning else value}"
+
+
 def paint_chip(
     painter: QPainter, rect: QRectF, text: str, kind: str, tokens: Tokens, *, sub: bool = False
 ) -> None:
@@ -85,7 +92,7 @@ class Chips(QWidget):
         shown = tuple(enumerate(facts[:MOST_CHIPS]))
         subs = branch.subs
         self._chips = tuple((value, kind_of(branch, state, d), d in subs) for d, value in shown)
-        said = [f"{branch.fact_name(digit)}: {value}" for digit, value in shown]
+        said = [fact_words(branch, digit, value) for digit, value in shown]
         if len(facts) > MOST_CHIPS:
             said.append(f"and {len(facts) - MOST_CHIPS:,} more")
         self.setToolTip(tip_text("\n".join([*said, "Click a fact to edit what it means."])))

@@ -89,6 +89,7 @@ class Window(QMainWindow):
         self.canvas, self.editor, self.fix_card = draw.canvas, draw.editor, draw.fix_card
         self.drawing, self.clipping = draw.drawing, draw.clipping
         self.outline, self.library, self.history = draw.outline, draw.library, draw.history
+        self.facts = draw.facts
         self.properties, self.source, self.findings = draw.properties, draw.source, draw.findings
         self.comparing, self.safety, self.going = draw.comparing, draw.safety, draw.going
 

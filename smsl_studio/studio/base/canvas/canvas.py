@@ -47,7 +47,7 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
-        self._fitted = False
+        self._fitted, self._words = False, False
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -76,7 +76,7 @@ class Canvas(BranchView):
         self.hand.reset()
         sheet: Sheet | None = None
         if branch in blueprint.branches:
-            picture = Picture(blueprint, branch)
+            picture = Picture(blueprint, branch, words=self._words)
             if positions is None:
                 positions = place_states(picture.branch)
             former = self.sheet if self.sheet and self.sheet.is_of(branch) else None
@@ -87,6 +87,20 @@ class Canvas(BranchView):
         self.overlays.show_branch(blueprint, branch)
         self.hand.look_again()
         self._describe()
+
+    @property
+    def words(self) -> bool:
+        """Whether chips show what values mean, in place of the values."""
+        return self._words
+
+    def set_words(self, on: bool) -> None:
+        """Show meanings on the chips, or the values as they are written."""
+        sheet = self.sheet
+        if on != self._words:
+            self._words = on
+            if sheet is not None:
+                name, places = sheet.picture.branch.name, self.positions
+                self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
 
     def look_at_opening(self) -> None:
         """Show the whole SB, or the part around the initial state if states would be too small.

@@ -22,6 +22,7 @@ from smsl_studio.studio.base.canvas.gestures import (
 )
 from smsl_studio.studio.base.canvas.handles import handles, nearest
 from smsl_studio.studio.base.canvas.overlays import Overlays
+from smsl_studio.studio.base.chips import fact_words
 from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.tips import tip_text
 
@@ -209,7 +210,7 @@ class Hand:
             canvas.gestures.put("handle", None if hidden else handle)
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
-        self._tip(state, edge)
+        self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
         self._cursor()
 
     def _kept_hover(self, point: QPointF) -> int:
@@ -265,12 +266,19 @@ class Hand:
         """Hide the sentence at the pointer."""
         self._overlays.hush()
 
-    def _tip(self, state: int, edge: int) -> None:
-        """Set the tooltip: the full name of a state, or the words of an operation."""
+    def _tip(self, state: int, edge: int, digit: int) -> None:
+        """Set the tooltip: what the value of a fact means, the full name of a state, or the words
+        of an operation.
+        """
         sheet = self._canvas.sheet
         assert sheet is not None
         tip = ""
-        if state >= 0:
+        if digit >= 0:
+            branch, name = sheet.picture.branch, sheet.picture.names[state]
+            tip = fact_words(branch, digit, branch.facts(name)[digit])
+            sub = branch.subs.get(digit)
+            tip += f"\nExpanded by {sub}" if sub else ""
+        elif state >= 0:
             face = sheet.picture.face(state)
             tip = face.name if not face.title else f"{face.name}\n{face.title}"
         elif edge >= 0:

@@ -29,6 +29,7 @@ from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
+from smsl_studio.studio.features.draw.facts.panel import Facts
 from smsl_studio.studio.features.draw.find.destinations import Destinations
 from smsl_studio.studio.features.draw.find.finder import Finder
 from smsl_studio.studio.features.draw.find.palette import Palette
@@ -77,6 +78,7 @@ class DrawFeature(Feature):
         self.align = AlignVerbs(self.editor)
         self.clipping = ClipboardVerbs(session, self.canvas, parts.toast.say)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
+        self.facts = Facts(session, tokens)
         self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
         self.findings = Findings(session, tokens, parts.inspector.rules)
         self.history = History(session, tokens)
@@ -88,7 +90,8 @@ class DrawFeature(Feature):
         self.pages = {"draw": lambda: Page(self.canvas, self.canvas)}
         self.panels = (
             DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
-            DockPanel("Library", "left", self.library),
+            DockPanel("Facts", "left", self.facts, self.facts.tools),
+            DockPanel("Library", "left", self.library, self.library.tools),
             DockPanel("Properties", "right", self.properties),
             DockPanel("Source", "right", self.source),
             DockPanel("Findings", "bottom", self.findings, self.findings.tools),
@@ -152,7 +155,8 @@ class DrawFeature(Feature):
         comparing.changed.connect(actions.refresh)
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
         self.fix_card.fix_wanted.connect(self.findings.fix)
-        self.outline.fact_wanted.connect(self.going.show_fact)
+        for panel in (self.outline, self.facts):
+            panel.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self._parts.files.open(Path(file)))
         self.outline.verb_wanted.connect(self.clipping.on_branch)
         self.outline.action_wanted.connect(lambda name: actions[name].trigger())

@@ -45,14 +45,15 @@ class Docks(QObject):
         self._sides = QSplitter(Qt.Orientation.Vertical)
         self._sides.setHandleWidth(1)
         self._sides.setChildrenCollapsible(False)
-        left = [panel for panel in panels if panel.side == "left"]
-        for panel in left:
-            self._sides.addWidget(panel.widget)
-        self._sides.setSizes([394, 402])
-        for panel in left:
-            if panel.focus is not None:
-                self._sides.setFocusProxy(panel.focus)
-        self.right_tabs, self.bottom_tabs = Tabs(), Tabs()
+        # The first panel at the left is always shown; the others share the room below it.
+        self.left_tabs, self.right_tabs, self.bottom_tabs = Tabs(), Tabs(), Tabs()
+        first, *others = [panel for panel in panels if panel.side == "left"]
+        self._sides.addWidget(first.widget)
+        self._sides.addWidget(self.left_tabs)
+        for panel in others:
+            self.left_tabs.add(panel.name, panel.widget, panel.tools)
+        self._sides.setSizes([300, 496])
+        self._sides.setFocusProxy(first.focus or first.widget)
         corner, area = Qt.Corner, Qt.DockWidgetArea
         window.setCorner(corner.BottomLeftCorner, area.LeftDockWidgetArea)
         window.setCorner(corner.BottomRightCorner, area.RightDockWidgetArea)
@@ -180,6 +181,10 @@ class Docks(QObject):
 
     def show_tab(self, name: str) -> None:
         """Show the panel of this name."""
+        if name in self.left_tabs.names:
+            self.left_tabs.show_page(name)
+            if not self.left_shown():
+                self.toggle_left()
         for tabs, dock in ((self.right_tabs, self.right), (self.bottom_tabs, self.bottom)):
             if name in tabs.names:
                 dock.show()
@@ -189,8 +194,9 @@ class Docks(QObject):
     def enter_tab(self, name: str) -> bool:
         """Show a panel and give it the keyboard focus; False if it has the focus already."""
         self.show_tab(name)
-        tabs = self.right_tabs if name in self.right_tabs.names else self.bottom_tabs
-        page, focus = tabs.page(name), QApplication.focusWidget()
+        every = (self.left_tabs, self.right_tabs, self.bottom_tabs)
+        page = next(tabs.page(name) for tabs in every if name in tabs.names)
+        focus = QApplication.focusWidget()
         if focus is not None and (page is focus or page.isAncestorOf(focus)):
             return False
         page.setFocus(Qt.FocusReason.ShortcutFocusReason)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.picture.marks import Marks
@@ -393,3 +394,24 @@ def test_what_is_not_lit_is_painted_once(hanoi3: Drawer, monkeypatch: pytest.Mon
     assert painted, "the operations out of it are lit now"
     seen = canvas.seen
     assert all(area.width() < seen.width() / 2 for area in painted), "only where they run"
+
+
+def test_words_instead_of_digits_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
+    canvas, session = hfsm.canvas, hfsm.session
+    meant = {("SB1", "0"): {"values": {"0": "open", "1": "fixed for good"}}}
+    session.edit("Name values", lambda blueprint: change_notes(blueprint, "_facts", meant))
+    digits, text = on_screen(hfsm), session.blueprint.document.text
+
+    def texts() -> list[str]:
+        assert canvas.sheet is not None
+        return [chip.text for chip in canvas.sheet.picture.face(1).chips]
+
+    canvas.set_words(True)
+    assert texts() == ["fixed for…", "0", "0"]
+    words = on_screen(hfsm)
+    assert not alike(words, digits)
+    assert alike(painted_anew(hfsm), words)
+    canvas.set_words(False)
+    assert texts() == ["1", "0", "0"]
+    assert alike(on_screen(hfsm), digits)
+    assert session.blueprint.document.text == text

@@ -34,6 +34,13 @@ def view_actions(
         return Action(f"theme_{name}", words, lambda: windows.set_theme(name), "View",
                       checked=lambda: windows.theme == name, section=4)  # fmt: skip
 
+    def show_words() -> None:
+        """Show words on the chips, or digits again; this is remembered."""
+        canvas.set_words(not canvas.words)
+        windows.settings.store_text("words", "shown" if canvas.words else "")
+
+    canvas.set_words(windows.settings.text_of("words") == "shown")
+
     def enter(name: str) -> None:
         """Give the keyboard focus to a panel.
 
@@ -58,12 +65,19 @@ def view_actions(
                section=1),
         Action("zoom_out", "Zoom out", canvas.zoom_out, "View", "minus", ("Ctrl+-",), drawn,
                section=1),
+        Action("words", "Words instead of digits", show_words, "View", "", (), drawn,
+               lambda: canvas.words, section=1,
+               tip="Show what the values of facts mean; the file stays as it is"),
         in_draw("left"), in_draw("right"), in_draw("bottom"),
         Action("show_source", "Source", lambda: enter("Source"), "View", "",
                ("Ctrl+U",), drawn, section=3,
                tip="Show the exact text and type there; once more: back to the drawing"),
         Action("show_properties", "Properties", lambda: enter("Properties"), "View", "",
                ("Ctrl+I",), drawn, section=3),
+        Action("show_facts", "Facts", lambda: enter("Facts"), "View", "", ("Ctrl+T",), drawn,
+               section=3, tip="Show the table of facts; once more: back to the drawing"),
+        Action("show_library", "Library", lambda: enter("Library"), "View", "", (), drawn,
+               section=3),
         Action("show_history", "History", lambda: enter("History"), "View", "",
                ("Ctrl+H",), drawn, section=3),
         theme("light", "Light theme"), theme("dark", "Dark theme"),

@@ -20,7 +20,7 @@ from smsl_studio.studio.base.rows import LINE, ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.panels.frame import Heading, Panel
+from smsl_studio.studio.features.draw.panels.frame import Panel
 
 MOST = 2_000
 """At most this many operations of the blueprint have a row; the filter finds the others."""
@@ -48,7 +48,8 @@ class Library(Panel):
         self._session, self._tokens = session, tokens
         self._offers: tuple[LibraryEntry, ...] = ()
         self._severities: dict[str, str] = {}
-        self._heading = Heading("Library")
+        self.tools: QLabel = label("", "small")
+        self.tools.setContentsMargins(0, 0, 8, 0)
         self.filter = QLineEdit()
         self.filter.setPlaceholderText("Filter operations")
         self.filter.setAccessibleName("Filter operations")
@@ -59,13 +60,12 @@ class Library(Panel):
         )
         self._glass.setText("Filter")
         box = QVBoxLayout()
-        box.setContentsMargins(12, 0, 12, 8)
+        box.setContentsMargins(12, 10, 12, 8)
         box.addWidget(self.filter)
         self.list = RowsView(tokens, self)
         self.list.setAccessibleName("Operations")
         self.hint: QLabel = label("", "hint")
         self.hint.setContentsMargins(12, 6, 12, 10)
-        self.column.addWidget(self._heading)
         self.column.addLayout(box)
         self.column.addWidget(self.list, 1)
         self.column.addWidget(self.hint)
@@ -121,7 +121,7 @@ class Library(Panel):
             rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
         self.list.show_rows(rows)
-        self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
+        self.tools.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
         hint = self._hint(bool(used), bool(rows))
         self.hint.setText(hint)
         self.hint.setVisible(bool(hint))

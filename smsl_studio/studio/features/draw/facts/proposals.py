@@ -1,0 +1,109 @@
+"""What adding, deleting or moving a fact would do to the states, told before it is done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.editing.digits import NEW, count_of, new_names
+from smsl_studio.blueprint.editing.fact_table import read_table
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.errors import EditRefused
+from smsl_studio.studio.base.words import capital, counted
+
+
+@dataclass(frozen=True)
+class FactChange:
+    """A change of the facts of an SB that waits for a yes.
+
+    ``names`` are the states that change, each with its name afterwards. ``beside`` states keep
+    their names and get the value in ``_states``. ``fault`` says why it cannot be done.
+    """
+
+    words: str
+    verb: str
+    step: str
+    change: Callable[[Blueprint], Blueprint]
+    names: tuple[tuple[str, str], ...] = ()
+    beside: int = 0
+    fault: str = ""
+
+    @property
+    def count(self) -> int:
+        """The number of states that change."""
+        return len(self.names) + self.beside
+
+    @property
+    def sentence(self) -> str:
+        """What it does, with the number of states."""
+        if self.fault:
+            return self.fault
+        if self.beside:
+            kept = counted(self.beside, "state keeps its name", "states keep their names")
+            return f"{self.words} {kept}; the value stands beside."
+        return f"{self.words} {counted(self.count, 'state changes', 'states change')}."
+
+
+def addition(branch: StateBranch, value: str) -> FactChange:
+    """One more fact behind the others. ``value`` is what every state has of it; empty is ``0``."""
+    digit, name = count_of(branch), branch.name
+    order = [*range(digit), NEW]
+    made = FactChange(
+        f"Fact {digit} is added.",
+        "Add fact",
+        f"Add fact {digit} to {name}",
+        lambda blueprint: editing.add_fact(blueprint, name, value),
+    )
+    return _told(made, branch, order, value)
+
+
+def deletion(branch: StateBranch, digit: int) -> FactChange:
+    """The fact is taken out."""
+    order, name, fact = list(range(count_of(branch))), branch.name, branch.fact_name(digit)
+    made = FactChange(
+        f"“{fact}” is taken out of the names.",
+        "Delete fact",
+        f"Delete fact {digit} of {name}",
+        lambda blueprint: editing.delete_fact(blueprint, name, digit),
+    )
+    return _told(made, branch, [one for one in order if one != digit])
+
+
+def move(branch: StateBranch, digit: int, place: int) -> FactChange:
+    """The fact gets another digit."""
+    order, name, fact = list(range(count_of(branch))), branch.name, branch.fact_name(digit)
+    order.insert(place, order.pop(digit))
+    made = FactChange(
+        f"“{fact}” becomes digit {place}.",
+        "Move fact",
+        f"Move fact {digit} of {name} to digit {place}",
+        lambda blueprint: editing.move_fact(blueprint, name, digit, place),
+    )
+    return _told(made, branch, order)
+
+
+def paste(branch: StateBranch, text: str) -> FactChange:
+    """Facts filled from a table. Those that are missing are added."""
+    count, name = count_of(branch), branch.name
+    made = FactChange(
+        "", "Paste", f"Paste facts into {name}", lambda bp: editing.fill_facts(bp, name, text)
+    )
+    try:
+        rows = read_table(branch, text)
+    except EditRefused as error:
+        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+    missing = max(0, max(rows, default=-1) + 1 - count)
+    filled = counted(len(rows), "fact is filled", "facts are filled")
+    made = replace(made, words=f"{filled}, {missing} of them new.")
+    return _told(made, branch, [*range(count), *[NEW] * missing]) if missing else made
+
+
+def _told(made: FactChange, branch: StateBranch, order: list[int], value: str = "") -> FactChange:
+    if branch.table and branch.shape.width == 0:
+        return replace(made, beside=len(branch.table))
+    try:
+        names = new_names(branch, order, value)
+    except EditRefused as error:
+        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+    return replace(made, names=tuple((old, new) for old, new in names.items() if old != new))
