@@ -51,6 +51,7 @@ def show(file: str) -> int:
     settings = Settings(Path(os.environ["SMSL_STUDIO_HOME"]))
     windows = Windows(application, settings, Plugins(lambda: Loaded(())))
     window = make_window(windows)
+    window.files.new()  # the start page would draw its pictures while the file is measured
     window.resize(1440, 900)
     application.processEvents()
     begun[:] = str(time.process_time()), peak()

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -44,10 +44,15 @@ def _looked(path: str) -> Loaded:
 
 @pytest.fixture
 def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
-    """Open a window on a copy of a file (or an empty one) and sit down at it."""
+    """Open a window on a copy of a file, else with a new drawing, and sit down at it.
+
+    With ``begin`` False the window stays at the start page.
+    """
     windows = Windows(qapp, Settings(home), Plugins(Look()))
 
-    def open_on(path: Path | None = None, size: tuple[int, int] = (1440, 900)) -> Person:
+    def open_on(
+        path: Path | None = None, size: tuple[int, int] = (1440, 900), begin: bool = True
+    ) -> Person:
         windows.settings.theme = "light"
         dress(qapp, LIGHT)
         window = make_window(windows, str(path) if path else "")
@@ -55,8 +60,12 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
         window.resize(*size)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
-        window.canvas.setFocus()
-        return Person(window, qtbot, windows)
+        person = Person(window, qtbot, windows)
+        if path is None and begin:
+            person.ctrl(Qt.Key.Key_N)
+        if begin:
+            window.canvas.setFocus()
+        return person
 
     yield open_on
     for window in windows:

@@ -5,6 +5,7 @@ It is in the user's folder of the platform, or in SMSL_STUDIO_HOME.
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
@@ -63,7 +64,24 @@ class Settings:
     def remember(self, path: Path) -> None:
         """Put a file first in the list of recent files."""
         others = [known for known in self.recent if known != path]
-        self._store.setValue("recent", [str(p) for p in (path, *others)[:RECENT]])
+        kept = (path, *others)[:RECENT]
+        self._store.setValue("recent", [str(p) for p in kept])
+        times = {str(p): then for p in others if (then := self.opened(p)) is not None}
+        times[str(path)] = datetime.now().astimezone()
+        told = [f"{times[str(p)].isoformat()} {p}" for p in kept if str(p) in times]
+        self._store.setValue("opened", told)
+
+    def opened(self, path: Path) -> datetime | None:
+        """When a recent file was opened or saved last; None if that is not known."""
+        value = self._store.value("opened", [])
+        for line in value if isinstance(value, list) else [value]:
+            then, _, name = str(line).partition(" ")
+            if name == str(path):
+                try:
+                    return datetime.fromisoformat(then).astimezone()
+                except ValueError:
+                    return None
+        return None
 
     def forget(self, path: Path) -> None:
         """Remove a file from the list of recent files."""

@@ -79,12 +79,14 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     """Show a window with a file. If the file cannot be read, the window says why."""
     with uncollected():
         window = Window(windows)
+        if not path:
+            window.set_mode("draw")
         window.show()
         if path:
             window.open_path(Path(path))
     windows.plugins.look_soon()
-    if mode != "draw":
-        window.set_mode(mode)
+    # A window whose file was not opened shows the start page, one with a recording Replay.
+    window.set_mode(mode if mode != "draw" else window.mode)
     return window
 
 

@@ -18,6 +18,7 @@ from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.run.feature import RunFeature
+from smsl_studio.studio.features.start.feature import StartFeature
 from smsl_studio.studio.features.supervise.feature import SuperviseFeature
 from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows
@@ -53,6 +54,7 @@ class Features(QObject):
         super().__init__(parts.window)
         self.draw = DrawFeature(parts, shell)
         self.export = ExportFeature(parts, shell, self.draw.canvas)
+        self.start = StartFeature(parts, shell)
         self.run = RunFeature(parts, shell, windows.spare)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
@@ -66,7 +68,7 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.export, self.run, self.supervise)
+        yield from (self.draw, self.start, self.export, self.run, self.supervise)
         yield from (self.people, self.monitor, self.replay)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
@@ -142,7 +144,7 @@ class Features(QObject):
     def stop(self) -> None:
         """End all work, because the window closes. The run ends first."""
         self.end_run()
-        for feature in (self.replay, self.export, self.draw):
+        for feature in (self.replay, self.export, self.draw, self.start):
             feature.stop()
 
     def end_run(self) -> None:

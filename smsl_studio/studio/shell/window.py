@@ -47,7 +47,7 @@ class Window(QMainWindow):
         self.tokens = windows.tokens
         self._closes = False
         self._room = ScreenRoom(self)
-        DroppedFiles(self.open_path, lambda path: self._beside().open_path(path), self)
+        DroppedFiles(self.open_path, self._open_beside, self)
         self.session = Session(empty_blueprint(), self)
         self.files = Files(self.session, self._settings, Dialogs(self), self)
         self.inspector = Inspector(self.session, self)
@@ -158,7 +158,7 @@ class Window(QMainWindow):
 
     def new_window(self) -> None:
         """Show another empty window, a little below this one."""
-        self._beside()
+        self._beside().set_mode("draw")
 
     def _beside(self) -> Window:
         window = Window(self._windows)
@@ -166,8 +166,18 @@ class Window(QMainWindow):
         window.show()
         return window
 
+    def _open_beside(self, path: Path) -> None:
+        window = self._beside()
+        window.open_path(path)
+        window.set_mode(window.mode)
+
     def set_mode(self, mode: str) -> None:
-        """Switch to Draw, Run, Supervise or Replay."""
+        """Switch to Draw, Run, Supervise or Replay.
+
+        As long as nothing is open, the start page stands for Draw.
+        """
+        if mode == "draw" and not self.files.is_open:
+            mode = "start"
         if mode != self.mode:
             self._modes.show(mode, self.size())
             self.features.mode_shown()
@@ -308,8 +318,7 @@ class Window(QMainWindow):
         self._closes = True
         self.features.stop()
         self._settings.store("window", self.saveGeometry())
-        if self.mode == "draw":
-            self._modes.keep()
+        self._modes.keep()
         self._settings.sync()
         self._stop_key.listen(False)
         self.inspector.stop()

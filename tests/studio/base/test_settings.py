@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray
@@ -32,6 +33,27 @@ def test_recent_files_are_newest_first_and_few(home: Path) -> None:
     assert len(set(settings.recent)) == RECENT
     settings.forget(Path("/a/5.json"))
     assert Path("/a/5.json") not in settings.recent
+
+
+def test_a_recent_file_has_the_time_at_which_it_was_opened(home: Path) -> None:
+    settings, path = Settings(), Path("/a/two words.json")
+    assert settings.opened(path) is None
+    before = datetime.now().astimezone()
+    settings.remember(Path("/a/other.json"))
+    settings.remember(path)
+    settings.sync()
+    again = Settings()
+    for one in (path, Path("/a/other.json")):
+        then = again.opened(one)
+        assert then is not None
+        assert before <= then <= datetime.now().astimezone()
+
+
+def test_times_that_do_not_read_are_not_known(home: Path) -> None:
+    home.mkdir(parents=True, exist_ok=True)
+    (home / "window.ini").write_text("[General]\nrecent=/a.json\nopened=often /a.json\n")
+    assert Settings().recent == (Path("/a.json"),)
+    assert Settings().opened(Path("/a.json")) is None
 
 
 def test_an_unknown_theme_means_the_theme_of_the_desktop(home: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -16,31 +16,28 @@ from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.traits import losses
 from smsl_studio.smsl.unfinished import clear_up
 from smsl_studio.studio.base.settings import Settings
-from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.files.fresh import UNTITLED, empty_blueprint
 from smsl_studio.studio.document.files.interrupted import Settled, settle_interrupted
 from smsl_studio.studio.document.files.on_disk import OnDisk
 from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file, understood
 from smsl_studio.studio.document.files.questions import Answer, Asker
-from smsl_studio.studio.document.files.save_as import form_words, leaves_comments, moved
+from smsl_studio.studio.document.files.save_as import (
+    form_words,
+    leaves_comments,
+    moved,
+    over_an_import,
+)
 from smsl_studio.studio.document.files.store import Pairs, store
+from smsl_studio.studio.document.files.title import Title
 from smsl_studio.studio.document.session import Session
-
-
-@dataclass(frozen=True)
-class Title:
-    """The name of what is open, and words about unsaved changes (empty if there are none)."""
-
-    name: str
-    edited: str
-
-    def __str__(self) -> str:
-        return f"{self.name} ({self.edited})" if self.edited else self.name
 
 
 class Files(QObject):
     """Reads and writes the files of a session. A refused action loses nothing."""
 
+    begun = Signal()
+    """Something will be open now, for the first time in this window."""
     changed = Signal()
     """The file, its name, its text on the disk, or the list of recent files changed."""
     asking = Signal()
@@ -58,11 +55,14 @@ class Files(QObject):
         super().__init__(parent)
         self._session, self._settings, self._asker = session, settings, asker
         self.path: Path | None = None
+        self.is_open = False
+        """Whether a file was opened or a drawing was begun. At first a window has neither."""
         self.on_disk = OnDisk()
         self._name = UNTITLED
         self._told: set[str] = set()
         self._given_up: set[tuple[Path, tuple[str, ...]]] = set()
         session.unsaved = lambda one: self.on_disk.is_nowhere(one.file, one.text)
+        session.blueprint_changed.connect(self._begin)
         session.blueprint_changed.connect(self._learn)
         session.aside_changed.connect(self._tell_aside)
 
@@ -70,6 +70,11 @@ class Files(QObject):
     def name(self) -> str:
         """The file name that the window shows."""
         return self._name
+
+    @property
+    def is_draft(self) -> bool:
+        """Whether this is a new drawing that was never saved, or nothing at all."""
+        return self.path is None and self._name == UNTITLED
 
     @property
     def texts(self) -> dict[str, str]:
@@ -159,12 +164,18 @@ class Files(QObject):
 
     def show(self, opened: OpenedFile, path: Path | None, name: str) -> None:
         """Show an opened file. ``path`` is its place on the disk, None if it has none."""
+        self._begin()
         self.path, self._name = path, name
         self.on_disk.forget()
         self._session.open(opened.blueprint, opened.broken)
         self._learn(opened.blueprint, opened.blueprint)
         self.changed.emit()
         self._say_how_yaml_is_written()
+
+    def _begin(self, *_: object) -> None:
+        if not self.is_open:
+            self.is_open = True
+            self.begun.emit()
 
     def save(self) -> bool:
         """Save all texts that differ from the disk, all or none.
@@ -203,7 +214,7 @@ class Files(QObject):
             return "discard"
         names = [self.display(file) for file in self.unsaved]
         has = "has" if len(names) == 1 else "have"
-        said = f"{_listed(names)} {has} unsaved changes."
+        said = f"{series(names)} {has} unsaved changes."
         return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
 
     def _told_apart(self) -> str:
@@ -265,7 +276,7 @@ class Files(QObject):
         self.changed.emit()
         if names:
             verb = "is" if len(names) == 1 else "are"
-            self.said.emit(f"{_listed(names)} {verb} no longer imported. Save keeps what is "
+            self.said.emit(f"{series(names)} {verb} no longer imported. Save keeps what is "
                            "unsaved there.")  # fmt: skip
 
     def _say_how_yaml_is_written(self) -> None:
@@ -274,7 +285,7 @@ class Files(QObject):
         yaml = [file for file in forms if forms[file] == "yaml" and file not in self._told]
         self._told.update(yaml)
         if yaml:
-            names = _listed([self.display(file) for file in yaml])
+            names = series([self.display(file) for file in yaml])
             self.said.emit(f"{names}: YAML is written whole when it is edited; comments may move.")
 
     def _store(self, files: Sequence[str]) -> bool:
@@ -295,7 +306,7 @@ class Files(QObject):
             return self._store((own, *(file for file in self.unsaved if file != own)))
         others = [file for file in self.unsaved if file != own]
         if self._is_imported(path):
-            self.refused.emit(_over_an_import(path.name))
+            self.refused.emit(over_an_import(path.name))
             return False
         if not (self._may_save_broken([own, *others]) and self._comments_may_go(path)):
             return False
@@ -332,7 +343,7 @@ class Files(QObject):
 
         def ask(files: list[str]) -> bool:
             """Ask whether these files may be overwritten."""
-            return self._asker.may_overwrite(_listed([self.display(file) for file in files]))
+            return self._asker.may_overwrite(series([self.display(file) for file in files]))
 
         if not self._may_lose([path for _, path in pairs]):
             return False
@@ -350,14 +361,14 @@ class Files(QObject):
                 lost = losses(Path(real_path(str(path))))
             if not lost or (path, lost) in self._given_up:
                 continue
-            if not self._asker.may_lose(f"Saved, {path.name} loses {_listed(lost)}."):
+            if not self._asker.may_lose(f"Saved, {path.name} loses {series(lost)}."):
                 return False
             self._given_up.add((path, lost))
         return True
 
     def _saved(self, names: Sequence[str]) -> None:
         self.changed.emit()
-        self.said.emit(f"Saved {_listed(names)}." if names else f"{self._name} is saved already.")
+        self.said.emit(f"Saved {series(names)}." if names else f"{self._name} is saved already.")
 
     def _document(self, file: str) -> Document:
         """A document as it will be written, with the typed text if that is broken."""
@@ -384,15 +395,3 @@ class Files(QObject):
         if not leaves_comments(document, path):
             return True
         return self._asker.may_leave_comments(self._name, form_words(path, document))
-
-
-def _listed(names: Sequence[str]) -> str:
-    """Names in a sentence: a, b and c."""
-    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
-
-
-def _over_an_import(target: str) -> SaveError:
-    return SaveError(
-        f"the blueprint imports {target}, and would overwrite it",
-        advice="Save under another name.",
-    )

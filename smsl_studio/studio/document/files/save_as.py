@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from smsl_studio.blueprint.relocation import relocated
-from smsl_studio.errors import ConvertError
+from smsl_studio.errors import ConvertError, SaveError
 from smsl_studio.smsl.conversion import convert
 from smsl_studio.smsl.document import WORDS, Document
 from smsl_studio.smsl.forms import SUFFIXES, form_of
@@ -60,3 +60,11 @@ def leaves_comments(document: Document, path: Path) -> bool:
         return convert(document, form, str(path)).comments_left > 0
     except ConvertError:  # the save itself reports it
         return False
+
+
+def over_an_import(target: str) -> SaveError:
+    """The refusal of a save over a file that the blueprint imports."""
+    return SaveError(
+        f"the blueprint imports {target}, and would take its place",
+        advice="Save under another name.",
+    )

@@ -131,6 +131,8 @@ class DrawFeature(Feature):
         marked = (self.outline, self.library, self.source, self.fix_card)
         say = self._shell.say_findings
         self.tidings = Tidings(parts, self.findings, self.editor, marked, say, actions.refresh)
+        for running in ("run_play", "run_step"):
+            actions[running].triggered.connect(self.tidings.check)
         self._follow_session()
         self._connect_parts(actions)
 

@@ -13,10 +13,11 @@ from PySide6.QtCore import QObject
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding
-from smsl_studio.studio.base.words import tally, worst
+from smsl_studio.studio.base.words import worst
 from smsl_studio.studio.document.broken import Broken, faults_of
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.panels.findings import Findings
+from smsl_studio.studio.features.draw.panels.unfinished import quiet, sum_of
 from smsl_studio.studio.running.window_parts import WindowParts
 
 EMPTY = "R03"
@@ -53,10 +54,29 @@ class Tidings(QObject):
         self._marked, self._then = tuple(marked), then
         inspector.started.connect(self._checking)
         inspector.found.connect(self._found)
+        parts.files.changed.connect(self._show_again)
+        findings.check_wanted.connect(self.check)
         session.opened.connect(self._opened)
         session.broken_changed.connect(self._broken)
         self._salvaged: Blueprint | None = None
-        self._inspector = inspector
+        self._inspector, self._files = inspector, parts.files
+        self._checked = False
+
+    def check(self) -> None:
+        """Show the findings of a drawing that was never saved as those of any other."""
+        self._checked = True
+        self._show_again()
+
+    def _show_again(self) -> None:
+        """Show the findings again if they are shown otherwise now, because the drawing was
+        saved."""
+        if self._findings.draft != self._is_draft and self._inspector.current:
+            self._found(self._inspector.findings)
+
+    @property
+    def _is_draft(self) -> bool:
+        """Whether somebody is just drawing, and has not asked for a check yet."""
+        return self._files.is_draft and not self._checked
 
     def forget(self) -> None:
         """Remove all findings, because another file was opened."""
@@ -69,6 +89,7 @@ class Tidings(QObject):
     def _opened(self) -> None:
         """Remember the blueprint of a file that was broken when opened: it holds only what could
         be read."""
+        self._checked = False
         self._salvaged = self._session.blueprint if self._session.broken is not None else None
 
     def _broken(self) -> None:
@@ -106,6 +127,9 @@ class Tidings(QObject):
         if not self._session.blueprint.state_count:
             # A new blueprint has no states yet; that is no mistake of the person.
             findings = tuple(finding for finding in findings if finding.rule != EMPTY)
+        self._findings.draft = self._is_draft
+        if self._is_draft:
+            findings = quiet(findings)
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))
@@ -116,4 +140,4 @@ class Tidings(QObject):
     def _told(self, findings: Sequence[Finding]) -> str:
         """The number of findings in words. An empty blueprint has “nothing to check”."""
         nothing = "no findings" if self._session.blueprint.state_count else "nothing to check"
-        return tally(findings) or nothing
+        return sum_of(findings) or nothing

@@ -25,11 +25,15 @@ def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Act
         if shell.mode not in ("supervise", "replay"):
             shell.set_mode("run")
 
+    def can_run() -> bool:
+        """Whether there is something that could run: not while the start page is shown."""
+        return shell.mode != "start"
+
     return (
-        Action("run_play", "Run", play, "Run", "play", ("F5",),
+        Action("run_play", "Run", play, "Run", "play", ("F5",), can_run,
                tip="Start the run, or go on with it"),
         Action("run_pause", "Pause", run.pause, "Run", "pause", ("F6",)),
-        Action("run_step", "One operation", step, "Run", "step", ("F10",)),
+        Action("run_step", "One operation", step, "Run", "step", ("F10",), can_run),
         Action("monitor", "Monitor", run.show_monitor, "View", "signal", ("Ctrl+M",), section=1,
                tip="Every sensor, fact, node and state check of the run"),
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,

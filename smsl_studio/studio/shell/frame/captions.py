@@ -9,10 +9,13 @@ from PySide6.QtWidgets import QMainWindow
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.document.files.files import Files, Title
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.files.title import Title
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.shell.frame.menu_row import MenuRow
 from smsl_studio.studio.shell.frame.status_line import StatusLine
+
+PROGRAM = "SMSL Studio"
 
 
 class Captions(QObject):
@@ -56,6 +59,11 @@ class Captions(QObject):
     def show_title(self) -> None:
         """Show the name of the drawing, or of the file of a run that is another one."""
         other = self.other()
+        self._row.show_unsettled(bool(other) or not self._files.is_draft)
         title = Title(other, "") if other else self._files.title
+        if not other and not self._files.is_open:
+            self._row.show_title(PROGRAM, "")
+            self._window.setWindowTitle(PROGRAM)
+            return
         self._row.show_title(title.name, title.edited)
-        self._window.setWindowTitle(plain_text(f"{title} · SMSL Studio"))
+        self._window.setWindowTitle(plain_text(f"{title} · {PROGRAM}"))

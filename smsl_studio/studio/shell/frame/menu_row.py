@@ -74,6 +74,11 @@ class MenuRow(QWidget):
             self._place()
         return super().eventFilter(watched, event)
 
+    def show_unsettled(self, shown: bool) -> None:
+        """Show or hide the badge "Uninspected": an unfinished drawing is not to be approved yet."""
+        self.badge.setVisible(shown)
+        self._place()
+
     def show_title(self, name: str, edited: str) -> None:
         """Show the file name, and words about unsaved changes (empty if there are none)."""
         self._title.show_name(name, edited)
@@ -94,7 +99,7 @@ class MenuRow(QWidget):
         size = self._title.sizeHint()
         left = self.menus.geometry().right() + 16
         shown = [badge for badge in self._badges if not badge.isHidden()]
-        right = min(badge.geometry().left() for badge in shown) - 16
+        right = min((badge.geometry().left() for badge in shown), default=self.width()) - 16
         wide = min(size.width(), max(0, right - left))
         at = max(left, min((self.width() - wide) // 2, right - wide))
         self._title.setGeometry(at, 1, wide, self.height() - 1)

@@ -91,7 +91,8 @@ class ModeBar(QToolBar):
         layout.setSpacing(12)
         layout.addWidget(self.left_button)
         layout.addWidget(self.segments)
-        layout.addWidget(rule(vertical=True, length=24))
+        self._rule = rule(vertical=True, length=24)
+        layout.addWidget(self._rule)
         layout.addWidget(self._middle, 1)
         layout.addWidget(self.phase)
         layout.addWidget(self.stop)
@@ -143,6 +144,9 @@ class ModeBar(QToolBar):
         self._mode = mode
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
         self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
+        self._rule.setVisible(mode != "start")
+        self._draw_tools.show_tools(mode != "start")
+        self.run.setEnabled(mode != "start")
         self._show_stop()
 
     def _show_stop(self) -> None:
@@ -196,9 +200,16 @@ class _DrawTools(QWidget):
         layout.addWidget(run)
         self.setLayout(layout)
         last = [buttons[name] for name in ("undo", "redo", "sub_sb", "connect", "add_state")]
+        self._tools = (*rules, *buttons.values())
         self._precedence = Precedence(
             self, rules[1], buttons["align"], buttons["tidy"], rules[0], *last, search, run
         )
+
+    def show_tools(self, shown: bool) -> None:
+        """Show or hide the tools for drawing, beside search and Run."""
+        for tool in self._tools:
+            self._precedence.want(tool, shown)
+        self._precedence.fit()
 
     def show_run(self, shown: bool) -> None:
         """Show or hide Run. While a run exists Stop takes its place."""

@@ -58,7 +58,7 @@ class Modes:
         self._line.show_mode(name)
         self._docks.show_mode(name)
         if name == DRAW:
-            self._docks.restore(self._settings.bytes_of("panels/draw"))
+            self.restore()
         self.fit(size)
         self._bar.show()
         # The widget with the focus may be hidden now, and Qt would give the focus to any other.
@@ -79,8 +79,9 @@ class Modes:
             self._docks.set_first_sizes()
 
     def keep(self) -> None:
-        """Remember the places of the panels."""
-        self._settings.store(f"panels/{self.shown}", self._docks.save())
+        """Remember the places of the panels, if they are shown."""
+        if self.shown == DRAW and self._body.isVisible():
+            self._settings.store("panels/draw", self._docks.save())
 
     def fit(self, size: QSize) -> None:
         """In a narrow window show a drawer and its button instead of the left dock.

@@ -40,6 +40,10 @@ class StatusLine(QStatusBar):
         self.setSizeGripEnabled(False)
         self.setAccessibleName("Status")
         self._running = False
+        self._start = False
+        self.nothing = _Segment()
+        self.nothing.setText("No file open")
+        self.addWidget(self.nothing)
         self.counts = [_Segment() for _ in range(4)]
         self.run = [_Segment() for _ in range(6)]
         for part in self.counts:
@@ -93,23 +97,26 @@ class StatusLine(QStatusBar):
         self._show_parts()
 
     def show_mode(self, mode: str) -> None:
-        """Show the parts of a mode: all modes but Draw are about the run."""
-        self._running = mode != "draw"
+        """Show the parts of a mode: all modes but Draw and the start page are about the run."""
+        self._start = mode == "start"
+        self._running = mode != "draw" and not self._start
         self._show_parts()
 
     @property
     def words(self) -> str:
         """All texts at the left, for tests."""
-        shown = self.run if self._running else self.counts
+        shown = [self.nothing] if self._start else self.run if self._running else self.counts
         return " | ".join(part.text() for part in shown if part.text())
 
     def _show_parts(self) -> None:
         """Show the parts of the mode. A hint replaces the left side while it is shown."""
         free = not self.currentMessage()
+        drawn = not self._running and not self._start
+        self.nothing.setVisible(free and self._start)
         for part in self.counts:
-            part.setVisible(free and not self._running)
+            part.setVisible(free and drawn)
         for part in (self.form, self.place):
-            part.setVisible(not self._running)
+            part.setVisible(drawn)
         for part in self.run:
             part.setVisible(free and self._running and bool(part.text()))
         for part in self.run_right:

@@ -28,7 +28,9 @@ def file_actions(
         Action("open_home", "Open the file of this State Branch", open_home, "File", "",
                enabled=lambda: session.branch in session.blueprint.imported,
                tip="Open the imported file in which the State Branch that is shown is written"),
-        Action("save", "Save", files.save, "File", "save", ("Ctrl+S",), section=1),
-        Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",), section=1),
+        Action("save", "Save", files.save, "File", "save", ("Ctrl+S",),
+               lambda: files.is_open, section=1),
+        Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",),
+               lambda: files.is_open, section=1),
         Action("quit", "Quit", windows.quit, "File", "", ("Ctrl+Q",), section=2),
     )  # fmt: skip

@@ -17,6 +17,10 @@ def view_actions(
         """Whether Draw mode is shown."""
         return shell.mode == "draw"
 
+    def drawing_or_start() -> bool:
+        """Whether Draw mode is shown, or the start page, which stands there for it."""
+        return shell.mode in ("draw", "start")
+
     def in_draw(name: str) -> Action:
         """The row that shows or hides the docks of one side."""
         shown = {"left": docks.left_shown, "right": docks.right_shown,
@@ -51,7 +55,7 @@ def view_actions(
 
     return (
         Action("mode_draw", "Draw mode", lambda: shell.set_mode("draw"), "View", "", ("Ctrl+1",),
-               checked=drawn, short="Draw", tip="Draw and check the blueprint"),
+               checked=drawing_or_start, short="Draw", tip="Draw and check the blueprint"),
         Action("mode_run", "Run mode", lambda: shell.set_mode("run"), "View", "", ("Ctrl+2",),
                checked=lambda: shell.mode == "run", short="Run", tip="Run it in a world"),
         Action("mode_supervise", "Supervise mode", lambda: shell.set_mode("supervise"), "View", "",

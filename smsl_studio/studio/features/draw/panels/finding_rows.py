@@ -27,6 +27,7 @@ from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital, subject
+from smsl_studio.studio.features.draw.panels.unfinished import to_finish
 
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
@@ -56,9 +57,8 @@ class _Model(QAbstractListModel):
         if role == Qt.ItemDataRole.UserRole:
             return finding
         if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
-            return f"{WORDS[finding.severity.value]} {finding.rule}, {finding.address}: " + (
-                sentence(finding)
-            )
+            kind = "To finish:" if to_finish(finding) else WORDS[finding.severity.value]
+            return f"{kind} {finding.rule}, {finding.address}: {sentence(finding)}"
         if role == Qt.ItemDataRole.ToolTipRole:
             fix = f"\nCtrl+. {finding.fix.words}" if finding.fix else ""
             also = f", {finding.also}" if finding.also else ""
@@ -196,7 +196,10 @@ class FindingDelegate(QStyledItemDelegate):
             right - rect.left() - TEXT_X - wide,
             rect.height(),
         )
-        paint_text(painter, text, capital(finding.message), TextInk(tokens.tx), elide=RIGHT)
+        said = capital(finding.message)
+        if to_finish(finding):
+            said = f"To finish: {said[:1].lower()}{said[1:]}"
+        paint_text(painter, text, said, TextInk(tokens.tx), elide=RIGHT)
 
     def _button(self, painter: QPainter, box: QRectF, words: str, primary: bool) -> None:
         tokens = self.tokens

@@ -20,6 +20,7 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
 from smsl_studio.studio.features.draw.panels.frame import Panel
+from smsl_studio.studio.features.draw.panels.unfinished import sum_of, to_finish
 
 MOST = 6
 """The panel lists this many faults of a broken text; the source marks all of them."""
@@ -31,6 +32,8 @@ class Findings(Panel):
     """The list of findings. ``tools`` stands at the right of its tab: the summary and “Fix all”."""
 
     count_changed = Signal(int)
+    check_wanted = Signal()
+    """Show what is missing in an unfinished drawing as mistakes."""
 
     def __init__(
         self, session: Session, tokens: Tokens, rules: int = 0, parent: QWidget | None = None
@@ -39,12 +42,19 @@ class Findings(Panel):
         self._session, self._rules, self._tokens = session, rules, tokens
         self._findings: tuple[Finding, ...] = ()
         self._broken: Broken | None = None
+        self.draft = False
+        """Whether the drawing is unfinished, so that nothing speaks of approval."""
         self.summary = Elided("Not checked yet")
         self.summary.setProperty("role", "small")
         self.fix_all_button = QPushButton("Fix all")
         self.fix_all_button.setProperty("role", "soft")
         self.fix_all_button.clicked.connect(self.fix_all)
         self.fix_all_button.hide()
+        self.check_button = QPushButton("Check")
+        self.check_button.setProperty("role", "soft")
+        self.check_button.setToolTip("Show what is missing as the check does")
+        self.check_button.clicked.connect(self.check_wanted)
+        self.check_button.hide()
         self.list = FindingsView(tokens, self)
         self.empty: QLabel = label("", "hint")
         self.empty.setContentsMargins(16, 12, 16, 12)
@@ -58,7 +68,7 @@ class Findings(Panel):
         self._pages.addWidget(self.list)
         self.column.addWidget(self._pages)
         self.tools = QWidget()
-        line = row(self.summary, self.fix_all_button, spacing=12)
+        line = row(self.summary, self.check_button, self.fix_all_button, spacing=12)
         line.setContentsMargins(0, 0, 8, 0)
         self.tools.setLayout(line)
         self.list.clicked.connect(self._jump)
@@ -98,6 +108,7 @@ class Findings(Panel):
         self._findings = ()
         self.list.show_findings(())
         self.fix_all_button.hide()
+        self.check_button.hide()
         self._pages.setCurrentWidget(self._told)
         self.count_changed.emit(0)
         self.set_checking()
@@ -113,6 +124,7 @@ class Findings(Panel):
         self.empty.setText(_faults_told(broken))
         self.summary.setText("The text cannot be read")
         self.fix_all_button.hide()
+        self.check_button.hide()
         self.count_changed.emit(len(broken.error.faults))
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
@@ -124,7 +136,9 @@ class Findings(Panel):
         errors = sum(f.severity is Severity.ERROR for f in findings)
         rules = counted(self._rules, "rule")
         drawn = self._session.blueprint.state_count > 0
+        self.check_button.setVisible(any(map(to_finish, findings)))
         self.summary.setText(
+            sum_of(findings) if self.draft and findings else
             f"{counted(errors, 'error blocks', 'errors block')} approval" if errors else
             f"Checked, {rules}" if drawn else "Nothing to check"
         )  # fmt: skip
@@ -135,6 +149,7 @@ class Findings(Panel):
 
     def next_finding(self) -> None:
         """Go to the next finding; after the last one, to the first."""
+        self.check_wanted.emit()
         if self._findings:
             at = self.list.currentIndex().row()
             index = self.list.model().index((at + 1) % len(self._findings), 0)

@@ -9,7 +9,6 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.document.files.fresh import UNTITLED
 from smsl_studio.studio.document.journal.entry import KeptText
 from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.document.journal.unsaved import Unsaved
@@ -74,7 +73,7 @@ class Safety(QObject):
     def untouched(self) -> bool:
         """Whether nothing was opened or drawn here, so that another blueprint may replace it."""
         files, session = self._files, self._session
-        return files.path is None and files.name == UNTITLED and not session.edited
+        return files.is_draft and not session.edited
 
     def recover(self, left: Left) -> bool:
         """Show the work that another window has left behind.

@@ -1,0 +1,76 @@
+"""The start page as a feature: a page that shows until something is open."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+
+from smsl_studio.studio.base.actions import Actions
+from smsl_studio.studio.base.feature import Feature, Page, Shell
+from smsl_studio.studio.base.late_part import LatePart
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.running.window_parts import WindowParts
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.start.page import StartPage
+
+
+class StartFeature(Feature):
+    """The page of the mode ``start``, which stands for Draw mode as long as nothing is open."""
+
+    def __init__(self, parts: WindowParts, shell: Shell) -> None:
+        self._parts, self._shell, self._tokens = parts, shell, parts.tokens
+        self.part = LatePart(self._make)
+        self.pages = {"start": self._page}
+        parts.files.begun.connect(self._leave)
+
+    def take_actions(self, actions: Actions) -> None:
+        """Keep the actions that the cards stand for."""
+        self._actions = actions
+
+    def _page(self) -> Page:
+        return Page(self.part(), self.part())
+
+    def _make(self) -> StartPage:
+        from smsl_studio.studio.features.start.page import StartPage
+
+        files, settings = self._parts.files, self._parts.settings
+        page = StartPage(settings, self._tokens)
+        column = page.column
+        column.new_wanted.connect(self._actions["new"].trigger)
+        column.open_wanted.connect(self._actions["open"].trigger)
+        column.try_wanted.connect(self._try)
+        column.file_wanted.connect(lambda path: files.open(path))
+        column.sample_wanted.connect(lambda path: files.open_copy(path))
+        for changed in (files.changed, files.refused):
+            changed.connect(page.look)
+        return page
+
+    def _leave(self) -> None:
+        """Show the drawing, because there is one now."""
+        if self.part.made is not None:
+            self.part.made.stop()
+        if self._shell.mode == "start":
+            self._shell.set_mode("draw")
+
+    def _try(self, path: Path) -> None:
+        """Open a copy of the sample, and go to its first finding as soon as it is checked."""
+        if self._parts.files.open_copy(path):
+            once = Qt.ConnectionType.SingleShotConnection
+            self._parts.inspector.found.connect(self._show_finding, once)
+
+    def _show_finding(self, _: object) -> None:
+        self._actions["next_finding"].trigger()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        if self.part.made is not None:
+            self.part.made.set_tokens(tokens)
+
+    def stop(self) -> None:
+        """End the drawing of thumbnails, because the window closes."""
+        if self.part.made is not None:
+            self.part.made.stop()
