@@ -20,7 +20,8 @@ class Marks:
     their nodes. If ``dimmed``, everything without a mark is pale, as in a run. ``changes`` has the
     sign of a comparison for each address: ``+`` added, ``-`` removed, ``~`` changed. ``guards``
     says whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why
-    in words.
+    in words. ``found`` are the hits of a search, and ``hit`` is the one that is shown. ``ways`` are
+    the operations on the ways between two selected states.
     """
 
     selection: tuple[Address, ...] = ()
@@ -41,4 +42,7 @@ class Marks:
     changes: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     guards: Mapping[Address, tuple[str, str]] = field(default_factory=lambda: MappingProxyType({}))
     goals: frozenset[str] = frozenset()
+    found: tuple[Address, ...] = ()
+    hit: Address | None = None
+    ways: tuple[Address, ...] = ()
     dimmed: bool = False

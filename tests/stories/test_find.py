@@ -32,7 +32,7 @@ def noted(tmp_path: Path) -> Path:
 def find(person: Person, text: str) -> list[str]:
     """Type into the box; the rows that were found."""
     person.window.canvas.setFocus()
-    person.ctrl(Key.Key_F)
+    person.ctrl(Key.Key_K)
     person.type(text)
     rows = person.window.command_palette.list.rows.rows
     return [row.text for row in rows if row.kind == LINE]

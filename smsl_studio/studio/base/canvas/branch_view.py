@@ -147,6 +147,19 @@ class BranchView(Stage):
             self.camera.keep("")
             self.camera.go(at, self.zoom, smooth)
 
+    def show_in_middle(self, address: Address, least: float) -> None:
+        """Scroll a state or operation to the middle. A zoom below ``least`` rises to it."""
+        rect = self.rect_of(address)
+        if rect is None:
+            return
+        self.camera.finish()
+        self.camera.keep("")
+        if self.zoom < least:
+            # At another level of detail the label of an operation stands elsewhere.
+            self.camera.go(rect.center(), least, smooth=False)
+            rect = self.rect_of(address) or rect
+        self.camera.go(rect.center(), self.zoom)
+
     @property
     def clear_view(self) -> QRectF:
         """The visible part of the scene without a margin, so that a node at its border is whole."""

@@ -16,6 +16,7 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.background import EdgePainter, FarNodePainter
 from smsl_studio.studio.base.canvas.camera import Camera
+from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
@@ -51,7 +52,8 @@ class Stage(QGraphicsView):
         self.lit_layer = LitLayer(20.0)
         self.edges, self.far_nodes = EdgePainter(self.lit_layer), FarNodePainter()
         self.gestures = GestureLayer(self)
-        for layer in (self.lit_layer, self.gestures):
+        self.found_layer = FoundLayer(self.lit_layer)
+        for layer in (self.lit_layer, self.found_layer, self.gestures):
             scene.addItem(layer)
         self.setScene(scene)
         self._set_up()
@@ -123,6 +125,8 @@ class Stage(QGraphicsView):
 
     def set_marks(self, marks: Marks) -> None:
         """Show other marks; only what looks different now is painted again."""
+        if marks.found or self._marks.found:
+            self.found_layer.update()
         self._marks = marks
         sheet = self._sheet
         if sheet is None:
@@ -253,6 +257,8 @@ class Stage(QGraphicsView):
         if sheet is None:
             return
         after = self.lit_layer.shown()
+        if sheet.looks.marks.found and before != after:
+            self.found_layer.update()
         for edge in before.keys() | after.keys():
             old, new = before.get(edge), after.get(edge)
             if old == new:
@@ -283,7 +289,7 @@ class Stage(QGraphicsView):
         wide = max(self.viewport().width(), 400) / zoom + 300.0
         high_ = max(self.viewport().height(), 300) / zoom + 300.0
         rect = rect.adjusted(-wide, -high_, wide, high_)
-        for layer in (self.lit_layer, self.gestures):
+        for layer in (self.lit_layer, self.found_layer, self.gestures):
             layer.cover(rect)
         if rect != self.sceneRect():
             self.scene().setSceneRect(rect)

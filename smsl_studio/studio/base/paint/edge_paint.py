@@ -27,6 +27,8 @@ from smsl_studio.studio.base.paint.ink import (
 )
 
 HEAD, LABEL_HEIGHT = 8.0, 15.0
+BAND = 12.0
+"""The width of the band under the line that is the hit of a search (mark pixels)."""
 # Two labels whose lines are 16 apart must fit below each other, so a label is 15 high.
 MARK_WIDTH = 13.0
 
@@ -49,6 +51,8 @@ class EdgeLook:
     held_back: bool = False
     risky: bool = False
     possible: bool = False
+    hit: bool = False
+    """Whether the operation is the hit of a search that is shown."""
     finding: str = ""
     change: str = ""
     """The sign of a comparison: ``+``, ``-`` or ``~``; empty without a comparison."""
@@ -62,7 +66,7 @@ class EdgeLook:
         return bool(
             (self.selected or self.out or self.hovered or self.finding or self.possible)
             or (self.running is not None or self.trail or self.planned)
-            or (self.pruned or self.held_back or self.risky or self.change)
+            or (self.pruned or self.held_back or self.risky or self.change or self.hit)
         )
 
 
@@ -119,6 +123,9 @@ def paint_line(
     head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
     body, tip = (drawn or EdgeShapes()).of(shape, head * unit, (head - 2.0) * unit)
     painter.setBrush(NO_BRUSH)
+    if look.hit:
+        painter.setPen(pen(tokens.accs, BAND * unit))
+        painter.drawPolyline(body)
     if look.trail:
         painter.setPen(pen(faded(tokens.acc, 0.16), 9.0 * unit))
         painter.drawPolyline(body)
@@ -264,7 +271,7 @@ def paint_label(
     left = centre.x() - width / 2
     if ground:
         area = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
-        painter.fillRect(area, tokens.canvas)
+        painter.fillRect(area, tokens.accs if look.hit else tokens.canvas)
     lit = (
         look.selected
         or (look.out and not text.mono)

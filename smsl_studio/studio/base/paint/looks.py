@@ -91,6 +91,10 @@ class Looks:
             self._note(address, "selected", True, nodes, edges)
         if len(marks.selection) == 1 and not marks.dimmed:
             self._light_out(marks.selection[0], edges)
+        for address in marks.ways:
+            self._note(address, "trail", True, nodes, edges)
+        if marks.hit is not None:
+            self._note(marks.hit, "hit", True, nodes, edges)
         for address, letter in marks.findings.items():
             self._note(address, "finding", letter, nodes, edges)
         for address, sign in marks.changes.items():

@@ -28,6 +28,8 @@ from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE
 
 CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0
 GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
+BAND = 9.0
+"""How far the band around the hit of a search reaches beyond the border (mark pixels)."""
 MARGIN = 30.0
 """How far signs reach beyond a node's border (mark pixels): glow, ring, initial dot, finding."""
 
@@ -45,6 +47,8 @@ class NodeLook:
     goal: bool = False
     near: bool = False
     """Whether a highlighted operation touches the state, so that it is not dimmed."""
+    hit: bool = False
+    """Whether the state is the hit of a search that is shown."""
     finding: str = ""
     change: str = ""
     """What a comparison tells: ``+``, ``-`` or ``~``."""
@@ -58,6 +62,7 @@ class NodeLook:
             or self.active
             or self.visited
             or self.next
+            or self.hit
             or bool(self.finding or self.change)
         )
 
@@ -148,6 +153,11 @@ def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
 
 def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink) -> None:
     tokens = ink.tokens
+    if look.hit:
+        painter.setPen(pen(tokens.accl, 1.0))
+        painter.setBrush(tokens.accs)
+        out = BAND
+        painter.drawRoundedRect(rect.adjusted(-out, -out, out, out), radius + out, radius + out)
     painter.setBrush(NO_BRUSH)
     if look.active:
         # Several strokes with a low alpha make a soft edge without a blur effect, which is slow.

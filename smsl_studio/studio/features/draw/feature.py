@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -30,7 +30,9 @@ from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
 from smsl_studio.studio.features.draw.facts.panel import Facts
+from smsl_studio.studio.features.draw.find.bar import DrawingFindBar
 from smsl_studio.studio.features.draw.find.destinations import Destinations
+from smsl_studio.studio.features.draw.find.drawing_search import DrawingSearch
 from smsl_studio.studio.features.draw.find.finder import Finder
 from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.features.draw.menus.blueprint import blueprint_actions
@@ -86,8 +88,11 @@ class DrawFeature(Feature):
         ask = self.properties.file.ask_file = Dialogs(window).file_to_open
         self.comparing = Comparison(session, files, ask, tokens, window)
         self.safety = Safety(parts, self.source, self.comparing.with_version)
-        self.going = Destinations(shell, self.properties, files)
-        self.pages = {"draw": lambda: Page(self.canvas, self.canvas)}
+        self.going = Destinations(shell, self.properties, self.library, files)
+        bar = DrawingFindBar(tokens)
+        self.search = DrawingSearch(session, self.canvas, bar, parts.inspector, self.going)
+        self.search.offered = lambda: self.library.offered
+        self.pages = {"draw": lambda: Page(_below(self.search.bar, self.canvas), self.canvas)}
         self.panels = (
             DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
             DockPanel("Facts", "left", self.facts, self.facts.tools),
@@ -109,7 +114,7 @@ class DrawFeature(Feature):
         return (
             *file_actions(files, session, shell.program, shell),
             *sample_actions(files),
-            *edit_actions(session, self.drawing, self.clipping, shell),
+            *edit_actions(session, self.drawing, self.clipping, self.search.open, shell),
             *view_actions(self.drawing, shell.sides, shell.program, shell),
             *blueprint_actions(
                 self.drawing,
@@ -156,6 +161,8 @@ class DrawFeature(Feature):
         comparing.said.connect(toast.say)
         comparing.changed.connect(actions.refresh)
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
+        self.drawing.ways.told.connect(self._tell_ways)
+        self.properties.ways_wanted.connect(actions["show_ways"].trigger)
         self.fix_card.fix_wanted.connect(self.findings.fix)
         for panel in (self.outline, self.facts):
             panel.fact_wanted.connect(self.going.show_fact)
@@ -186,7 +193,8 @@ class DrawFeature(Feature):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (self.canvas, self.palette, self.fix_card, self.comparing, self.safety):
+        canvas, bar = self.canvas, self.search.bar
+        for part in (canvas, bar, self.palette, self.fix_card, self.comparing, self.safety):
             part.set_tokens(tokens)
         for panel in self.panels:
             if isinstance(panel.widget, Coloured):
@@ -226,6 +234,13 @@ class DrawFeature(Feature):
         if self._shell.mode == "draw":
             self.canvas.setFocus()
 
+    def _tell_ways(self, words: str, asked: bool) -> None:
+        """Tell the ways between two states in Properties, or over the canvas if these are not
+        shown."""
+        self.properties.several.show_ways(words)
+        if asked and not self.properties.isVisible():
+            self._parts.toast.say(words)
+
     def _say_deleted(self, name: str, states: int) -> None:
         """Say that a whole SB was deleted, and offer to undo that."""
         words = f"Deleted State Branch {name} with {counted(states, 'state')}."
@@ -257,3 +272,14 @@ class DrawFeature(Feature):
         fill_samples(self._parts.files, menu)
         button = self.canvas.overlays.empty.sample
         menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
+
+
+def _below(bar: QWidget, canvas: QWidget) -> QWidget:
+    """The page of the drawing: a bar above the canvas."""
+    page = QWidget()
+    column = QVBoxLayout(page)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    column.addWidget(bar)
+    column.addWidget(canvas, 1)
+    return page

@@ -415,3 +415,27 @@ def test_words_instead_of_digits_leave_nothing_stale_on_the_screen(hfsm: Drawer)
     assert texts() == ["1", "0", "0"]
     assert alike(on_screen(hfsm), digits)
     assert session.blueprint.document.text == text
+
+
+def test_the_signs_of_a_search_leave_nothing_stale_on_the_screen(hanoi3: Drawer) -> None:
+    canvas, picture = hanoi3.canvas, hanoi3.sheet.picture
+    states = [Address("SB1", name) for name in picture.names]
+    edges = [picture.address(edge) for edge in range(0, len(picture.operations), 3)]
+    plain = on_screen(hanoi3)
+    for zoom in (1.0, 0.5, 0.2):
+        canvas.zoom_to(zoom)
+        for found, hit in (
+            ((*states, *edges), states[0]),
+            (tuple(states[3:9]), states[5]),
+            (tuple(edges), edges[2]),
+            ((), None),
+        ):
+            selection = (hit,) if hit is not None else ()
+            marks = dataclasses.replace(canvas.marks, found=found, hit=hit, selection=selection)
+            before = on_screen(hanoi3)
+            canvas.set_marks(marks)
+            seen = on_screen(hanoi3)
+            assert not alike(before, seen), "the signs are seen"
+            assert alike(painted_anew(hanoi3), seen), (zoom, hit)
+    canvas.fit()
+    assert alike(on_screen(hanoi3), plain)

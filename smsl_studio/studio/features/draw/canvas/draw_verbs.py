@@ -15,6 +15,7 @@ from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
+from smsl_studio.studio.features.draw.canvas.ways import WaysBetween
 
 TENTH = 0.1
 """In scene units. Positions that differ by less are equal when the layout is written."""
@@ -25,6 +26,7 @@ class DrawVerbs:
 
     def __init__(self, session: Session, editor: CanvasEditor) -> None:
         self._session, self._editor, self.canvas = session, editor, editor.canvas
+        self.ways = WaysBetween(session, self.canvas)
 
     # What can be done now.
 
@@ -156,6 +158,10 @@ def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Ac
                pointer=("state", "operation")),
         Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
                lambda: drawn() and drawing.has_states(), scope="canvas", section=1),
+        Action("show_ways", "Show ways between", drawing.ways.show, "Edit", "",
+               enabled=lambda: drawn() and drawing.ways.can_show(), section=1,
+               tip="Light the cheapest ways between two selected states, there and back",
+               pointer=("state",)),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""How search shows targets that are not on the canvas: a fact, a hazard, another file."""
+"""How search shows targets that are not on the canvas: facts, hazards, plugins, files."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Protocol
 
 from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.features.draw.panels.library import Library
 from smsl_studio.studio.features.draw.panels.properties import Properties
 
 
@@ -17,10 +18,13 @@ class Panels(Protocol):
 
 
 class Destinations:
-    """Shows facts and hazards in the properties panel, and opens files."""
+    """Shows facts and hazards in Properties and operations in the library, and opens files."""
 
-    def __init__(self, panels: Panels, properties: Properties, files: Files) -> None:
+    def __init__(
+        self, panels: Panels, properties: Properties, library: Library, files: Files
+    ) -> None:
         self._panels, self._properties, self._files = panels, properties, files
+        self._library = library
 
     def show_fact(self, branch: str, digit: int) -> None:
         """Show a fact in the properties panel."""
@@ -31,6 +35,11 @@ class Destinations:
         """Show a hazard in the properties panel."""
         self._panels.show_tab("Properties")
         self._properties.show_hazard(name)
+
+    def show_offered(self, pattern: str) -> None:
+        """Show an operation that a plugin offers, in the library."""
+        self._panels.show_tab("Library")
+        self._library.reveal(pattern)
 
     def open_file(self, path: Path) -> None:
         """Open a file in this window."""

@@ -181,8 +181,8 @@ class Finder:
         return kind == "file"
 
 
-OWN = ("palette", "find")
-"""The actions that open the palette itself; they are not listed."""
+OWN = ("palette",)
+"""The action that opens the palette itself; it is not listed."""
 
 
 def _resolved(blueprint: Blueprint, address: str) -> Address | None:

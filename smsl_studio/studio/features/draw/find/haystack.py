@@ -64,6 +64,22 @@ class Haystack:
             self._add(found, self._letters("".join(words), most))
         return sorted(self._hit(line, tier) for line, tier in found.items())[:most]
 
+    def holding(self, typed: str) -> Iterator[tuple[int, int, int]]:
+        """Every line that holds the typed text, in the order of the lines.
+
+        With its number, and the place of the text in it (from, to).
+        """
+        phrase = " ".join(_lowered(typed[:LONGEST]).split())
+        starts, at = self._starts, self._text.find(phrase) if phrase else -1
+        while at >= 0:
+            line = bisect_right(starts, at) - 1
+            yield line, at - starts[line], at - starts[line] + len(phrase)
+            at = self._text.find(phrase, starts[line + 1])
+
+    def line(self, number: int) -> str:
+        """A line as it was given."""
+        return self._written[self._starts[number] : self._starts[number + 1] - 1]
+
     def _add(self, found: dict[int, int], pairs: Iterator[tuple[int, int]]) -> None:
         for line, tier in pairs:
             found[line] = min(tier, found.get(line, tier))

@@ -18,9 +18,13 @@ NOT_SHOWN = EditRefused(
 
 
 def edit_actions(
-    session: Session, drawing: DrawVerbs, clipping: ClipboardVerbs, shell: Shell
+    session: Session,
+    drawing: DrawVerbs,
+    clipping: ClipboardVerbs,
+    find: Callable[[], object],
+    shell: Shell,
 ) -> tuple[Action, ...]:
-    """The rows of the Edit menu."""
+    """The rows of the Edit menu. ``find`` opens the bar that finds in the drawing."""
     history = session.history
 
     def drawn() -> bool:
@@ -59,7 +63,7 @@ def edit_actions(
         *selection_actions(drawing, drawn),
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),
-        Action("find", "Find in the blueprint", shell.open_palette, "Edit", "", ("Ctrl+F",),
+        Action("find", "Find in the drawing", find, "Edit", "", ("Ctrl+F",),
                drawn, scope="canvas", section=2,
-               tip="Find states, operations, facts, hazards and findings by typing"),
+               tip="Go from hit to hit on the canvas, also by fact values such as Disk 2 = b"),
     )  # fmt: skip

@@ -94,6 +94,19 @@ class Library(Panel):
             self._offers = tuple(offers)
             self._show()
 
+    @property
+    def offered(self) -> tuple[str, ...]:
+        """The names or patterns of the operations that plugins offer."""
+        return tuple(offer.pattern for offer in self._offers)
+
+    def reveal(self, pattern: str) -> None:
+        """Mark the row of an operation that a plugin offers."""
+        self.filter.clear()
+        rows = self.list.rows.rows
+        marked = [at for at, row in enumerate(rows) if row.text == pattern and row.payload is None]
+        if marked:
+            self.list.setCurrentIndex(self.list.rows.index(marked[-1]))
+
     def _clicked(self, index: QModelIndex) -> None:
         row: ListRow = index.data(Qt.ItemDataRole.UserRole)
         if isinstance(row.payload, str):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
 
 from smsl_studio.blueprint import editing
@@ -27,6 +27,9 @@ class Properties(QScrollArea):
 
     The selection is one state, one operation, or what several elements share.
     """
+
+    ways_wanted = Signal()
+    """Show the ways between the two selected states."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,6 +65,7 @@ class Properties(QScrollArea):
         self.header.fact_wanted.connect(self.show_fact)
         self.fact.left.connect(session.leave_fact)
         self.fact.sub_wanted.connect(session.show_branch)
+        self.several.ways.clicked.connect(self.ways_wanted)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -124,12 +128,24 @@ class _Several(Panel):
         self._count: QLabel = label("", "heading")
         self._facts: QLabel = label("", "small")
         self._facts.setWordWrap(True)
+        self._ways: QLabel = label("", "small")
+        self._ways.setWordWrap(True)
+        self.ways = QPushButton("Show ways between")
+        self.ways.setToolTip("Light the cheapest ways between the two states, there and back")
         self.delete = QPushButton("Delete")
         self.delete.setToolTip("Delete what is selected (Del)")
         self.delete.clicked.connect(self._delete)
         self.column.addWidget(self._count)
         self.column.addWidget(self._facts)
+        self.column.addWidget(self._ways)
+        self.column.addLayout(row(self.ways, None))
         self.column.addLayout(row(self.delete, None))
+        self.show_ways("")
+
+    def show_ways(self, words: str) -> None:
+        """Tell the ways between the two selected states; empty for none."""
+        self._ways.setText(words)
+        self._ways.setVisible(bool(words))
 
     def show_selection(self, states: list[Address], edges: list[Address]) -> None:
         """Count the selected elements, and show the facts that the states share."""
@@ -141,6 +157,8 @@ class _Several(Panel):
         self._facts.setText(_shared_facts(self._session.blueprint, states))
         self._facts.setVisible(bool(self._facts.text()))
         self.delete.setText(f"Delete {' and '.join(words)}")
+        two = len(states) == 2 and not edges
+        self.ways.setVisible(two and states[0].branch == states[1].branch)
 
     def _delete(self) -> None:
         chosen = self._session.selection

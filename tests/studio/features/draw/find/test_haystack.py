@@ -47,3 +47,18 @@ def test_special_characters_of_expressions_are_plain_characters() -> None:
     assert names(lines, "a b")[0] == "a\nb", "a name of two lines is one line"
     assert names([], "a") == []
     assert names(lines, "x" * 5000) == []
+
+
+@settings(max_examples=100, deadline=None)
+@given(lines, st.text(st.sampled_from("ab01_ "), max_size=4))
+def test_every_line_that_holds_the_text_is_told_in_order_with_its_place(
+    haystack: list[str], typed: str
+) -> None:
+    phrase, stack = " ".join(typed.split()), Haystack(haystack)
+    plain = [line.lower().replace("i̇", "İ") for line in haystack]
+    expected = [
+        (at, line.find(phrase), line.find(phrase) + len(phrase))
+        for at, line in enumerate(plain) if phrase and phrase in line
+    ]  # fmt: skip
+    assert list(stack.holding(typed)) == expected
+    assert [stack.line(at) for at in range(len(stack))] == haystack
