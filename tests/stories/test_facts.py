@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QHelpEvent, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.studio.base.paint.node_paint import chip_places
@@ -209,6 +209,7 @@ def test_a_fact_is_moved_by_keys_and_by_the_pointer_after_its_effect_was_told(si
     assert panel.card.words.text() == "“Fact 2” becomes digit 0. 1 state changes."
     person.press(Key.Key_Return)
     assert person.blueprint["SB1"].subs == {0: "SB2"}
+    assert panel.view.currentIndex().row() == 0
     drag_digit(person, 0, 1)
     person.until(panel.card.isVisible)
     person.click(panel.card.agree)
@@ -308,8 +309,12 @@ def test_a_chip_on_the_canvas_tells_what_its_value_means(sit: Sit) -> None:
 
     def tip_at(digit: int) -> str:
         at = chips[digit].center() + QPointF(*sheet.at[state])
-        person.move_to(person.on_canvas(at))
-        return canvas.viewport().toolTip()
+        place = person.on_canvas(at)
+        person.move_to(place)
+        viewport = canvas.viewport()
+        rest = QHelpEvent(QEvent.Type.ToolTip, place, viewport.mapToGlobal(place))
+        QApplication.sendEvent(viewport, rest)
+        return QToolTip.text()
 
     assert tip_at(0) == "Fact 1: fixed (1)"
     assert tip_at(1) == "Fact 2: 0\nExpanded by SB2"

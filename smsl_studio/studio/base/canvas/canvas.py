@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -273,6 +273,12 @@ class Canvas(BranchView):
         """End the hover, because the pointer is outside now."""
         super().leaveEvent(event)  # type: ignore[arg-type]
         self.hand.left()
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        """Leave tooltips to the viewport, which has that of what is hovered. A graphics view would
+        ask only its items for one.
+        """
+        return event.type() != QEvent.Type.ToolTip and super().viewportEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Emit ``context_wanted`` with the element under the pointer."""

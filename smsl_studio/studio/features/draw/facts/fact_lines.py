@@ -69,10 +69,13 @@ def fact_lines(branch: StateBranch) -> tuple[TabledFact, ...]:
 
 
 def values_of(branch: StateBranch, digit: int) -> tuple[str, ...]:
-    """The values of a fact: those in the states, and those that are only described."""
+    """The values of a fact: those in the states, and those that are only described. A fact that is
+    0 or 1 has both.
+    """
     note = branch.fact_note(digit) or PLAIN
     seen = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-    return tuple(dict.fromkeys((*seen, *note.values, *note.failure))) or ("0", "1")
+    found = tuple(dict.fromkeys((*seen, *note.values, *note.failure)))
+    return ("0", "1") if set(found) <= {"0", "1"} else found
 
 
 def _line(branch: StateBranch, digit: int) -> TabledFact:

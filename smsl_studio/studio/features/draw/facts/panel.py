@@ -83,6 +83,7 @@ class Facts(Panel):
         super().__init__("Facts", parent)
         self._session = session
         self._shown: StateBranch | None = None
+        self._next_row = 0
         self.add_button = SmallButton("Add a fact", "plus", tokens)
         self.words, self.view = ColumnWords(tokens), FactView(tokens)
         self.setFocusProxy(self.view)
@@ -311,6 +312,7 @@ class Facts(Panel):
         branch = self._shown
         if branch is not None and 0 <= place < count_of(branch) and digit < count_of(branch):
             self._ask(move(branch, digit, place))
+            self._next_row = place
 
     def _propose_deletion(self, digit: int) -> None:
         branch = self._shown
@@ -327,6 +329,8 @@ class Facts(Panel):
         before = len(self.view.facts.lines)
         done = self._session.edit(proposal.step, proposal.change)
         self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        if done and proposal.verb == "Move fact":
+            self.view.setCurrentIndex(self.view.facts.index(self._next_row))
         if done and len(self.view.facts.lines) == before + 1 and proposal.verb == "Add fact":
             self.view.edit_cell(before, "name")
 
