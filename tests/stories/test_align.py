@@ -141,12 +141,13 @@ def test_keys_alone_open_the_menu_and_choose(sit: Sit) -> None:
 def test_menu_palette_and_pointer_offer_the_same(sit: Sit) -> None:
     person = sit(FILE)
     window = person.window
-    inner = next(m for m in window.findChildren(QMenu) if m.title() == "Align")
-    inner.aboutToShow.emit()
-    assert not row(inner, "Align left").isEnabled()
+    blueprint = next(m for m in window.findChildren(QMenu) if m.title() == "Blueprint")
+    blueprint.aboutToShow.emit()
+    (offered,) = (one for one in blueprint.actions() if one.text() == "Align…")
+    assert not offered.isEnabled()
     chosen = select(person, 2)
-    inner.aboutToShow.emit()
-    assert row(inner, "Align left").isEnabled()
+    blueprint.aboutToShow.emit()
+    assert offered.isEnabled()
     draw = window.features.draw
     where = address(f"{SB}/{chosen[0]}")
     menu = context_menu(
@@ -161,6 +162,10 @@ def test_menu_palette_and_pointer_offer_the_same(sit: Sit) -> None:
     person.press(Key.Key_Return)
     person.until(lambda: len(person.steps()) == 2)
     assert person.steps()[1] == "Space equally down: 2 states"
+    offered.trigger()
+    shown = open_menu(person)
+    assert row(shown, "Align left").isEnabled()
+    shown.close()
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -105,7 +105,6 @@ class DrawFeature(Feature):
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
             "new": ("Open sample", lambda menu: fill_samples(files, menu)),
-            "tidy": ("Align", lambda menu: fill_align(self._actions, menu)),
         }
 
     def actions(self) -> tuple[Action, ...]:
