@@ -37,7 +37,7 @@ _LINE = re.compile(rf"#{_SPACE}((?:HEADER\.)?{QUOTED}|{BARE}){_SPACE}:{_SPACE}([
 _SCALAR = re.compile(
     r"(?:true|false|null|-?(?:0|[1-9][0-9]*+)(?:\.[0-9]++)?(?:[eE][+-]?[0-9]++)?)(?=[\s,]|$)"
 )
-_MAP = re.compile(rf"\((?:[\s,]*+{ENTRY.replace('(' + NAME, '(?:' + NAME)})*+[\s,]*+\)")
+_MAP = re.compile(rf"\((?>(?:[\s,]*+{ENTRY.replace('(' + NAME, '(?:' + NAME)})*)[\s,]*+\)")
 _ENTRY = re.compile(ENTRY)
 _TRAIL = re.compile(r"[\s,]*+(?://.*)?", re.DOTALL)
 _BEFORE_BRACKET = re.compile(r"\s*+[{}\[\]#]")

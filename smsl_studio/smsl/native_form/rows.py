@@ -18,7 +18,7 @@ from smsl_studio.smsl.native_form.tokens import is_bare
 
 _COMMAS = re.compile(r"(?:[^\S\r\n]*+,)*+")
 _COMMENT = re.compile(r"[^\S\r\n]*+//[^\r\n]*+")
-_ABOUT = re.compile(r"((?:[^\S\r\n]*+//[^\r\n]*+(?:\r\n|\r|\n))++)([^\S\r\n]*+)\Z")
+_ABOUT = re.compile(r"((?>(?:[^\S\r\n]*+//[^\r\n]*+(?:\r\n|\r|\n))+))([^\S\r\n]*+)\Z")
 _BREAK = re.compile(r"\r\n|\r|\n")
 
 

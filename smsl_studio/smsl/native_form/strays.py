@@ -13,7 +13,7 @@ from smsl_studio.smsl.native_form.lines import HashLine
 _STATE = re.compile(rf"{tokens.NAME}{tokens.GAP}:")
 _RUN = re.compile(r"[^\r\n{}\[\]#]*+")
 _REST_OF_LINE = re.compile(r"[^\r\n}]*+")
-_SIGNS = re.compile(r"(?:[>()/:]|->)++")
+_SIGNS = re.compile(r"(?>(?:[>()/:]++|->)+)")
 _CLOSERS = {"}": "{", "]": "["}
 _ADVICE = {
     "state": "A State Branch holds # lines and states, such as State0: [Operation -> State1].",

@@ -2,6 +2,10 @@
 
 A line ends with CR, LF or both. Between tokens are white space, comments and, in most places,
 commas. Commas have no meaning: they can be left out or doubled.
+
+What may begin in two ways is repeated in an atomic group, ``(?>(?:a|b)+)``, and not possessively,
+``(?:a|b)++``: before Python 3.11.5 a possessive repeat keeps a part of what it tried in vain
+(python/cpython#106052).
 """
 
 from __future__ import annotations
@@ -9,7 +13,7 @@ from __future__ import annotations
 import json
 import re
 
-BARE = r'(?:[^\s{}\[\]:,#/"()>\-]|-(?!>))++'
+BARE = r'(?>(?:[^\s{}\[\]:,#/"()>\-]++|-(?!>))+)'
 QUOTED = r'"[^"\\\r\n]*+(?:\\[^\r\n][^"\\\r\n]*+)*+"'
 NAME = rf"(?:{BARE}|{QUOTED})"
 GAP = r"\s*+(?://[^\r\n]*+\s*+)*+"
@@ -23,7 +27,7 @@ gap = re.compile(GAP)
 separator = re.compile(SEPARATOR)
 edge = re.compile(rf"({NAME}){GAP}->{GAP}({NAME})")
 edges = re.compile(rf"{SEPARATOR}({NAME}){GAP}->{GAP}({NAME})")
-state = re.compile(rf"({NAME}){GAP}:{GAP}\[((?:{SEPARATOR}{EDGE})*+){SEPARATOR}\]")
+state = re.compile(rf"({NAME}){GAP}:{GAP}\[((?>(?:{SEPARATOR}{EDGE})*)){SEPARATOR}\]")
 """A whole state with edges only. Group 2 ends with its last edge."""
 opening = re.compile(rf"({NAME}){GAP}:{GAP}\[")
 rest_of_line = re.compile(r"[^\r\n]*+")
