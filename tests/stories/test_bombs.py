@@ -78,9 +78,9 @@ def test_a_file_that_is_opened_is_drawn_once(
     person = sit()
     drawn: list[str] = []
 
-    def counted(blueprint: Blueprint, branch: str) -> Picture:
+    def counted(blueprint: Blueprint, branch: str, *, words: bool) -> Picture:
         drawn.append(branch)
-        return Picture(blueprint, branch)
+        return Picture(blueprint, branch, words=words)
 
     monkeypatch.setattr("smsl_studio.studio.base.canvas.canvas.Picture", counted)
     for name, first in (("states_in_a_ring", "B"), ("long_sbs", "0" * 9_000)):

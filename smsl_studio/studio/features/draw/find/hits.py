@@ -126,10 +126,10 @@ class _Run:
 class Hits:
     """The hits of one search. ``more`` says that there are more than were counted."""
 
-    def __init__(self, shelves: Iterable[tuple[Lines, Iterable[LinePart]]] = ()) -> None:
+    def __init__(self, searched: Iterable[tuple[Lines, Iterable[LinePart]]] = ()) -> None:
         self._runs: list[_Run] = []
         self._count, self.more = 0, False
-        for lines, found in shelves:
+        for lines, found in searched:
             first = list(islice(found, MOST + 1 - self._count))
             self.more = self._count + len(first) > MOST
             kept = first[: MOST - self._count]
@@ -140,14 +140,14 @@ class Hits:
                 break
 
     @classmethod
-    def of_text(cls, shelves: Iterable[TextLines], typed: str) -> Hits:
+    def of_text(cls, searched: Iterable[TextLines], typed: str) -> Hits:
         """The lines that hold the typed text."""
-        return cls((lines, lines.haystack.holding(typed)) for lines in shelves)
+        return cls((lines, lines.haystack.holding(typed)) for lines in searched)
 
     @classmethod
-    def of_states(cls, shelves: Iterable[StateLines]) -> Hits:
+    def of_states(cls, searched: Iterable[StateLines]) -> Hits:
         """All of these states."""
-        return cls((lines, ((at, 0, 0) for at in range(len(lines.states)))) for lines in shelves)
+        return cls((lines, ((at, 0, 0) for at in range(len(lines.states)))) for lines in searched)
 
     def __len__(self) -> int:
         return self._count
