@@ -14,7 +14,7 @@ _PIECE = (
     r"|'[^'\r\n]*'|(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)"
 )
 _PIECES = re.compile(_PIECE, re.DOTALL)
-_TO_A_LOST_QUOTE = re.compile(rf"(?:[^\"'/#]++|{_PIECE}|['/])*+\"", re.DOTALL)
+_TO_A_LOST_QUOTE = re.compile(rf"(?>(?:[^\"'/#]++|{_PIECE}|['/])*)\"", re.DOTALL)
 """Matches up to the first quote that is not closed. The result is for the whole text, so that not
 every later quote is tried.
 """
