@@ -28,6 +28,7 @@ class _Source:
         self.quickest = float("inf")
         self.boot = -1
         self.fresh = True
+        self.doubted = float("-inf")
 
     def take(self, sample: list[Any], now: float) -> None:
         _, _, value, quality, boot, sequence, time = sample
@@ -42,7 +43,8 @@ class _Source:
             return
         self.value = value if quality == "good" else None
         self.at = now
-        self.fresh = True
+        # What was read before the doubt tells nothing of what came after it.
+        self.fresh = self.fresh or time >= self.doubted
 
     def says(self, now: float) -> str | None:
         return self._stands(now) if self.fresh else None
@@ -52,7 +54,7 @@ class _Source:
 
         Regulation 3: a fact of several sources is made by its aggregation of those that speak.
         """
-        self.fresh = self._stands(now) is None
+        self.fresh, self.doubted = self._stands(now) is None, now
 
     def forget(self, now: float) -> None:
         """What it had to say anew has grown old: it says nothing now, as any silent source."""
