@@ -10,8 +10,8 @@ import importlib
 import pkgutil
 import re
 from collections.abc import Iterator
-from re import _constants as words  # type: ignore[attr-defined]
-from re import _parser as parser  # type: ignore[attr-defined]
+from re import _constants as words
+from re import _parser as parser
 from typing import Any
 
 import pytest
