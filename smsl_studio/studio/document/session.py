@@ -42,7 +42,7 @@ class _Edit(QUndoCommand):
 
     def __init__(self, words: str, show: Show, before: Stand, after: Stand, run: int) -> None:
         super().__init__(words)
-        self._show, self._before, self._after, self._run = show, before, after, run
+        self._show, self._before, self.after, self._run = show, before, after, run
 
     def id(self) -> int:
         """The run of steps to which this one belongs."""
@@ -51,7 +51,7 @@ class _Edit(QUndoCommand):
     def mergeWith(self, other: QUndoCommand) -> bool:
         """Take over the result of the next step of the same run."""
         assert isinstance(other, _Edit)
-        self._after = other._after
+        self.after = other.after
         return True
 
     def undo(self) -> None:
@@ -60,7 +60,7 @@ class _Edit(QUndoCommand):
 
     def redo(self) -> None:
         """Show the result of the step."""
-        self._show(*self._after)
+        self._show(*self.after)
 
 
 class _GiveUp(QUndoCommand):
