@@ -470,7 +470,7 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
 
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
-        "Connect", "Rename", "Cut", "Copy", "Duplicate", "Delete",
+        "Connect", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Show ways between",
         "Make initial", "Make activating",
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
