@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
@@ -251,8 +251,8 @@ class FactView(QListView):
     # Keys
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Left and right choose a cell, Enter and F2 act on it. A letter begins a new text in it.
-        Del and Alt with an arrow are about the fact.
+        """Left and right choose a cell, Enter and F2 act on it. Del and Alt with an arrow are about
+        the fact.
         """
         row, key = self.currentIndex().row(), event.key()
         alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
@@ -269,12 +269,7 @@ class FactView(QListView):
         elif key == Key.Key_Delete:
             self.unwanted.emit(row)
         elif event.text().isprintable() and event.text().strip():
-            cell = self._current(row)
-            if alt or cell.kind not in TYPED:
-                event.ignore()
-            else:
-                self.edit_cell(row, *cell.key)
-                QCoreApplication.sendEvent(self.field, event)
+            event.ignore()
         else:
             super().keyPressEvent(event)
 
@@ -296,7 +291,7 @@ class FactView(QListView):
         self._mark()
 
     def keyboardSearch(self, search: str, /) -> None:
-        """Letters choose no line, because they begin a text or are keys of the window."""
+        """Letters choose no line, because they may be keys of the window."""
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the cells in the new width."""
