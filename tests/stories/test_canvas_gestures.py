@@ -608,6 +608,19 @@ def test_quick_add_from_the_keyboard(hfsm: Drawer, key: Qt.Key) -> None:
     assert hfsm.table()["State111"] == {"Return": "State000"}
 
 
+def test_tab_goes_on_from_the_state_that_was_added(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State111"))
+    for operation, state in (("One", "StateA11"), ("Two", "StateB11"), ("Three", "State000")):
+        hfsm.key(Key.Key_Tab)
+        hfsm.write(operation, Key.Key_Tab)
+        hfsm.write(state)
+    table = hfsm.table()
+    assert table["State111"] == {"One": "StateA11"}
+    assert table["StateA11"] == {"Two": "StateB11"}
+    assert table["StateB11"] == {"Three": "State000"}
+    assert hfsm.steps() == 3
+
+
 def test_quick_add_offers_the_names_in_use(hanoi: Drawer) -> None:
     hanoi.session.select((Address("SB1", "State_aaa", "Op_1b"),))
     hanoi.key(Key.Key_Delete)

@@ -87,6 +87,20 @@ def test_a_click_on_a_cell_edits_it_as_one_step(sit: Sit) -> None:
     assert person.blueprint.document.text == before
 
 
+def test_a_letter_begins_a_new_text_in_the_chosen_cell(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    person.window.actions_table["show_facts"].trigger()
+    view = facts(person).view
+    assert view.hasFocus()
+    QTest.keyClicks(view, "d")
+    QTest.keyClicks(view.field, "isk 1")
+    QTest.keyClick(view.field, Key.Key_Tab)
+    QTest.keyClick(view.field, Key.Key_Escape)
+    assert note(person).name == "disk 1"
+    person.ctrl(Key.Key_Z)
+    assert note(person).name != "disk 1"
+
+
 def test_tab_goes_to_the_next_cell_and_escape_gives_up(sit: Sit) -> None:
     person = sit(REGISTRATION)
     click_cell(person, 0, "name")

@@ -199,7 +199,8 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
     assert not window.docks.left.isVisible()
     assert window.focusWidget() is window.features.run.pane.canvas.canvas
     person.ctrl(Key.Key_1)
-    assert window.body.pages.currentWidget() is window.canvas
+    assert window.canvas.isVisible()
+    assert not window.features.run.pane.isVisible()
     assert window.focusWidget() is window.canvas
     assert window.docks.left.isVisible()
     assert window.docks.bottom.isVisible()

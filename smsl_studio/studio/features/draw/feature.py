@@ -54,7 +54,7 @@ from smsl_studio.studio.features.draw.tidings import Tidings
 from smsl_studio.studio.running.window_parts import WindowParts
 
 CANVAS_KEYS = (
-    ("Add an operation from the selected state", "Tab or /"),
+    ("Add an operation from the selected state, or go on from its new state", "Tab or /"),
     ("Pan", "Space and drag, or the middle button"),
     ("Zoom", "Mouse wheel"),
     ("Add a state there", "Double click on empty canvas"),

@@ -203,8 +203,13 @@ class CanvasEditor(QObject):
         )
 
     def quick_add(self) -> None:
-        """Add an operation from the selected state, or from the first of two to the second."""
+        """Add an operation from the selected state, or from the first of two to the second.
+
+        A selected operation stands for its target, so that the key draws a chain.
+        """
         states = [a for a in self.session.selection if a.state and not a.operation]
+        if not states and len(self.session.selection) == 1:
+            states = self._targets(self.session.selection[0])
         if not states or len(states) > 2 or states[0].branch != self.session.branch:
             self.canvas.say("Select the state the operation starts from.")
             return
@@ -286,6 +291,13 @@ class CanvasEditor(QObject):
     @property
     def _branch(self) -> StateBranch:
         return self.session.blueprint[self.session.branch]
+
+    def _targets(self, address: Address) -> list[Address]:
+        """The state to which an operation leads; none for other elements."""
+        if not address.operation or not self._stands(address):
+            return []
+        table = self.session.blueprint[address.branch].table
+        return [Address(address.branch, table[address.state][address.operation])]
 
     def _stands(self, address: Address) -> bool:
         try:

@@ -25,7 +25,7 @@ from smsl_studio.studio.features.draw.facts.fact_lines import TabledFact
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
 from smsl_studio.studio.features.draw.facts.painter import FactPainter, Index
 
-Key = Qt.Key
+Key, KEYPAD = Qt.Key, Qt.KeyboardModifier.KeypadModifier
 TIPS = {
     "digit": "Fact {}. Click for its form, drag to move it",
     "name": "The plain name of the fact",
@@ -269,9 +269,19 @@ class FactView(QListView):
         elif key == Key.Key_Delete:
             self.unwanted.emit(row)
         elif event.text().isprintable() and event.text().strip():
-            event.ignore()
+            self._begin_with(row, event)
         else:
             super().keyPressEvent(event)
+
+    def _begin_with(self, row: int, event: QKeyEvent) -> None:
+        """Replace the text of the chosen cell by the letter that was pressed."""
+        cell = self._current(row)
+        held = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | KEYPAD)
+        if held or cell.kind not in TYPED:
+            event.ignore()
+            return
+        self.edit_cell(row, *cell.key)
+        self.field.insert(event.text())
 
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Keep the cell with the keyboard in the line that is current now."""
