@@ -40,7 +40,7 @@ class Allowance:
         self._charged: set[Part] = set()
 
     def spend(self, edges: int, part: Part | None = None) -> None:
-        """Count edges that were looked at, for a part or for the question itself."""
+        """Add edges to the count of a part, or to that of the whole question."""
         work = (1 + edges) * self.size
         self._take(work)
         if part is not None:

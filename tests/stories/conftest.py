@@ -71,6 +71,8 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     for window in windows:
         assert isinstance(window, Window)
         window.session.history.setClean()
-        window.features.run.pane.run.close()
+        pane = window.features.run.part.made
+        if pane is not None:
+            pane.run.close()
         window.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

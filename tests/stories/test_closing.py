@@ -36,6 +36,13 @@ def work(person: Person) -> None:
     window.session.history.setClean()
 
 
+def make_pages(person: Person) -> None:
+    """Make the pages of a run, of supervision and of a recording. Nobody ever shows them."""
+    features = person.window.features
+    assert not features.run.pane.isVisible()
+    assert not features.replay.verbs.pane.isVisible()
+
+
 def gone() -> None:
     """Let everything happen that was posted when a window was closed."""
     QApplication.processEvents()
@@ -50,13 +57,16 @@ def held() -> tuple[int, int]:
     return len(QApplication.allWidgets()), ours
 
 
-def test_windows_that_were_closed_leave_nothing_behind(sit: Sit, tmp_path: Path) -> None:
+@pytest.mark.parametrize("use", [work, make_pages])
+def test_windows_that_were_closed_leave_nothing_behind(
+    sit: Sit, tmp_path: Path, use: Callable[[Person], None]
+) -> None:
     path = copy_of("hfsm.json", tmp_path)
     refs: list[weakref.ref[QObject]] = []
     counts = []
     for _ in range(OPENED):
         person = sit(path)
-        work(person)
+        use(person)
         refs += [weakref.ref(person.window), weakref.ref(person.window.session)]
         assert person.window.close()
         gone()

@@ -59,7 +59,7 @@ class Admission:
         """Ask people for facts first, then ask the guards."""
 
         def said(closed: tuple[Closed, ...]) -> None:
-            """Go on to the guards if people have told all facts. Otherwise refuse the step."""
+            """Check the guards if people have told all facts. Otherwise refuse the step."""
             no = no_words(closed)
             self._refuse(step, chosen, (no,)) if no else self._guarded(step, chosen)
 

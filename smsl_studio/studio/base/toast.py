@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 from smsl_studio.errors import StudioError
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label
-from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.keys_back import KeysBack
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
@@ -22,11 +22,14 @@ READING_MS = 70
 
 
 class Toast(QWidget):
-    """A message at the bottom of ``over`` for some seconds; a click hides it."""
+    """A message at the bottom of ``over`` for some seconds; a click hides it.
+
+    ``severity`` is ``E`` for a refusal or a failure, ``W`` for a remark about a step, else empty.
+    """
 
     def __init__(self, tokens: Tokens, over: QWidget) -> None:
         super().__init__(over)
-        self._tokens, self._bad, self._over = tokens, False, over
+        self._tokens, self.severity, self._over = tokens, "", over
         self._sentence: QLabel = label("", "heading")
         self._advice: QLabel = label("", "small")
         for part in (self._sentence, self._advice):
@@ -65,15 +68,15 @@ class Toast(QWidget):
     def refuse(self, error: StudioError) -> None:
         """Show what was refused, what to do, and where."""
         place = f" ({error.place})" if error.place else ""
-        self._show(capital(error.sentence), f"{error.advice}{place}".strip(), True, REFUSED_MS)
+        self._show(capital(error.sentence), f"{error.advice}{place}".strip(), "E", REFUSED_MS)
 
     def say(self, sentence: str) -> None:
         """Show that something went well."""
-        self._show(sentence, "", False, max(SAID_MS, READING_MS * len(sentence)))
+        self._show(sentence, "", "", max(SAID_MS, READING_MS * len(sentence)))
 
     def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
         """Show what was done, with a button that reacts to it, such as Undo."""
-        self._show(sentence, "", False, REFUSED_MS)
+        self._show(sentence, "", "", REFUSED_MS)
         self._call = call
         self._of_step = True
         self.button.setText(words)
@@ -91,15 +94,15 @@ class Toast(QWidget):
         elif self._of_step:
             self.hide()
 
-    def of_step(self, sentence: str, bad: bool) -> None:
+    def of_step(self, sentence: str, severity: str) -> None:
         """Show a consequence of the step that is being carried out; the next step hides it."""
         if sentence:
-            self._show(sentence, "", bad, REFUSED_MS)
+            self._show(sentence, "", severity, REFUSED_MS)
             self._of_step = self._fresh = True
 
     def warn(self, sentence: str) -> None:
         """Show that something went wrong, other than a refusal."""
-        self._show(sentence, "", True, REFUSED_MS)
+        self._show(sentence, "", "E", REFUSED_MS)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""
@@ -112,21 +115,22 @@ class Toast(QWidget):
         self.hide()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint background and icon; a refusal in the colour of errors."""
-        tokens, painter = self._tokens, QPainter(self)
+        """Paint background and icon in the colour of the severity."""
+        tokens, painter, severity = self._tokens, QPainter(self), self.severity
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(tokens.bad if self._bad else tokens.line2, 1))
+        painter.setPen(QPen(tokens.bad if severity == "E" else tokens.line2, 1))
         painter.setBrush(tokens.surf)
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8)
-        name, ink = ("error", tokens.bad) if self._bad else ("check", tokens.ok)
+        name = SEVERITY_ICON.get(severity, "check")
+        ink = severity_colour(severity, tokens) if severity else tokens.ok
         draw(painter, name, QRectF(13, 12, 15, 15), ink, tokens.surf)
 
     def _press(self) -> None:
         self.hide()
         self._call()
 
-    def _show(self, sentence: str, advice: str, bad: bool, lasts: int) -> None:
-        self._bad = bad
+    def _show(self, sentence: str, advice: str, severity: str, lasts: int) -> None:
+        self.severity = severity
         self._of_step = self._fresh = False
         self.button.hide()
         self._sentence.setText(sentence)

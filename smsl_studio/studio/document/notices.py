@@ -5,10 +5,10 @@ from __future__ import annotations
 from smsl_studio.blueprint.model import Blueprint
 
 
-def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, bool]:
-    """The notice about a step and whether it is a warning; an empty text if there is none."""
+def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, str]:
+    """The notice about a step and its severity (``W`` or none); empty if there is no notice."""
     kept = goal_kept(before, after)
-    return (kept, False) if kept else (goal_moved(before, after), True)
+    return (kept, "") if kept else (goal_moved(before, after), "W")
 
 
 def goal_kept(before: Blueprint, after: Blueprint) -> str:

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.document.notices import goal_kept, goal_moved
+from smsl_studio.studio.document.notices import goal_kept, goal_moved, step_notice
 
 HANOI = Path(__file__).parents[3] / "samples" / "hanoi.json"
 
@@ -58,3 +58,12 @@ def test_that_activating_was_written_to_keep_it_is_told() -> None:
     assert goal_kept(after, before) == ""
     by_hand = editing.set_header(before, "SB1", "ACTIVATING", "State_ccc")
     assert goal_kept(before, by_hand) == ""
+
+
+def test_only_a_goal_that_moved_is_a_warning() -> None:
+    before = read_blueprint(read_document(HANOI))
+    moved = editing.add_state(before, "SB1", "State_xyz")
+    kept = editing.keep_activating(before, moved, ["SB1"])
+    assert step_notice(before, moved) == (goal_moved(before, moved), "W")
+    assert step_notice(before, kept) == (goal_kept(before, kept), "")
+    assert step_notice(before, before) == ("", "W")

@@ -16,6 +16,8 @@ from PySide6.QtCore import QTimer
 from smsl_studio.studio.shell import application as app
 from smsl_studio.studio.shell.windows import Windows
 
+# Whoever started the tests may ignore it, as nohup does, and the window would respect that.
+signal.signal(signal.SIGNAL, signal.SIG_DFL)
 application, at, leave = app.make_application([]), [], Windows.leave
 
 def left(windows):

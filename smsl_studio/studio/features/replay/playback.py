@@ -48,8 +48,11 @@ class ReplayVerbs(QObject):
         super().__init__(window)
         self._drawn, self._folder, self._window = drawn, folder, window
         self.replay = Replay(self)
-        self.transport = ReplayTransport(self.replay, tokens)
-        self.pane = ReplayPane(self.replay, drawn(), tokens)
+        # With a parent both are freed with the window, also if no recording is ever shown.
+        self.transport = ReplayTransport(self.replay, tokens, window)
+        self.pane = ReplayPane(self.replay, drawn(), tokens, window)
+        self.transport.hide()
+        self.pane.hide()
         self.opening = RecordingLoader(self)
         self.card = OpeningCard(self.opening, tokens, window)
         self.transport.close_wanted.connect(self.close)

@@ -79,7 +79,9 @@ class RunPane(QWidget):
         self._tokens = tokens
         self.run = RunSession(self)
         self.levels = NextLevels(session)
-        self.transport = Transport(tokens)
+        # With a parent it is freed with the pane, also if no mode ever shows it.
+        self.transport = Transport(tokens, self)
+        self.transport.hide()
         self.canvas = RunCanvas(session, self.run, tokens)
         self.world = WorldView(tokens)
         self.facts = FactsTable(tokens)

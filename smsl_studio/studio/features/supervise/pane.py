@@ -59,7 +59,9 @@ class SupervisePane(QWidget):
         self._view: PartialView | None = None
         self.setAccessibleName("Supervise")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.bar = SuperviseBar(tokens)
+        # With a parent it is freed with the pane, also if the mode is never shown.
+        self.bar = SuperviseBar(tokens, self)
+        self.bar.hide()
         self.head, self.board = PartialHead(tokens), Board(tokens)
         self.full_map = RunCanvas(session, run, tokens)
         self.notice = Notice()
