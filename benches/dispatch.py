@@ -109,7 +109,7 @@ def _route(made: Blueprint, world: str) -> float:
     spent = time.process_time() - begin
     assert dispatcher.status.reason == "goal_reached"
     dispatcher.close()
-    return spent * 1e6 / (2**DISKS - 1)
+    return spent * 1e6 / float(2**DISKS - 1)
 
 
 def _blind() -> Loaded:
