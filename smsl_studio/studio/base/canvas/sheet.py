@@ -41,6 +41,8 @@ from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 
 Position = tuple[float, float]
 Numbers = NDArray[np.intp]
+KEPT_UNITS = 4
+"""How many zooms of compact nodes keep their lines and labels."""
 
 
 class Sheet:
@@ -104,6 +106,8 @@ class Sheet:
     def move(self, places: Mapping[int, Position]) -> list[int]:
         """Move states during a drag (scene points by number); returns the edges that changed."""
         self.version += 1
+        present = self.compact, _in_steps(self.unit)
+        self._geometry = {k: g for k, g in self._geometry.items() if k == present or not k[0]}
         for state, place in places.items():
             self.at[state] = place
         edges: dict[int, None] = {}
@@ -221,7 +225,7 @@ class Sheet:
         key = (self.compact, unit)
         found = self._geometry.get(key)
         if found is None:
-            self._geometry = {k: g for k, g in self._geometry.items() if not k[0]}
+            self._forget_oldest()
             found = self._geometry[key] = Geometry(
                 self.picture,
                 self._boxes(unit),
@@ -230,6 +234,15 @@ class Sheet:
                 self._former.pop(key, None),
             )
         return found
+
+    def _forget_oldest(self) -> None:
+        """Make room for another geometry of compact nodes.
+
+        The last ones are needed again by a fit to the view and by a wheel that turns to and fro.
+        """
+        compact = [key for key in self._geometry if key[0]]
+        for key in compact[: max(0, len(compact) - KEPT_UNITS + 1)]:
+            del self._geometry[key]
 
     def _boxes(self, unit: float) -> Floats:
         widths = self.compact_widths if self.compact else self.full_widths
