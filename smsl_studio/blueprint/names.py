@@ -53,6 +53,46 @@ def fresh_state_names(branch: StateBranch) -> Iterator[str]:
     yield from numbered(prefix, branch.table)
 
 
+def fact_choices(branch: StateBranch, digit: int) -> tuple[str, ...]:
+    """Return the values that a digit can have in a new name: those in use and those in ``_facts``,
+    and always both of 0 and 1.
+    """
+    values, note = set(branch.alphabet[digit]), branch.fact_note(digit)
+    used = values if values - {"0", "1"} else {"0", "1"}
+    named = {*note.values, *note.failure, note.on or ""} if note is not None else set()
+    return tuple(sorted(used | {one for one in named if len(one) == branch.shape.width}))
+
+
+def next_free_facts(branch: StateBranch, state: str) -> tuple[str, ...]:
+    """Return the next values after those of a state that no state has, counted up from the last
+    digit. Failure values are left out. Empty if the names of the SB do not show facts.
+    """
+    shape, facts = branch.shape, branch.facts(state)
+    if shape.opaque or shape.width == 0:
+        return ()
+    taken = {branch.facts(name) for name in branch.table}
+    wheels = [_wheel(branch, digit, value) for digit, value in enumerate(facts)]
+    for values in islice(product(*wheels), _TRIES + len(taken)):
+        if values not in taken:
+            return values
+    return shape.values(next(fresh_state_names(branch)))
+
+
+def _wheel(branch: StateBranch, digit: int, value: str) -> list[str]:
+    """The values of a digit in the order of counting up, from ``value`` on."""
+    note = branch.fact_note(digit)
+    failing = note.failure if note is not None else ()
+    values = [one for one in fact_choices(branch, digit) if one == value or one not in failing]
+    at = values.index(value)
+    return values[at:] + values[:at]
+
+
+def name_with_facts(branch: StateBranch, state: str, values: Iterable[str]) -> str:
+    """Return the name of a state with other facts; the SB's names must show facts."""
+    text = fact_string(state, branch.shape.written)
+    return state[: len(state) - len(text)] + "".join(values)
+
+
 def _more_values(width: int, values: list[str]) -> Iterator[str]:
     """Yield values of a fact of this width that do not occur yet."""
     numbers = (f"{number:0{width}}" for number in range(10 ** min(width, 3)))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.digits import add_fact as add_fact
     from smsl_studio.blueprint.editing.digits import delete_fact as delete_fact
     from smsl_studio.blueprint.editing.digits import move_fact as move_fact
+    from smsl_studio.blueprint.editing.duplicates import duplicate_state as duplicate_state
     from smsl_studio.blueprint.editing.excerpts import cut as cut
     from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
     from smsl_studio.blueprint.editing.fact_table import fill_facts as fill_facts
@@ -38,12 +39,17 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
     from smsl_studio.blueprint.editing.renames import rename as rename
+    from smsl_studio.blueprint.editing.templates import add_recovery as add_recovery
+    from smsl_studio.blueprint.editing.templates import add_tries as add_tries
+    from smsl_studio.blueprint.editing.templates import expand_fact as expand_fact
 
 _HOMES = {
     "add_branch": "additions",
     "add_fact": "digits",
     "add_operation": "additions",
+    "add_recovery": "templates",
     "add_state": "additions",
+    "add_tries": "templates",
     "attach_sub": "headers",
     "change_notes": "notes",
     "cut": "excerpts",
@@ -51,7 +57,9 @@ _HOMES = {
     "delete_fact": "digits",
     "detach_sub": "headers",
     "duplicate": "pasted_text",
+    "duplicate_state": "duplicates",
     "excerpt": "excerpts",
+    "expand_fact": "templates",
     "fill_facts": "fact_table",
     "keep_activating": "headers",
     "keep_last": "notes",
