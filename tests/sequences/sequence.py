@@ -173,7 +173,7 @@ class Sequence:
         def do() -> None:
             branch = self.session.branch
             self.session.select(Address(branch, state) for state in states)
-            self.seat.act("connect")
+            self.seat.act("add_operation")
             self.seat.write(*names)
 
         return self._edit(do)

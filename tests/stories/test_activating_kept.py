@@ -42,6 +42,7 @@ def test_what_is_pasted_or_drawn_to_empty_canvas_takes_nothing_over(sit: Sit) ->
     held = person.blueprint["SB1"].activating
     person.select("SB1/State_aaa")
     person.ctrl(Key.Key_D)
+    person.press(Key.Key_Return)
     assert len(person.blueprint["SB1"].table) == 28
     assert person.blueprint["SB1"].activating == held
     person.ctrl(Key.Key_Z)

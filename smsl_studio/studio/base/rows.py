@@ -59,6 +59,8 @@ class RowsModel(QAbstractListModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[ListRow, ...] = ()
+        self.draggable = False
+        """Whether rows can be dragged."""
 
     def show(self, rows: Sequence[ListRow]) -> None:
         """Replace all rows, unless they are the same."""
@@ -86,7 +88,9 @@ class RowsModel(QAbstractListModel):
         """Rows can be selected, headings cannot."""
         if self.rows[index.row()].kind != LINE:
             return Qt.ItemFlag.NoItemFlags
-        return Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        kind = Qt.ItemFlag
+        found = kind.ItemIsEnabled | kind.ItemIsSelectable
+        return found | kind.ItemIsDragEnabled if self.draggable else found
 
 
 class RowsDelegate(QStyledItemDelegate):

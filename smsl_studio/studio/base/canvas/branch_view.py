@@ -53,6 +53,8 @@ class BranchView(Stage):
     """(Address or None, point of the screen): open a context menu."""
     quick_add_wanted = Signal()
     """Add an operation from the selected state (Tab or /)."""
+    sibling_wanted = Signal()
+    """Add an operation from where the selected element is reached (Shift+Tab)."""
     pressed = Signal()
     """A mouse button went down on the canvas."""
     delete_wanted = Signal()
@@ -69,6 +71,8 @@ class BranchView(Stage):
         self.editing = True
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
         """Called with (source, target): why there can be no such operation; empty if there can."""
+        self.state_pick: Callable[[Address], bool] = lambda address: False
+        """Called with a state that is clicked: whether an open card takes it."""
         self.extended: Callable[[], tuple[Address, ...]] = lambda: self.marks.selection
         """The selection that a click with Shift or Ctrl extends."""
 

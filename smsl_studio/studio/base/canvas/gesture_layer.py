@@ -1,4 +1,4 @@
-"""The layer that shows a gesture: selection band, drawn line, guides, handle, and grip."""
+"""The layer that shows a gesture: selection band, drawn line, sketch, guides, handle, and grip."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.picture.guides import Guide
+from smsl_studio.studio.base.canvas.sketch import Sketch, paint_sketch
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, faded, pen
 
 HANDLE_RADIUS = 8.0
@@ -41,6 +42,7 @@ class GestureLayer(QGraphicsItem):
         self.handle: QPointF | None = None
         self.grip: QPointF | None = None
         self.guides: tuple[Guide, ...] = ()
+        self.sketch: Sketch | None = None
         self.setZValue(40.0)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
@@ -51,14 +53,14 @@ class GestureLayer(QGraphicsItem):
             self._rect = rect
 
     def clear(self) -> None:
-        """Remove band, line, guides, handle and grip."""
-        for name in ("band", "drawn", "handle", "grip"):
+        """Remove band, line, sketch, guides, handle and grip."""
+        for name in ("band", "drawn", "sketch", "handle", "grip"):
             self.put(name, None)
         self.put("guides", ())
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``guides``, ``handle`` or ``grip``, and repaint only what it
-        covers."""
+        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle`` or ``grip``, and repaint only
+        what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -76,6 +78,8 @@ class GestureLayer(QGraphicsItem):
                 rect = rect.united(QRectF(point.x(), point.y(), pixel, pixel))
         for line in self._guide_lines():
             rect = rect.united(QRectF(line.p1(), line.p2()).adjusted(0.0, 0.0, pixel, pixel))
+        if self.sketch is not None:
+            rect = rect.united(self.sketch.area)
         pad = 16.0 * pixel
         if self.drawn is not None:
             pad = 80.0 * max(pixel, 1.0)
@@ -88,7 +92,7 @@ class GestureLayer(QGraphicsItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint guides, band, line, handle and grip, if they are set."""
+        """Paint guides, band, line, sketch, handle and grip, if they are set."""
         ink = self.ink
         if ink is None:
             return
@@ -103,6 +107,8 @@ class GestureLayer(QGraphicsItem):
             painter.drawRect(self.band)
         if self.drawn is not None:
             self._paint_drawn(painter, self.drawn, ink, pixel)
+        if self.sketch is not None:
+            paint_sketch(painter, self.sketch, ink, pixel)
         if self.handle is not None:
             _paint_plus(painter, self.handle, ink, pixel)
         if self.grip is not None:

@@ -14,6 +14,7 @@ from smsl_studio.picture.guides import Guide, snapped
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
+from smsl_studio.studio.base.canvas.handles import pending_ends
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 GRID = 8.0
@@ -48,7 +49,8 @@ class GestureOwner(Protocol):
         """Hide the sentence at the pointer."""
 
 
-def _is_far(a: QPoint, b: QPoint) -> bool:
+def is_far(a: QPoint, b: QPoint) -> bool:
+    """Whether the pointer moved so far (pixels) that it is a drag and no click."""
     return (a - b).manhattanLength() >= QApplication.startDragDistance() // 2 + 1
 
 
@@ -87,7 +89,7 @@ class Band:
     def move(self, event: QMouseEvent) -> None:
         """Draw the rectangle and select the states that it touches."""
         here = event.position().toPoint()
-        if not self._begun and not _is_far(self._start, here):
+        if not self._begun and not is_far(self._start, here):
             return
         self._begun = True
         rect = QRectF(self._canvas.mapToScene(self._start), self._canvas.mapToScene(here))
@@ -160,7 +162,7 @@ class DragStates:
         It snaps to centres of other states in view, which guides show, and else to the grid.
         """
         here = event.position().toPoint()
-        if not self._canvas.editing or (not self._begun and not _is_far(self._start, here)):
+        if not self._canvas.editing or (not self._begun and not is_far(self._start, here)):
             return
         self._begun = True
         self._canvas.gestures.put("handle", None)
@@ -218,37 +220,40 @@ class Connect:
         hand: GestureOwner,
         event: QMouseEvent | None,
         state: int,
-        start: QPointF,
+        start: QPointF | None = None,
     ) -> None:
-        """``event`` is the press that began it.
+        """``event`` is the press that began it, at the handle ``start``.
 
-        None if the line follows the pointer without a button.
+        Both are None if the line follows the pointer without a button. Then it starts at the side
+        of the state where the pointer is.
         """
         sheet = canvas.sheet
         assert sheet is not None
-        self._canvas, self._hand = canvas, hand
+        self._canvas, self._hand, self._sheet = canvas, hand, sheet
         self._state, self._start = state, start
         self._source = sheet.address_of_state(state)
         self._pressed = event.position().toPoint() if event is not None else QPoint()
         self._begun = event is None
         canvas.gestures.put("handle", None)
-        canvas.gestures.put("drawn", DrawnOperation(start, start))
+        if start is not None:
+            canvas.gestures.put("drawn", DrawnOperation(start, start))
 
     def move(self, event: QMouseEvent) -> None:
         """Draw the line to the pointer. If the state below cannot be the target, say why."""
         here = event.position().toPoint()
-        self._begun = self._begun or _is_far(self._pressed, here)
+        self._begun = self._begun or is_far(self._pressed, here)
         at = self._canvas.mapToScene(here)
         target = _state_at(self._canvas, at)
         reason = self._canvas.why_not(self._source, target) if target is not None else ""
         ghost = target is None and self._begun and not self._over_source(at)
+        start = self._start or pending_ends(self._sheet, self._state, at, None)[0]
         self._canvas.gestures.put(
-            "drawn", DrawnOperation(self._start, at, refused=bool(reason), ghost=ghost)
+            "drawn", DrawnOperation(start, at, refused=bool(reason), ghost=ghost)
         )
         self._hand.hover_target(target)
         if reason:
             self._canvas.say(reason)
-        else:
+        elif self._start is not None:
             self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
@@ -293,7 +298,7 @@ class Retarget:
     def move(self, event: QMouseEvent) -> None:
         """Draw the line to the pointer. If there is no state below it, say what is missing."""
         here = event.position().toPoint()
-        if not self._begun and not _is_far(self._pressed, here):
+        if not self._begun and not is_far(self._pressed, here):
             return
         self._begun = True
         at = self._canvas.mapToScene(here)

@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QTimer, Signal
 from PySide6.QtGui import QEnterEvent
-from PySide6.QtWidgets import QVBoxLayout
+from PySide6.QtWidgets import QBoxLayout
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.overlays.card import Card, IconButton
 from smsl_studio.studio.base.theme import Tokens
 
 DELAY, LINGER = 500, 450
 AWAY = 20
+LONG, SHORT = 114, 30
+"""The sides of the pad: four buttons in a column or a row (pixels)."""
 
 
 class HoverPad(Card):
     """Buttons that add an operation, connect, add a self loop, and rename.
 
-    It appears after the pointer has rested on a state, beside it, where it covers no node.
+    It appears after the pointer has rested on a state, beside it, where it covers no node and no
+    label. Beside most states that is a column; above or below it is a row.
     """
 
     operation_wanted = Signal(object)
@@ -38,12 +42,12 @@ class HoverPad(Card):
         self.connect_to = IconButton(self, tokens, "arrow", "Connect with another state")
         self.loop = IconButton(self, tokens, "loop", "Add an operation that leads back here")
         self.rename = IconButton(self, tokens, "pencil", "Rename (F2)")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(1, 3, 1, 3)
-        layout.setSpacing(0)
+        self._buttons = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._buttons.setContentsMargins(1, 1, 1, 1)
+        self._buttons.setSpacing(0)
         for button in (self.add, self.connect_to, self.loop, self.rename):
             button.setFixedSize(28, 28)
-            layout.addWidget(button)
+            self._buttons.addWidget(button)
         self._show = self._timer(DELAY, self._appear)
         self._hide = self._timer(LINGER, self.go)
         self._wire()
@@ -61,10 +65,6 @@ class HoverPad(Card):
         self.connect_to.clicked.connect(self._connect)
         self.loop.clicked.connect(self._loop)
         self.rename.clicked.connect(self._rename)
-
-    def sizeHint(self) -> QSize:
-        """Room for four buttons in a column."""
-        return QSize(30, 118)
 
     @property
     def address(self) -> Address | None:
@@ -111,47 +111,44 @@ class HoverPad(Card):
         self._hide.start()
 
     def _appear(self) -> None:
-        if self._next is None or self._busy():
-            return
-        rect = self._canvas.rect_of(self._next)
-        if rect is None:
-            return
-        place = self._free_place(QRectF(self._canvas.mapFromScene(rect).boundingRect()))
-        if place is None:
+        place = self.place_for(self._next) if self._next is not None else None
+        if place is None or self._busy():
             return
         self._address = self._next
         self._hide.stop()
-        self.resize(self.sizeHint())
-        self.move(place)
+        across = place.width() > place.height()
+        way = QBoxLayout.Direction
+        self._buttons.setDirection(way.LeftToRight if across else way.TopToBottom)
+        self.setGeometry(place)
         self.show()
         self.raise_()
 
-    def _free_place(self, node: QRectF) -> QPoint | None:
-        """A place left or right of the node where the pad covers no other node.
+    def place_for(self, state: Address) -> QRect | None:
+        """A place beside a state where the pad covers no node and no label (pixels).
 
         None if there is none.
         """
-        canvas, size = self._canvas, self.sizeHint()
-        sheet = canvas.sheet
-        assert sheet is not None
-        top = node.center().y() - size.height() / 2
-        places = [
-            (node.left() - AWAY - size.width(), top),
-            (node.right() + AWAY, top),
-            (node.left() - AWAY - size.width(), node.bottom() - size.height()),
-            (node.right() + AWAY, node.bottom() - size.height()),
-        ]
-        for x, y in places:
-            corner, far = (
-                QPoint(int(x), int(y)),
-                QPoint(int(x) + size.width(), int(y) + size.height()),
-            )
-            if not canvas.rect().contains(corner) or not canvas.rect().contains(far):
-                continue
-            a, b = canvas.mapToScene(corner), canvas.mapToScene(far)
-            if not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
-                return corner
+        canvas, sheet, rect = self._canvas, self._canvas.sheet, self._canvas.rect_of(state)
+        if sheet is None or rect is None:
+            return None
+        node = canvas.mapFromScene(rect).boundingRect()
+        labels = self._labels(sheet, node)
+        for place in _places(node):
+            area = canvas.mapToScene(place).boundingRect()
+            sides = area.left(), area.top(), area.right(), area.bottom()
+            covers = any(area.intersects(label) for label in labels)
+            if canvas.rect().contains(place) and not covers and not sheet.states_in(*sides):
+                return place
         return None
+
+    def _labels(self, sheet: Sheet, node: QRect) -> list[QRectF]:
+        """The labels around the node, as scene rectangles."""
+        room = AWAY + LONG
+        near = self._canvas.mapToScene(node.adjusted(-room, -room, room, room)).boundingRect()
+        edges = sheet.edges_in(near.left(), near.top(), near.right(), near.bottom()).tolist()
+        found = [label for edge in edges if (label := sheet.geometry.label(edge)) is not None]
+        found += [label.rect for label in self._canvas.lit_layer.shown().values()]
+        return [QRectF(QPointF(x, y), QPointF(x_end, y_end)) for x, y, x_end, y_end in found]
 
     def _add(self) -> None:
         if self._address is not None:
@@ -177,3 +174,16 @@ class HoverPad(Card):
             address = self._address
             self.go()
             self._canvas.rename_wanted.emit(address)
+
+
+def _places(node: QRect) -> Iterator[QRect]:
+    """The places around a node that are tried, best first."""
+    left, right = node.left() - AWAY - SHORT, node.right() + AWAY
+    middle, last = node.center().y() - LONG // 2, node.bottom() - LONG
+    for y in (middle, last, node.top()):
+        yield QRect(left, y, SHORT, LONG)
+        yield QRect(right, y, SHORT, LONG)
+    above, below = node.top() - AWAY - SHORT, node.bottom() + AWAY
+    for x in (node.center().x() - LONG // 2, node.left(), node.right() - LONG):
+        yield QRect(x, above, LONG, SHORT)
+        yield QRect(x, below, LONG, SHORT)

@@ -27,6 +27,7 @@ VERBS = {
 }
 """The window actions for Ctrl and a key while the canvas has the focus."""
 PAN_STEP = 64.0
+ENTER = (Key.Key_Return, Key.Key_Enter)
 
 
 def press(canvas: BranchView, event: QKeyEvent) -> bool:
@@ -42,6 +43,9 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
         return True
     if modifiers == Modifier.ControlModifier and key in VERBS and canvas.editing:
         canvas.verb_wanted.emit(VERBS[key])
+        return True
+    if key == Key.Key_Backtab and canvas.editing and canvas.marks.selection:
+        canvas.sibling_wanted.emit()
         return True
     if modifiers:
         return False
@@ -69,7 +73,7 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
     selection = canvas.marks.selection
     if key == Key.Key_Escape:
         canvas.selection_wanted.emit(())
-    elif key in (Key.Key_Return, Key.Key_Enter):
+    elif key in ENTER:
         return enter_sub(canvas)
     elif key == Key.Key_Backspace and not selection:
         canvas.leave_wanted.emit()
@@ -81,6 +85,8 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
         canvas.rename_wanted.emit(selection[0])
     elif key == Key.Key_Tab or text == "/":
         canvas.quick_add_wanted.emit()
+    elif key == Key.Key_C:
+        canvas.verb_wanted.emit("connect")
     else:
         return False
     return True

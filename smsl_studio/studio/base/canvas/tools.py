@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
@@ -10,6 +12,7 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas import keys
 from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.gestures import (
     Band,
@@ -41,7 +44,7 @@ class Hand:
     def __init__(self, canvas: BranchView, overlays: Overlays) -> None:
         self._canvas, self._overlays = canvas, overlays
         self._gesture: Gesture | None = None
-        self._space = self._sticky = False
+        self._space = False
 
     @property
     def busy(self) -> bool:
@@ -50,25 +53,26 @@ class Hand:
 
     def reset(self) -> None:
         """Drop the gesture and hide what belongs to it, because another picture is shown."""
-        self._gesture, self._sticky = None, False
+        self._gesture = None
         self._canvas.gestures.clear()
         self._overlays.forget()
+        self._cursor()
 
     # Mouse
 
     def press(self, event: QMouseEvent) -> None:
         """Take the keyboard focus, and begin the gesture that fits the button and what is below."""
         canvas = self._canvas
+        left = event.button() is Qt.MouseButton.LeftButton
+        if left and self._gesture is None and self._is_picked(event):
+            return
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         self._overlays.hush()
         self._overlays.pad.go()
         canvas.pressed.emit()
         if self._gesture is not None:
-            if self._sticky:
-                self._sticky = False
-                self.release(event)
+            self._use_tool(ConnectTool.press, event)
             return
-        left = event.button() is Qt.MouseButton.LeftButton
         if event.button() is Qt.MouseButton.MiddleButton or (left and self._space):
             self._gesture = Pan(canvas, event)
         elif left and canvas.sheet is not None:
@@ -103,15 +107,46 @@ class Hand:
             return None
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
 
-    def begin_connect(self, address: Address) -> None:
-        """Draw an operation from a state to the next click; Esc cancels."""
+    def _is_picked(self, event: QMouseEvent) -> bool:
+        """Whether an open card takes the state below the pointer."""
+        address = self._canvas.address_at(self._canvas.mapToScene(event.position().toPoint()))
+        return address is not None and not address.operation and self._canvas.state_pick(address)
+
+    def begin_connect(self, address: Address | None = None) -> None:
+        """Draw an operation to the next click, from a state or first from a click; Esc cancels."""
         sheet = self._canvas.sheet
-        state = sheet.picture.node(address) if sheet is not None else -1
-        if state >= 0:
-            self._gesture = Connect(self._canvas, self, None, state, self.handles(state)["right"])
-            self._sticky = True
+        state = sheet.picture.node(address) if sheet is not None and address is not None else -1
+        if sheet is not None and (state >= 0 or address is None):
+            self._drop_gesture()
             self._canvas.setFocus()
-            self._canvas.say("Click the target state, or empty canvas for a new one.")
+            self._gesture = ConnectTool(self._canvas, self, state)
+            self._cursor()
+
+    def _drop_gesture(self) -> bool:
+        """Cancel the gesture; whether there was one."""
+        gesture, self._gesture = self._gesture, None
+        if gesture is not None:
+            gesture.cancel()
+            self._cursor()
+        return gesture is not None
+
+    def _use_tool(
+        self, act: Callable[[ConnectTool, QMouseEvent], None], event: QMouseEvent
+    ) -> bool:
+        """Let the tool that connects act; False if it is not in use."""
+        tool = self._gesture
+        if not isinstance(tool, ConnectTool):
+            return False
+        act(tool, event)
+        self._leave_tool(tool)
+        return True
+
+    def _leave_tool(self, tool: ConnectTool) -> None:
+        """Forget the tool once it is done."""
+        if tool.done:
+            self._gesture = None
+            self._cursor()
+            self.look_again()
 
     def move(self, event: QMouseEvent) -> None:
         """Continue the gesture; without one update what is hovered."""
@@ -121,7 +156,9 @@ class Hand:
             self._hover(event.position())
 
     def release(self, event: QMouseEvent) -> None:
-        """End the gesture, if there is one."""
+        """End the gesture, if there is one. The tool that connects goes on to its next click."""
+        if self._use_tool(ConnectTool.release, event):
+            return
         gesture, self._gesture = self._gesture, None
         if gesture is not None:
             gesture.release(event)
@@ -131,6 +168,8 @@ class Hand:
     def double_click(self, event: QMouseEvent) -> None:
         """Enter a sub-SB, or rename what is below; on empty canvas ask for a new state."""
         canvas, sheet = self._canvas, self._canvas.sheet
+        if self._use_tool(ConnectTool.press, event):
+            return
         if event.button() is not Qt.MouseButton.LeftButton:
             return
         self._gesture = None
@@ -311,9 +350,12 @@ class Hand:
         return step.x() ** 2 + step.y() ** 2 <= pixels**2
 
     def _cursor(self) -> None:
-        if self._gesture is None:
-            shape = Qt.CursorShape.OpenHandCursor if self._space else Qt.CursorShape.ArrowCursor
-            self._canvas.viewport().setCursor(shape)
+        shape = Qt.CursorShape
+        if isinstance(self._gesture, ConnectTool):
+            self._canvas.viewport().setCursor(shape.CrossCursor)
+        elif self._gesture is None:
+            free = shape.OpenHandCursor if self._space else shape.ArrowCursor
+            self._canvas.viewport().setCursor(free)
 
     # Keys
 
@@ -324,9 +366,11 @@ class Hand:
                 self._space = True
                 self._cursor()
             return True
-        if event.key() == Qt.Key.Key_Escape and self._gesture is not None:
-            gesture, self._gesture, self._sticky = self._gesture, None, False
-            gesture.cancel()
+        if event.key() == Qt.Key.Key_Escape and self._drop_gesture():
+            return True
+        if isinstance(self._gesture, ConnectTool) and event.key() in keys.ENTER:
+            self._gesture.take_selected()
+            self._leave_tool(self._gesture)
             return True
         return keys.press(self._canvas, event)
 

@@ -27,6 +27,12 @@ from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
+from smsl_studio.studio.features.draw.canvas.library_verbs import (
+    LibraryVerbs,
+    fill_templates,
+    template_actions,
+)
+from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
 from smsl_studio.studio.features.draw.facts.panel import Facts
@@ -55,6 +61,7 @@ from smsl_studio.studio.running.window_parts import WindowParts
 
 CANVAS_KEYS = (
     ("Add an operation from the selected state, or go on from its new state", "Tab or /"),
+    ("Add a sibling of the selected operation or state", "Shift+Tab"),
     ("Pan", "Space and drag, or the middle button"),
     ("Zoom", "Mouse wheel"),
     ("Add a state there", "Double click on empty canvas"),
@@ -78,8 +85,12 @@ class DrawFeature(Feature):
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = DrawVerbs(session, self.editor)
         self.align = AlignVerbs(self.editor)
-        self.clipping = ClipboardVerbs(session, self.canvas, parts.toast.say)
+        self.clipping = ClipboardVerbs(
+            session, self.canvas, parts.toast.say, StateCopy(self.editor)
+        )
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
+        self.using = LibraryVerbs(self.editor)
+        self.library.use = self.using.use
         self.facts = Facts(session, tokens)
         self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
         self.findings = Findings(session, tokens, parts.inspector.rules)
@@ -105,6 +116,7 @@ class DrawFeature(Feature):
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
             "new": ("Open sample", lambda menu: fill_samples(files, menu)),
+            "sub_sb": ("Insert template", lambda menu: fill_templates(self._actions, menu)),
         }
 
     def actions(self) -> tuple[Action, ...]:
@@ -123,6 +135,7 @@ class DrawFeature(Feature):
                 self._choose_align,
                 shell,
             ),
+            *template_actions(self.using, shell),
             *compare_actions(self.comparing),
         )
 

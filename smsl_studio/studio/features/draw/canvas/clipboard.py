@@ -21,6 +21,7 @@ from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.free_places import on_grid
+from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 
 KIND = "text/x-smsl"
 MOST = 64 * 2**20
@@ -35,11 +36,19 @@ Texts = QLineEdit | QPlainTextEdit | QTextEdit
 class ClipboardVerbs:
     """Copy, cut, paste and duplicate the selection; in a text field they act on its text.
 
-    ``say`` shows what was copied. A refusal is emitted as ``Session.refused``.
+    ``say`` shows what was copied. A refusal is emitted as ``Session.refused``. ``one_state``
+    proposes the copy of a single state.
     """
 
-    def __init__(self, session: Session, canvas: Canvas, say: Callable[[str], object]) -> None:
+    def __init__(
+        self,
+        session: Session,
+        canvas: Canvas,
+        say: Callable[[str], object],
+        one_state: StateCopy,
+    ) -> None:
         self._session, self._canvas, self._say = session, canvas, say
+        self._one_state = one_state
 
     def can_copy(self) -> bool:
         """Whether an element is selected or a text field has the keyboard focus."""
@@ -78,8 +87,11 @@ class ClipboardVerbs:
             self._paste(at)
 
     def duplicate(self) -> None:
-        """Add a copy of the selection next to it."""
-        self._duplicate(self._session.selection)
+        """Add a copy of the selection next to it. Of a single state it is proposed first."""
+        if self._one_state.can_ask():
+            self._one_state.ask()
+        else:
+            self._duplicate(self._session.selection)
 
     def on_branch(self, verb: str, name: str) -> None:
         """Copy, cut or duplicate a whole SB, or paste. ``verb`` is the name of one of these."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.controls import Label
@@ -21,8 +22,10 @@ class ConnectCard(PassingCard):
     ``begun`` holds the texts at the start: (operation, target). A target of None is fixed by the
     caller and gets no field. Otherwise the second field names a state, which may be new. ``commit``
     takes (operation, target) and returns why they are refused, or the empty text. ``target_for``
-    suggests the target for an operation name.
+    suggests the target for an operation name. ``target_picked`` says that a click chose it.
     """
+
+    target_picked = Signal(str)
 
     def __init__(
         self,
@@ -45,7 +48,7 @@ class ConnectCard(PassingCard):
         self.target.setVisible(target is not None)
         self.choices = Choices(self, tokens)
         self.error = error_label(self, tokens)
-        self._to = Label("to state", self)
+        self._to = Label("to state: type it, or click one", self)
         self._to.setFont(text_font(11, 500))
         tint(self._to, tokens.tx3)
         self._to.setVisible(target is not None)
@@ -86,10 +89,52 @@ class ConnectCard(PassingCard):
         else:
             self.close_field()
 
+    def pick_target(self, state: str) -> bool:
+        """Lead to this state, which was clicked. False if the target is fixed.
+
+        If a name was typed, that adds the operation.
+        """
+        if self.target.isHidden():
+            return False
+        self.target.setText(state)
+        self._own_target = True
+        self.operation.setFocus()
+        self.target_picked.emit(state)
+        if self._touched:
+            self.commit()
+        return True
+
+    def begin_with(self, name: str, whole: bool) -> None:
+        """Begin with this name, or with the beginning of a name; what is missing gets the focus."""
+        self.operation.setText(name)
+        self._filter(name)
+        if whole and not self.target.isHidden():
+            self._touched = True
+            self.target.setFocus()
+            self.target.selectAll()
+        else:
+            self.operation.setFocus()
+            self.operation.end(False)
+
+    def suggest(self, operation: str) -> None:
+        """Offer another name, if none was typed."""
+        if not self._touched:
+            self.operation.setText(operation)
+            self.operation.selectAll()
+
     @property
     def untouched(self) -> bool:
         """Whether nothing was typed or chosen yet."""
         return not self._touched
+
+    @property
+    def leaves_room(self) -> bool:
+        """Whether a new state is drawn where the card opens."""
+        return not self.target.isHidden()
+
+    def take_focus(self) -> None:
+        """Give the keyboard to the name of the operation."""
+        self.operation.setFocus()
 
     @property
     def complaint(self) -> str:

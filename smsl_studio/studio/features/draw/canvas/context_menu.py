@@ -15,10 +15,11 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.align_verbs import fill_align
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.canvas.library_verbs import fill_templates
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
 ON_OPERATION = ("rename", "", "cut", "copy", "duplicate", "")
-ON_STATE = ("connect", *ON_OPERATION)
+ON_STATE = ("add_operation", *ON_OPERATION)
 """The first lines. Below them stand the actions that name the kind of element as ``pointer``."""
 
 
@@ -44,12 +45,14 @@ def context_menu(
     actions.refresh()
     if address.operation:
         _add(menu, actions, (*ON_OPERATION, *_at_pointer(actions, "operation")))
+        fill_templates(actions, menu.addMenu("Insert template"))
         return menu
     _add(menu, actions, (*ON_STATE, *_at_pointer(actions, "state")))
     if actions["align"].isEnabled():
         inner = menu.addMenu("Align")
         inner.setIcon(actions["align"].icon())
         fill_align(actions, inner)
+    fill_templates(actions, menu.addMenu("Insert template"))
     menu.addSeparator()
     for key, words in (("INITIAL", "Make initial"), ("ACTIVATING", "Make activating")):
         chosen = getattr(session.blueprint[address.branch], key.lower()) == address.state

@@ -46,7 +46,7 @@ class DrawVerbs:
         """Whether exactly one element is selected."""
         return len(self._session.selection) == 1
 
-    def can_connect(self) -> bool:
+    def can_add_operation(self) -> bool:
         """Whether one or two states are selected."""
         return bool(self._states()) and len(self._states()) <= 2
 
@@ -75,10 +75,17 @@ class DrawVerbs:
         if self._edit(f"Add State Branch {name}", lambda bp: editing.add_branch(bp, name)):
             self._session.show_branch(name)
 
-    def connect(self) -> None:
+    def add_operation(self) -> None:
         """Ask for an operation from the selected state, or from the first of two to the second."""
         self.canvas.setFocus()
-        self._editor.quick_add()
+        self._editor.quick_add.go_on()
+
+    def connect(self) -> None:
+        """Connect two selected states; otherwise let the user click a source and a target."""
+        if len(self._session.selection) == len(self._states()) == 2:
+            self.add_operation()
+        else:
+            self.canvas.hand.begin_connect()
 
     def attach(self, digit: int, sub: str | None) -> None:
         """Make an SB expand a fact of the SB that is shown. With ``sub`` None, the SB is new."""

@@ -17,17 +17,19 @@ from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.free_places import (
     clear_place,
-    free_place,
     on_grid,
     place_near,
 )
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge
+from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
 from smsl_studio.studio.features.draw.canvas.suggest import Suggestions
 
 Position = tuple[float, float]
+Field = NameField | ConnectCard | CopyCard
 
 
 class CanvasEditor(QObject):
@@ -40,8 +42,9 @@ class CanvasEditor(QObject):
     def __init__(self, session: Session, canvas: Canvas) -> None:
         super().__init__(canvas)
         self.session, self.canvas = session, canvas
-        self.field: NameField | ConnectCard | None = None
+        self.field: Field | None = None
         self._refusals: list[StudioError] = []
+        self.quick_add = QuickAdd(session, canvas, self.connect_states)
         session.blueprint_changed.connect(self._blueprint_changed)
         session.branch_changed.connect(self._show)
         session.selection_changed.connect(self._selection_changed)
@@ -55,9 +58,11 @@ class CanvasEditor(QObject):
         canvas.enter_wanted.connect(session.show_branch)
         canvas.leave_wanted.connect(self.leave)
         canvas.delete_wanted.connect(self.delete_selected)
-        canvas.quick_add_wanted.connect(self.quick_add)
+        canvas.quick_add_wanted.connect(self.quick_add.go_on)
+        canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
         self.nudge = Nudge(session, canvas)
+        canvas.state_pick = self._pick
         canvas.extended = lambda: session.extended
         self._show(session.branch)
 
@@ -127,7 +132,7 @@ class CanvasEditor(QObject):
         def commit(name: str) -> str:
             """Add the state and select it. Returns why that was refused, or the empty text."""
             words = f"Add {name}"
-            done = self._edit(words, lambda bp: editing.add_state(bp, branch, name, place))
+            done = self.edit(words, lambda bp: editing.add_state(bp, branch, name, place))
             if not done:
                 self.session.select((Address(branch, name),))
             return done
@@ -150,7 +155,7 @@ class CanvasEditor(QObject):
 
             camera = self.canvas.camera
             seen = camera.centre, camera.zoom
-            reason = self._edit(f"Add {name}", change)
+            reason = self.edit(f"Add {name}", change)
             if not reason:
                 self.session.show_branch("SB1")
                 # Showing a new SB fits it into the view; undo that, to keep the state under the
@@ -184,45 +189,28 @@ class CanvasEditor(QObject):
                     blueprint = editing.add_state(blueprint, branch, goal, place)
                 return editing.add_operation(blueprint, branch, source.state, name, goal)
 
-            reason = self._edit(f"Connect {source.state} to {goal}", change)
+            reason = self.edit(f"Connect {source.state} to {goal}", change)
             if not reason:
                 self.session.select((Address(branch, source.state, name),))
             return reason
 
         self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
-        self._open(
-            ConnectCard(
-                self.canvas,
-                self.canvas.tokens,
-                suggestions.names(source.state),
-                (suggestions.name_for(source.state, target.state if target else None), asked),
-                commit,
-                None if target else lambda name: suggestions.target_for(source.state, name),
-            ),
-            self._beside(at),
+        card = ConnectCard(
+            self.canvas,
+            self.canvas.tokens,
+            suggestions.names(source.state),
+            (suggestions.name_for(source.state, target.state if target else None), asked),
+            commit,
+            None if target else lambda name: suggestions.target_for(source.state, name),
         )
 
-    def quick_add(self) -> None:
-        """Add an operation from the selected state, or from the first of two to the second.
+        def lead_to(state: str) -> None:
+            """Show the target that was clicked, and the name that fits it."""
+            card.suggest(suggestions.name_for(source.state, state))
+            self.canvas.show_pending(source, Address(branch, state), at)
 
-        A selected operation stands for its target, so that the key draws a chain.
-        """
-        states = [a for a in self.session.selection if a.state and not a.operation]
-        if not states and len(self.session.selection) == 1:
-            states = self._targets(self.session.selection[0])
-        if not states or len(states) > 2 or states[0].branch != self.session.branch:
-            self.canvas.say("Select the state the operation starts from.")
-            return
-        source = states[0]
-        self.canvas.reveal(source, smooth=False)
-        places = self.canvas.positions
-        if len(states) == 2:
-            (ax, ay), (bx, by) = places[source.state], places[states[1].state]
-            self.connect_states(source, states[1], QPointF((ax + bx) / 2, (ay + by) / 2))
-            return
-        place = QPointF(*free_place(self.canvas, source.state))
-        self.canvas.reveal_point(place, smooth=False)
-        self.connect_states(source, None, place)
+        card.target_picked.connect(lead_to)
+        self.open_card(card, self._beside(at))
 
     def rename(self, address: Address) -> None:
         """Edit the name of a state or operation on the canvas, which scrolls to it."""
@@ -240,7 +228,7 @@ class CanvasEditor(QObject):
             if new == old:
                 return ""
             words = f"Rename {old} to {new}"
-            reason = self._edit(words, lambda bp: editing.rename(bp, address, new))
+            reason = self.edit(words, lambda bp: editing.rename(bp, address, new))
             if not reason:
                 renamed = (
                     replace(address, operation=new)
@@ -257,7 +245,7 @@ class CanvasEditor(QObject):
     def retarget(self, operation: Address, target: Address) -> None:
         """Make an operation lead to another state."""
         words = f"Let {operation.operation} lead to {target.state}"
-        reason = self._edit(words, lambda bp: editing.retarget(bp, operation, target.state))
+        reason = self.edit(words, lambda bp: editing.retarget(bp, operation, target.state))
         if reason:
             self.canvas.say(reason)
 
@@ -265,7 +253,7 @@ class CanvasEditor(QObject):
         """Store the positions to which states were dragged (in scene units), as one step."""
         branch = self.session.branch
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
-        reason = self._edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
+        reason = self.edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
         if reason:
             self._show_again(branch)
             self.canvas.say(reason)
@@ -276,7 +264,7 @@ class CanvasEditor(QObject):
         if not selection:
             return
         what = selection[0].path[-1] if len(selection) == 1 else f"{len(selection)} elements"
-        reason = self._edit(f"Delete {what}", lambda bp: editing.delete(bp, selection))
+        reason = self.edit(f"Delete {what}", lambda bp: editing.delete(bp, selection))
         if reason:
             self.canvas.say(reason)
 
@@ -286,27 +274,9 @@ class CanvasEditor(QObject):
         if bases:
             self.session.show_branch(bases[0][0])
 
-    # Inside
+    # For other verbs of drawing
 
-    @property
-    def _branch(self) -> StateBranch:
-        return self.session.blueprint[self.session.branch]
-
-    def _targets(self, address: Address) -> list[Address]:
-        """The state to which an operation leads; none for other elements."""
-        if not address.operation or not self._stands(address):
-            return []
-        table = self.session.blueprint[address.branch].table
-        return [Address(address.branch, table[address.state][address.operation])]
-
-    def _stands(self, address: Address) -> bool:
-        try:
-            self.session.blueprint.resolve(address)
-        except StudioError:
-            return False
-        return True
-
-    def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> str:
+    def edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> str:
         """Edit the session. Returns why that was refused, or the empty text."""
         self._refusals.clear()
         if self.session.edit(words, change):
@@ -314,15 +284,8 @@ class CanvasEditor(QObject):
         error = self._refusals[-1] if self._refusals else None
         return _sentence(error) if error is not None else "That cannot be done here."
 
-    def _name(
-        self, text: str, hint: str, commit: Callable[[str], str], place: tuple[QPointF, int]
-    ) -> None:
-        field = NameField(self.canvas, self.canvas.tokens, text, hint, commit)
-        at, width = place
-        field.setMinimumWidth(width)
-        self._open(field, at, centred=True)
-
-    def _open(self, field: NameField | ConnectCard, at: QPointF, centred: bool = False) -> None:
+    def open_card(self, field: Field, at: QPointF, centred: bool = False) -> None:
+        """Open a field or card near a point of the view, in place of the one that is open."""
         if self.field is not None:
             previous, self.field = self.field, None
             previous.close_field()
@@ -333,13 +296,34 @@ class CanvasEditor(QObject):
         if centred:
             point.setX(point.x() - field.width() // 2)
             point.setY(point.y() - 18)
-        if isinstance(field, ConnectCard):
+        if not isinstance(field, NameField):
             point = clear_place(self.canvas, field, point)
         place_near(field, self.canvas, point)
         field.show()
         field.raise_()
         self.canvas.overlays.empty.hide()
-        (field.field if isinstance(field, NameField) else field.operation).setFocus()
+        field.take_focus()
+
+    # Inside
+
+    @property
+    def _branch(self) -> StateBranch:
+        return self.session.blueprint[self.session.branch]
+
+    def _stands(self, address: Address) -> bool:
+        try:
+            self.session.blueprint.resolve(address)
+        except StudioError:
+            return False
+        return True
+
+    def _name(
+        self, text: str, hint: str, commit: Callable[[str], str], place: tuple[QPointF, int]
+    ) -> None:
+        field = NameField(self.canvas, self.canvas.tokens, text, hint, commit)
+        at, width = place
+        field.setMinimumWidth(width)
+        self.open_card(field, at, centred=True)
 
     def _field_closed(self) -> None:
         self.canvas.show_pending(None)
@@ -347,9 +331,13 @@ class CanvasEditor(QObject):
             self.field = None
             self.canvas.overlays.show_empty()
 
+    def _pick(self, state: Address) -> bool:
+        """Give a clicked state to the open card; whether it takes it."""
+        return isinstance(self.field, ConnectCard) and self.field.pick_target(state.state)
+
     def _leave_card(self) -> None:
         """Close the card after a press elsewhere, if nothing was typed in it."""
-        if isinstance(self.field, ConnectCard) and self.field.untouched:
+        if isinstance(self.field, ConnectCard | CopyCard) and self.field.untouched:
             self._close_field()
 
     def _close_field(self) -> None:

@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gestures import GRID
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 
 Position = tuple[float, float]
 
 
-def clear_place(canvas: Canvas, card: ConnectCard, at: QPoint) -> QPoint:
+def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
     """A place near a point of the view where a card covers no state (in pixels)."""
     sheet = canvas.sheet
     w, h, off = card.width(), card.height(), 16
     # The new state is drawn at the point; the card has to leave room for it.
-    aside = 16 if card.target.isHidden() else int(54 * max(canvas.zoom, 0.5)) + 14
+    aside = int(54 * max(canvas.zoom, 0.5)) + 14 if card.leaves_room else 16
     inside = canvas.rect().adjusted(6, 6, -6, -6)
     places = [
         QPoint(at.x() + aside, at.y() - 20),
@@ -64,14 +62,19 @@ One of the two is enough.
 """
 AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172))
 """The offsets from the other state that are tried, best first, in scene units."""
+SIBLINGS = ((0, 172), (0, -172), (0, 344), (0, -344), (218, 0))
+"""The offsets from a state to others that are reached from the same one, best first."""
 TRIED = 40
 """How many places across, and how many down, are tried in the view."""
 
 
-def free_place(canvas: Canvas, beside: str = "") -> Position:
+def free_place(
+    canvas: BranchView, beside: str = "", around: Sequence[Position] = AROUND
+) -> Position:
     """A free place for a new state, in scene units.
 
-    It lies beside the state ``beside``; without one, right of all states. If those places are not
+    It lies beside the state ``beside``, at one of the offsets ``around``; without such a state,
+    right of all states. If those places are not
     in view, the nearest free place in the view is taken. If the view has none, the place lies
     outside, and the caller has to scroll.
     """
@@ -80,8 +83,8 @@ def free_place(canvas: Canvas, beside: str = "") -> Position:
     if not places:
         return seen.center().x(), seen.center().y()
     x, y = places[beside] if beside in places else max(places.values())
-    around = AROUND if beside in places else ((218, 0),)
-    wishes = [(x + dx, y + dy) for dx, dy in around]
+    offsets = around if beside in places else ((218, 0),)
+    wishes = [(x + dx, y + dy) for dx, dy in offsets]
     if not seen.contains(QPointF(x, y)):
         x, y = seen.center().x(), seen.center().y()
     across, down = max(APART[0] / 2, seen.width() / TRIED), max(APART[1] / 2, seen.height() / TRIED)
@@ -101,7 +104,7 @@ def free_place(canvas: Canvas, beside: str = "") -> Position:
     )
 
 
-def _is_free(canvas: Canvas, at: Position) -> bool:
+def _is_free(canvas: BranchView, at: Position) -> bool:
     """Whether no state is too near. The distance grows with the marks when zoomed out."""
     sheet = canvas.sheet
     if sheet is None:
@@ -111,7 +114,7 @@ def _is_free(canvas: Canvas, at: Position) -> bool:
     return not ((off[:, 0] <= wide) & (off[:, 1] <= high)).any()
 
 
-def _is_drawn_on(canvas: Canvas, at: Position) -> bool:
+def _is_drawn_on(canvas: BranchView, at: Position) -> bool:
     """Whether lines are drawn where the node of a new state would be."""
     sheet = canvas.sheet
     if sheet is None:

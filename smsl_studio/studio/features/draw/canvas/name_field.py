@@ -54,6 +54,10 @@ class NameField(PassingCard):
                 self._lost_focus()
         return False
 
+    def take_focus(self) -> None:
+        """Give the keyboard to the name."""
+        self.field.setFocus()
+
     @property
     def complaint(self) -> str:
         """Why the name was refused; empty if it was not."""

@@ -59,7 +59,7 @@ def edit_actions(
                tip="Paste what was copied, or any SMSL text, at the pointer"),
         Action("duplicate", "Duplicate", clipping.duplicate, "Edit", "", ("Ctrl+D",),
                lambda: drawn() and clipping.can_duplicate(), scope="canvas", section=1,
-               tip="Add a copy of the selection next to it"),
+               tip="Add a copy of the selection next to it; of a state with the next free facts"),
         *selection_actions(drawing, drawn),
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtCore import QMimeData, QModelIndex, Qt
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address, note_key
@@ -16,11 +16,14 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.base.controls import label, name_parts
 from smsl_studio.studio.base.icons import ACTOR_ICON, icon
-from smsl_studio.studio.base.rows import LINE, ListRow, RowsView
+from smsl_studio.studio.base.rows import LINE, ListRow
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.library_drop import library_data
+from smsl_studio.studio.features.draw.canvas.template_drop import TEMPLATES
 from smsl_studio.studio.features.draw.panels.frame import Panel
+from smsl_studio.studio.features.draw.panels.library_list import LibraryList
 
 MOST = 2_000
 """At most this many operations of the blueprint have a row; the filter finds the others."""
@@ -37,15 +40,24 @@ class LibraryEntry:
     """The operations of the blueprint whose names match."""
 
 
+@dataclass(frozen=True)
+class TemplateRow:
+    """What a row of a template is about."""
+
+    key: str
+
+
 class Library(Panel):
     """Operations by name: how often each is used, and who acts.
 
-    A click selects the edges of one SB.
+    A click selects the edges of one SB. A row can be dragged to the canvas. Enter uses it there,
+    as ``use`` (kind, name) does; if that returns False, Enter is as a click.
     """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Library", parent)
         self._session, self._tokens = session, tokens
+        self.use: Callable[[str, str], bool] = lambda kind, name: False
         self._offers: tuple[LibraryEntry, ...] = ()
         self._severities: dict[str, str] = {}
         self.tools: QLabel = label("", "small")
@@ -62,7 +74,7 @@ class Library(Panel):
         box = QVBoxLayout()
         box.setContentsMargins(12, 10, 12, 8)
         box.addWidget(self.filter)
-        self.list = RowsView(tokens, self)
+        self.list = LibraryList(tokens, _dragged, self)
         self.list.setAccessibleName("Operations")
         self.hint: QLabel = label("", "hint")
         self.hint.setContentsMargins(12, 6, 12, 10)
@@ -71,7 +83,7 @@ class Library(Panel):
         self.column.addWidget(self.hint)
         self.filter.textChanged.connect(lambda *_: self._show())
         self.list.clicked.connect(self._clicked)
-        self.list.activated.connect(self._clicked)
+        self.list.activated.connect(self._activated)
         session.blueprint_changed.connect(lambda *_: self._show())
         self._show()
 
@@ -107,6 +119,11 @@ class Library(Panel):
         if marked:
             self.list.setCurrentIndex(self.list.rows.index(marked[-1]))
 
+    def _activated(self, index: QModelIndex) -> None:
+        row: ListRow = index.data(Qt.ItemDataRole.UserRole)
+        if row.kind == LINE and not self.use(*_offer_of(row)):
+            self._clicked(index)
+
     def _clicked(self, index: QModelIndex) -> None:
         row: ListRow = index.data(Qt.ItemDataRole.UserRole)
         if isinstance(row.payload, str):
@@ -133,8 +150,9 @@ class Library(Panel):
             of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
             rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
-        self.list.show_rows(rows)
         self.tools.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
+        rows += _template_rows(wanted)
+        self.list.show_rows(rows)
         hint = self._hint(bool(used), bool(rows))
         self.hint.setText(hint)
         self.hint.setVisible(bool(hint))
@@ -149,7 +167,8 @@ class Library(Panel):
             note.title,
             f"{count:,}",
             self._severities.get(name, ""),
-            tip=f"{name}, {times}. Click to select those of one State Branch.",
+            tip=f"{name}, {times}. Click to select those of one State Branch. Drag it to a state, "
+            "or press Enter with a state selected.",
         )
 
     def _hint(self, used: bool, shown: bool) -> str:
@@ -157,7 +176,32 @@ class Library(Panel):
             return "No operation has this in its name."
         if not self._offers:
             return NO_PLUGIN
-        return "" if used else "Draw an operation from a state's handle to another state."
+        if used:
+            return "Drag a line onto a state, or between two states."
+        return "Draw an operation from a state's handle to another state."
+
+
+def _dragged(row: ListRow) -> QMimeData | None:
+    """What is dragged with a row; None for a heading."""
+    return library_data(*_offer_of(row)) if row.kind == LINE else None
+
+
+def _offer_of(row: ListRow) -> tuple[str, str]:
+    """What a row offers: its kind and its name."""
+    if isinstance(row.payload, TemplateRow):
+        return "template", row.payload.key
+    return "operation", row.text
+
+
+def _template_rows(wanted: str) -> list[ListRow]:
+    """The rows of the templates with a text in their name, below their heading."""
+    rows = [
+        ListRow(one.name, TemplateRow(key), one.icon, tip=f"{one.tip}. Drag it to a state or an "
+                "operation, or press Enter with one selected.")
+        for key, one in TEMPLATES.items()
+        if wanted in one.name.casefold()
+    ]  # fmt: skip
+    return [ListRow(f"Templates · {len(rows)}", kind="section"), *rows] if rows else []
 
 
 def _offered(offer: LibraryEntry) -> ListRow:
