@@ -68,20 +68,24 @@ class ConnectTool:
         else:
             self._canvas.say(SECOND)
 
-    def take_selected(self) -> None:
-        """Take the selected state as source, or as target if there is a source."""
+    def take_selected(self) -> bool:
+        """Take the selected state as source, or as target if there is a source.
+
+        False if there is not one such state.
+        """
         sheet, chosen = self._canvas.sheet, self._canvas.marks.selection
         state = sheet.picture.node(chosen[0]) if sheet is not None and len(chosen) == 1 else -1
         middle = self._canvas.rect_of(chosen[0]) if state >= 0 else None
         if sheet is None or middle is None:
-            self._canvas.say("Select one state, then press Enter.")
-        elif self._line is None:
+            return False
+        if self._line is None:
             self._begin(state)
             self._canvas.say(f"{SECOND} Or select it, and press Enter.")
         else:
             self.cancel()
             source = sheet.address_of_state(self._source)
             self._canvas.connect_wanted.emit(source, chosen[0], middle.bottomRight())
+        return True
 
     def cancel(self) -> None:
         """Leave the tool; nothing is drawn."""

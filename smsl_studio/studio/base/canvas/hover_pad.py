@@ -12,7 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.sheet import Sheet
-from smsl_studio.studio.base.overlays.card import Card, IconButton
+from smsl_studio.studio.base.overlays.card import Card, IconButton, PassingCard
 from smsl_studio.studio.base.theme import Tokens
 
 DELAY, LINGER = 500, 450
@@ -112,7 +112,8 @@ class HoverPad(Card):
 
     def _appear(self) -> None:
         place = self.place_for(self._next) if self._next is not None else None
-        if place is None or self._busy():
+        asked = any(not card.isHidden() for card in self._canvas.findChildren(PassingCard))
+        if place is None or asked or self._busy():
             return
         self._address = self._next
         self._hide.stop()

@@ -368,9 +368,9 @@ class Hand:
             return True
         if event.key() == Qt.Key.Key_Escape and self._drop_gesture():
             return True
-        if isinstance(self._gesture, ConnectTool) and event.key() in keys.ENTER:
-            self._gesture.take_selected()
-            self._leave_tool(self._gesture)
+        tool = self._gesture
+        if isinstance(tool, ConnectTool) and event.key() in keys.ENTER and tool.take_selected():
+            self._leave_tool(tool)
             return True
         return keys.press(self._canvas, event)
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.picture.levels import FULL_SIZE, ROOM
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gestures import GRID
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
@@ -16,7 +17,10 @@ Position = tuple[float, float]
 
 
 def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
-    """A place near a point of the view where a card covers no state (in pixels)."""
+    """A place near a point of the view where a card covers no state (in pixels).
+
+    If there is none it covers others rather than the new one.
+    """
     sheet = canvas.sheet
     w, h, off = card.width(), card.height(), 16
     # The new state is drawn at the point; the card has to leave room for it.
@@ -33,13 +37,21 @@ def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) ->
         QPoint(at.x() - off - w, at.y() - off - h),
     ]
     places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
+    places += [QPoint(p.x(), inside.top()) for p in places[:4]]
+    new = QRect(0, 0, 2 * aside, aside)
+    new.moveCenter(at)
+    hidden = None
     for place in places:
-        if sheet is None or not inside.contains(QRect(place, card.size())):
+        area = QRect(place, card.size())
+        if sheet is None or not inside.contains(area):
             continue
         a, b = canvas.mapToScene(place), canvas.mapToScene(place + QPoint(w, h))
-        if not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
+        spares = not (card.leaves_room and new.intersects(area))
+        if spares and not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
             return place
-    return places[0]
+        if spares and hidden is None:
+            hidden = place
+    return hidden or places[0]
 
 
 def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:
@@ -55,10 +67,11 @@ def on_grid(at: QPointF) -> Position:
     return round(at.x() / GRID) * GRID, round(at.y() / GRID) * GRID
 
 
-APART = (120.0, 70.0)
+APART = (FULL_SIZE[0] + ROOM[0], FULL_SIZE[1] + ROOM[1])
 """The least distance of a new state to others, across and down, in scene units.
 
-One of the two is enough.
+One of the two is enough. With less, full nodes would have no room for an arrow, and the drawing
+would become compact.
 """
 AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172))
 """The offsets from the other state that are tried, best first, in scene units."""
