@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.rules.finding import Severity
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -35,6 +36,20 @@ def test_an_added_state_does_not_become_the_activating_one_unsaid(sit: Sit) -> N
     person.ctrl(Key.Key_Z)
     assert person.blueprint.document.text == text
     assert not toast.isVisible()
+
+
+def test_the_message_covers_neither_the_new_state_nor_its_operation(sit: Sit) -> None:
+    person = sit(FILE)
+    canvas, toast = person.window.canvas, person.window.toast
+    low = QPoint(canvas.viewport().width() // 2, canvas.viewport().height() - 90)
+    person.double_click_canvas(low)
+    person.type("State_aab2")
+    person.press(Key.Key_Return)
+    assert toast.isVisible()
+    covered = QRect(toast.mapToGlobal(QPoint()), toast.size())
+    node = canvas.place_of(Address("SB1", "State_aab2"))
+    assert QRect(canvas.viewport().mapToGlobal(QPoint()), canvas.viewport().size()).contains(node)
+    assert not covered.intersects(node)
 
 
 def test_what_is_pasted_or_drawn_to_empty_canvas_takes_nothing_over(sit: Sit) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
@@ -17,6 +17,8 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 
 REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
+TOP = 40
+"""Where a message begins that would cover what somebody works on (pixels from the top)."""
 READING_MS = 70
 """Milliseconds for each letter, because a long sentence takes longer to read."""
 
@@ -40,6 +42,7 @@ class Toast(QWidget):
         layout.setSpacing(2)
         layout.addWidget(self._sentence)
         layout.addWidget(self._advice)
+        self._spared = QRect()
         self._call: Callable[[], object] = lambda: None
         self._of_step = self._fresh = False
         self.button = QPushButton("Undo")
@@ -82,6 +85,12 @@ class Toast(QWidget):
         self.button.setText(words)
         self.button.show()
         self._place()
+
+    def spare(self, rect: QRect) -> None:
+        """Do not cover this part of the screen (global pixels), because somebody works there."""
+        self._spared = rect
+        if not self.isHidden():
+            self._place()
 
     def edited(self) -> None:
         """Hide a message about an earlier step, because the history has moved by a step.
@@ -153,4 +162,9 @@ class Toast(QWidget):
             layout.heightForWidth(wide) if layout.hasHeightForWidth() else self.sizeHint().height()
         )
         left = (self._over.width() - wide) // 2
-        self.setGeometry(left, self._over.height() - high - 64, wide, high)
+        place = QRect(left, self._over.height() - high - 64, wide, high)
+        spared = QRect(self._over.mapFromGlobal(self._spared.topLeft()), self._spared.size())
+        if place.intersects(spared):
+            above = place.translated(0, TOP - place.top())
+            place = above if not above.intersects(spared) else place
+        self.setGeometry(place)

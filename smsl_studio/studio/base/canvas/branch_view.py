@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPointF, QRectF, Signal
+from PySide6.QtCore import QPointF, QRect, QRectF, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -163,6 +163,21 @@ class BranchView(Stage):
             self.camera.go(rect.center(), least, smooth=False)
             rect = self.rect_of(address) or rect
         self.camera.go(rect.center(), self.zoom)
+
+    def place_of(self, address: Address) -> QRect:
+        """The part of the screen (global pixels) with a state, or an operation and its target.
+
+        Empty if the element is not in this SB.
+        """
+        sheet, found = self.sheet, self.rect_of(address)
+        if sheet is None or found is None:
+            return QRect()
+        edge = sheet.picture.edge(address)
+        target = int(sheet.picture.target[edge]) if edge >= 0 else -1
+        if target >= 0:
+            found |= self.rect_of(sheet.address_of_state(target)) or found
+        shown = self.mapFromScene(found).boundingRect()
+        return QRect(self.viewport().mapToGlobal(shown.topLeft()), shown.size())
 
     @property
     def clear_view(self) -> QRectF:

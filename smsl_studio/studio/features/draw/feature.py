@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -164,6 +164,7 @@ class DrawFeature(Feature):
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_of_step)
+        session.selection_changed.connect(self._spare_selected)
 
     def _connect_parts(self, actions: Actions) -> None:
         shell, toast, comparing = self._shell, self._parts.toast, self.comparing
@@ -236,6 +237,11 @@ class DrawFeature(Feature):
         """Show the source if the text cannot be read, because its faults are marked there."""
         if self._parts.session.broken is not None and self._shell.mode == "draw":
             self._shell.show_tab("Source")
+
+    def _spare_selected(self, selection: tuple[Address, ...]) -> None:
+        """Let no message cover a selected element, nor the state to which it leads."""
+        shown = self.canvas.place_of(selection[0]) if len(selection) == 1 else QRect()
+        self._parts.toast.spare(shown)
 
     def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
         self._parts.toast.of_step(*step_notice(before, after))
