@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -262,6 +263,24 @@ def test_a_large_blueprint_answers_and_shows_dots_from_afar(sit: Sit, tmp_path: 
     find(person, "Op")
     assert bar.count.text() == "1 of 2,184"
     assert not canvas.marks.found, "too many operations for a sign each"
+
+
+def test_ctrl_f_opens_the_bar_from_every_panel_and_the_source_keeps_its_own(sit: Sit) -> None:
+    person = sit(HFSM)
+    window = person.window
+    bar, source = bar_of(person), window.source
+    for tab in ("Facts", "Library", "Outline", "Properties", "Findings", "History"):
+        window.show_tab(tab)
+        window.docks.panel(tab).setFocus()
+        person.ctrl(Key.Key_F)
+        assert bar.isVisible() and bar.field.hasFocus(), tab
+        person.press(Key.Key_Escape)
+        assert bar.isHidden()
+    window.show_tab("Source")
+    source.editor.setFocus()
+    person.ctrl(Key.Key_F)
+    assert bar.isHidden()
+    assert source.isAncestorOf(QApplication.focusWidget())
 
 
 def test_the_bar_has_its_keys_and_f3_stays_with_the_findings(sit: Sit) -> None:

@@ -64,6 +64,6 @@ def edit_actions(
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),
         Action("find", "Find in the drawing", find, "Edit", "", ("Ctrl+F",),
-               drawn, scope="canvas", section=2,
+               drawn, section=2,
                tip="Go from hit to hit on the canvas, also by fact values such as Disk 2 = b"),
     )  # fmt: skip
