@@ -273,7 +273,8 @@ def test_ctrl_f_opens_the_bar_from_every_panel_and_the_source_keeps_its_own(sit:
         window.show_tab(tab)
         window.docks.panel(tab).setFocus()
         person.ctrl(Key.Key_F)
-        assert bar.isVisible() and bar.field.hasFocus(), tab
+        assert bar.isVisible(), tab
+        assert bar.field.hasFocus()
         person.press(Key.Key_Escape)
         assert bar.isHidden()
     window.show_tab("Source")
