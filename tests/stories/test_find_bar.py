@@ -281,7 +281,9 @@ def test_ctrl_f_opens_the_bar_from_every_panel_and_the_source_keeps_its_own(sit:
     source.editor.setFocus()
     person.ctrl(Key.Key_F)
     assert bar.isHidden()
-    assert source.isAncestorOf(QApplication.focusWidget())
+    inside = QApplication.focusWidget()
+    assert inside is not None
+    assert source.isAncestorOf(inside)
 
 
 def test_the_bar_has_its_keys_and_f3_stays_with_the_findings(sit: Sit) -> None:
