@@ -26,6 +26,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from smsl_studio.studio.running import run_session
 from smsl_studio.studio.running.runner import FASTEST
@@ -93,6 +94,8 @@ class Seat:
             lines = (field.operation, field.target)
         elif isinstance(field, NameField):
             lines = (field.field,)
+        elif isinstance(field, CopyCard):
+            lines = (field.name,)
         for line, name in zip(lines, names, strict=False):
             if not line.isHidden():
                 line.selectAll()

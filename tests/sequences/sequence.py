@@ -13,6 +13,7 @@ from PySide6.QtCore import QPoint
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.files import read_document
+from smsl_studio.studio.features.draw.canvas.template_drop import TEMPLATES
 from tests.blueprint.histories import stand
 from tests.sequences.agreement import Places, as_opened, disagreements, seen
 from tests.sequences.any_file import any_file
@@ -63,7 +64,8 @@ class Sequence:
             (4, self._select), (4, self._add_state), (4, self._add_operation), (3, self._rename),
             (4, self._move), (3, self._delete), (5, self._undo), (3, self._redo), (3, self._save),
             (2, self._reopen), (3, self._mode), (2, self._tab), (1, self._fact), (1, self._branch),
-            (2, self._run), (1, self._stop),
+            (2, self._run), (1, self._stop), (2, self._sibling), (2, self._copy),
+            (2, self._template),
         ]  # fmt: skip
         weights = [weight for weight, _ in verbs]
         _, verb = self.chance.choices(verbs, weights)[0]
@@ -177,6 +179,45 @@ class Sequence:
             self.seat.write(*names)
 
         return self._edit(do)
+
+    def _chosen(self) -> bool:
+        """Select a state or an operation; False if there is none."""
+        if not self._table:
+            return False
+        state = self._state()
+        operation = self.chance.choice(["", *self._table[state]])
+        self.session.select((Address(self.session.branch, state, operation),))
+        return True
+
+    def _sibling(self) -> list[str]:
+        names = (self._name(), self._name()) if self.chance.random() < 0.6 else ()
+        chosen = self._chosen()
+        self._note(f"sibling of {[*map(str, self.session.selection)]} {names}")
+
+        def do() -> None:
+            self.seat.window.canvas.sibling_wanted.emit()
+            self.seat.write(*names)
+
+        return self._edit(do) if chosen else []
+
+    def _copy(self) -> list[str]:
+        if not self._table:
+            return []
+        state = self._state()
+        names = (self._name(),) if self.chance.random() < 0.4 else ()
+        self._note(f"copy {state} {names}")
+
+        def do() -> None:
+            self.session.select((Address(self.session.branch, state),))
+            self.seat.act("duplicate")
+            self.seat.write(*names)
+
+        return self._edit(do)
+
+    def _template(self) -> list[str]:
+        name, chosen = self.chance.choice([*TEMPLATES]), self._chosen()
+        self._note(f"template {name} at {[*map(str, self.session.selection)]}")
+        return self._edit(lambda: self.seat.act(f"template_{name}")) if chosen else []
 
     def _rename(self) -> list[str]:
         if not self._table:

@@ -417,7 +417,7 @@ def test_the_library_counts_filters_and_selects(sit: Sit, tmp_path: Path) -> Non
     person.type("op_2")
     names = [r.text for r in library.list.rows.rows if isinstance(r.payload, str)]
     assert names == ["Op_2a", "Op_2b", "Op_2c"]
-    person.until(lambda: person.window.library.hint.text() == "")
+    person.until(lambda: library.hint.text().startswith("Drag a line onto a state"))
 
 
 # Beside the selected element
@@ -470,12 +470,12 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
 
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
-        "Connect", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Show ways between",
-        "Make initial", "Make activating",
+        "Add operation", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Show ways between",
+        "Insert template", "Make initial", "Make activating",
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
     assert words("SB1/State100/Operation100A") == [
-        "Rename", "Cut", "Copy", "Duplicate", "Delete"
+        "Rename", "Cut", "Copy", "Duplicate", "Delete", "Insert template",
     ]  # fmt: skip
     state = person.blueprint.resolve("SB1/State100")
     shown = window.session, window.editor, window.actions_table, window.clipping

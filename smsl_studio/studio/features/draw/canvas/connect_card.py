@@ -44,6 +44,7 @@ class ConnectCard(PassingCard):
         self.operation.setText(operation)
         self.operation.selectAll()
         self.target = NameLine(self, tokens, "Target state")
+        self._first = self.operation
         self.target.setText(target or "")
         self.target.setVisible(target is not None)
         self.choices = Choices(self, tokens)
@@ -108,12 +109,11 @@ class ConnectCard(PassingCard):
         """Begin with this name, or with the beginning of a name; what is missing gets the focus."""
         self.operation.setText(name)
         self._filter(name)
+        self._touched = whole
         if whole and not self.target.isHidden():
-            self._touched = True
-            self.target.setFocus()
+            self._first = self.target
             self.target.selectAll()
         else:
-            self.operation.setFocus()
             self.operation.end(False)
 
     def suggest(self, operation: str) -> None:
@@ -133,8 +133,8 @@ class ConnectCard(PassingCard):
         return not self.target.isHidden()
 
     def take_focus(self) -> None:
-        """Give the keyboard to the name of the operation."""
-        self.operation.setFocus()
+        """Give the keyboard to the name of the operation, or to what else is missing."""
+        self._first.setFocus()
 
     @property
     def complaint(self) -> str:

@@ -167,10 +167,13 @@ class CanvasEditor(QObject):
 
         self._name("State0", "State", commit, self._field_place(QPointF(*place), 108.0))
 
-    def connect_states(self, source: Address, target: Address | None, at: QPointF) -> None:
+    def connect_states(
+        self, source: Address, target: Address | None, at: QPointF, pattern: str = ""
+    ) -> None:
         """Ask for the name of a new operation. Without a target, a new state is added at the point.
 
-        Operation and state are added as one step. ``at`` is a scene point.
+        Operation and state are added as one step. ``at`` is a scene point. ``pattern`` is the name
+        to begin with, or what comes before its first ``{``.
         """
         branch, place = source.branch, on_grid(at)
         shown = self.session.blueprint[branch]
@@ -210,6 +213,8 @@ class CanvasEditor(QObject):
             self.canvas.show_pending(source, Address(branch, state), at)
 
         card.target_picked.connect(lead_to)
+        if pattern:
+            card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
         self.open_card(card, self._beside(at))
 
     def rename(self, address: Address) -> None:

@@ -10,7 +10,6 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.studio.base.canvas.sketch import Sketch, node_rect
-from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.drop_places import state_below, states_around
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place, on_grid
@@ -98,10 +97,7 @@ class OperationDrop:
         self._canvas.setFocus()
         self._canvas.reveal(source, smooth=False)
         self._canvas.reveal_point(QPointF(*place), smooth=False)
-        self._editor.connect_states(source, target, QPointF(*place))
-        card = self._editor.field
-        if isinstance(card, ConnectCard):
-            card.begin_with(self._name.partition("{")[0], self._whole)
+        self._editor.connect_states(source, target, QPointF(*place), self._name)
 
     def _add(self, source: str, target: str) -> None:
         branch, name = self._session.branch, self._name
