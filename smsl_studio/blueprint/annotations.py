@@ -1,4 +1,4 @@
-"""Annotations: the ``_`` fields of an SB about facts, states and operations.
+"""Annotations: the ``_`` fields of an SB about facts, states, operations and the drawing.
 
 Every SMSL reader skips them, so each is optional. Here each has a type and is checked. A field that
 does not fit is left out of the meaning and reported (rule R29). Times are in seconds.
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 
-from annotated_types import Ge, Gt, Le
+from annotated_types import Ge, Gt, Le, Lt, MaxLen
 
 from smsl_studio.blueprint.continuum import LEVELS
 
@@ -118,6 +118,33 @@ PLAIN = OperationNote()
 
 FAR = 1e7
 """The limit of a position in both directions (pixels)."""
+
+LONGEST = 10_000
+"""The largest number of characters of a text that is only drawn."""
+
+_Coordinate = Annotated[float, Gt(-FAR), Lt(FAR)]
+
+
+@dataclass(frozen=True)
+class DrawnNote(_Note):
+    """``_notes`` of an SB, by key: a text that somebody put on the drawing. It has no meaning."""
+
+    at: tuple[_Coordinate, _Coordinate]
+    """Its upper left corner (pixels). If it hangs on a state, from the centre of the state."""
+    text: Annotated[str, MaxLen(LONGEST)] = ""
+    author: Annotated[str, MaxLen(LONGEST)] = ""
+    date: Annotated[str, MaxLen(LONGEST)] = ""
+    """The day on which it was written, such as ``2026-11-12``."""
+    state: str = ""
+    """The state that it hangs on, empty if it is free."""
+
+
+@dataclass(frozen=True)
+class Group(_Note):
+    """``_groups`` in ``_layout`` of an SB, by key: states with a frame around them."""
+
+    title: Annotated[str, MaxLen(LONGEST)] = ""
+    states: tuple[str, ...] = ()
 
 
 def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, ...], str], ...]]:

@@ -10,6 +10,7 @@ from itertools import compress
 from operator import is_not
 from typing import cast
 
+from smsl_studio.blueprint.drawn import LAYOUT, NOTES, written_groups
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.notes import Notes
 
@@ -20,13 +21,23 @@ _TABLES = ("_facts", "_states", "_operations")
 def hand_on(before: StateBranch, after: StateBranch) -> None:
     """Give an SB after an edit what still holds of the one before."""
     known = before.__dict__
+    same_names = list(before.table) == list(after.table)
     same_states = before.fields.get("_states") is after.fields.get("_states")
-    if same_states and before.header == after.header and list(before.table) == list(after.table):
+    if same_states and before.header == after.header and same_names:
         after.__dict__.update((key, known[key]) for key in _SHAPE if key in known)
+    if same_names and "drawn" in known and _drawn_alike(before, after):
+        after.__dict__["drawn"] = known["drawn"]
     if "notes" in known and not before.notes.faults:
         notes = _notes(before, after)
         if notes is not None:
             after.__dict__["notes"] = notes
+
+
+def _drawn_alike(before: StateBranch, after: StateBranch) -> bool:
+    """Whether an edit left notes and groups as they were written."""
+    old, new = before.fields, after.fields
+    groups = (written_groups(fields.get(LAYOUT)) for fields in (old, new))
+    return old.get(NOTES) is new.get(NOTES) and next(groups) is next(groups)
 
 
 def _notes(before: StateBranch, after: StateBranch) -> Notes | None:
@@ -45,6 +56,8 @@ def _notes(before: StateBranch, after: StateBranch) -> Notes | None:
         from smsl_studio.blueprint.annotations import point_of
 
         layout.update((name, point_of(table[name])) for name in moved)
-    if None in layout.values():
-        return None
+    if None in layout.values():  # what is drawn besides the states has no place
+        layout = {name: at for name, at in layout.items() if not name.startswith("_")}
+        if None in layout.values():
+            return None
     return replace(notes, layout=cast("dict[str, tuple[float, float]]", layout))

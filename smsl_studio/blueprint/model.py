@@ -15,6 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.drawn import Drawn, read_drawn
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
 from smsl_studio.blueprint.notes import NO_NOTES, Notes, read_notes
@@ -160,6 +161,11 @@ class StateBranch:
         if not any(k in self.fields for k in ("_facts", "_states", "_operations", "_layout")):
             return NO_NOTES
         return read_notes(self.fields)
+
+    @cached_property
+    def drawn(self) -> Drawn:
+        """The notes and groups on the drawing of this SB. They have no meaning."""
+        return read_drawn(self.fields, self.table)
 
     def fact_name(self, digit: int) -> str:
         """Return the name of a fact, or ``Fact 1`` (counted from 1) if it has none."""

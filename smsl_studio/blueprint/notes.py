@@ -87,6 +87,8 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
             operations[name], written[name] = operation, words
     layout: dict[str, tuple[float, float]] = {}
     for name, at in table("_layout").items():
+        if name.startswith("_"):
+            continue  # what is drawn besides the states, see ``drawn``
         point = point_of(at)
         if point is not None:
             layout[name] = point

@@ -10,14 +10,22 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
+from smsl_studio.blueprint.annotations import (
+    Binding,
+    DrawnNote,
+    FactNote,
+    Group,
+    Hazard,
+    OperationNote,
+    StateNote,
+)
 from smsl_studio.blueprint.continuum import LEVELS
 from smsl_studio.smsl.document.limits import MAX_NAME
 
 Json = Any
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-NOTES = (FactNote, StateNote, OperationNote, Binding, Hazard)
+NOTES = (FactNote, StateNote, OperationNote, Binding, Hazard, DrawnNote, Group)
 
 WORDS: dict[str, dict[str, str]] = {
     "FactNote": {
@@ -76,6 +84,19 @@ WORDS: dict[str, dict[str, str]] = {
         "": "Facts that must never hold together.",
         "name": "What the hazard is called.",
         "facts": 'The facts: "SB/digit": value.',
+    },
+    "DrawnNote": {
+        "": "A note on the drawing. It has no meaning.",
+        "at": "Its upper left corner, from the centre of the state if it hangs on one.",
+        "text": "What it says.",
+        "author": "Who wrote it.",
+        "date": "The day on which it was written, such as 2026-11-12.",
+        "state": "The state that it hangs on; without one it is free.",
+    },
+    "Group": {
+        "": "States with a frame around them. It has no meaning.",
+        "title": "What stands above them.",
+        "states": "The states in it; a state stands in one group.",
     },
 }
 """The descriptions that an editor shows. The empty key is the note itself."""
@@ -191,8 +212,11 @@ def _branch() -> Json:
             "_layout": {
                 "type": "object",
                 "description": "Where each state is drawn.",
+                "properties": {"_groups": _table("Group", "Groups of states, by any key.")},
+                "patternProperties": {"^_": True},
                 "additionalProperties": POINT,
             },
+            "_notes": _table("DrawnNote", "Notes on the drawing, by any key."),
         },
         "patternProperties": {"^_": True},
         "additionalProperties": {"$ref": "#/$defs/State"},

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from smsl_studio.picture.curves import LineStyle
+from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, rest_mark, spacing_of
 from smsl_studio.picture.picture import Chip, Face, Picture
@@ -137,6 +138,26 @@ class Figure:
         signs = bool(picture.kind(edge)) + bool(picture.guards(edge)) + (edge in self.signed)
         return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 
+    @cached_property
+    def drawn(self) -> DrawnParts:
+        """The notes and groups."""
+        return DrawnParts(self.picture.branch, self.picture.index)
+
+    @property
+    def bar(self) -> float:
+        """The height of the titles of groups (pixels); 0 where states are dots."""
+        return BAR if self.shows_nodes else 0.0
+
+    @property
+    def note_rects(self) -> Floats:
+        """The left, top, right and bottom of each note, (n, 4) (pixels)."""
+        return self.drawn.note_rects(self.at, self.scale)
+
+    @property
+    def group_rects(self) -> Floats:
+        """The left, top, right and bottom of each group, (n, 4) (pixels)."""
+        return self.drawn.group_rects(self.boxes, bar=self.bar)
+
     @property
     def boxes(self) -> Floats:
         """The centre and half the size of each node, (n, 4) (pixels)."""
@@ -159,16 +180,40 @@ class Figure:
         self, states: Sequence[int] | None = None, edges: Sequence[int] | None = None
     ) -> Rect:
         """Return the left, top, right and bottom of what is drawn (pixels): of everything, or of
-        these states and operations.
+        these states and operations with the notes and groups that belong to these states.
         """
+        notes, groups = self.drawn_with(states)
+        found = [*self.note_rects[notes].tolist(), *self.group_rects[groups].tolist()]
         states = range(len(self.at)) if states is None else states
         edges = range(len(self.picture.operations)) if edges is None else edges
         if not len(states):
-            return 0.0, 0.0, 160.0, 20.0
+            found.append([0.0, 0.0, 160.0, 20.0])
+        else:
+            found.extend(self._rects(states, edges))
+        rects = np.array(found)
+        left, top = rects[:, :2].min(axis=0)
+        right, bottom = rects[:, 2:].max(axis=0)
+        return float(left), float(top), float(right), float(bottom)
+
+    def drawn_with(self, states: Sequence[int] | None) -> tuple[list[int], list[int]]:
+        """Return the numbers of the notes that hang on some states, and of the groups that have no
+        others. Without ``states`` all of them.
+        """
+        drawn = self.drawn
+        if states is None or not drawn:
+            return list(range(len(drawn.notes))), list(range(len(drawn.groups)))
+        notes = np.nonzero(np.isin(drawn.states, list(states)))[0].tolist()
+        groups = [n for n, own in enumerate(drawn.members) if np.isin(own, list(states)).all()]
+        return notes, groups
+
+    def _rects(self, states: Sequence[int], edges: Sequence[int]) -> list[Sequence[float]]:
+        """What some states and operations cover. There are states."""
         boxes = self.boxes[list(states)]
         low = (boxes[:, :2] - boxes[:, 2:]).min(axis=0)
         high = (boxes[:, :2] + boxes[:, 2:]).max(axis=0)
-        found = [(low[0] - 10.0, low[1] - 10.0, high[0] + 10.0, high[1] + 10.0)]
+        found: list[Sequence[float]] = [
+            (low[0] - 10.0, low[1] - 10.0, high[0] + 10.0, high[1] + 10.0)
+        ]
         initial = self.picture.index.get(self.picture.branch.initial, -1)
         if initial in states:
             x, y, w, h = self.boxes[initial]
@@ -181,10 +226,7 @@ class Figure:
         else:
             for edge in edges:
                 found.extend(self.rects_of(edge))
-        rects = np.array(found)
-        left, top = rects[:, :2].min(axis=0)
-        right, bottom = rects[:, 2:].max(axis=0)
-        return float(left), float(top), float(right), float(bottom)
+        return found
 
 
 def chip_width(chip: Chip) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.picture.colours import Colours
+from smsl_studio.picture.drawn_svg import draw_groups, draw_notes
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.guards import MEANING
 from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, guard_at, sub_mark_at
@@ -50,11 +51,14 @@ def panel_of(
     x, y = (wide - right - left) / 2, HEAD + EDGE - top
     parts.append(f'<g transform="translate({number(x)} {number(y)})">')
     edges = range(len(figure.picture.operations))
+    notes, groups = figure.drawn_with(None)
+    parts.extend(draw_groups(figure, groups, colours))
     parts.extend(draw_lines(figure, edges, colours, operations))
+    parts.extend(draw_notes(figure, notes, colours))
     for state in range(len(figure.picture)):
         parts.extend(draw_node(figure, state, colours, states.get(state, "")))
     parts.extend(draw_labels(figure, edges, colours, operations))
-    if not len(figure.picture):
+    if not len(figure.picture) and not figure.drawn:
         parts.append(text((80.0, 14.0), "no states", NOTE, colours["tx3"]))
     parts.append("</g>")
     below = HEAD + bottom - top + 2 * EDGE

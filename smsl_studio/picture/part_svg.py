@@ -2,33 +2,50 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from smsl_studio.picture.colours import LIGHT, Colours
+from smsl_studio.picture.drawn_svg import draw_groups, draw_notes
 from smsl_studio.picture.figure import Figure, Rect
 from smsl_studio.picture.lines import draw_labels, draw_lines
 from smsl_studio.picture.nodes import draw_node
 from smsl_studio.picture.part import PicturePart
+from smsl_studio.picture.shape import Floats
 from smsl_studio.picture.svg import GAP, framed
 
 
 def draw_part(figure: Figure, part: PicturePart, title: str, colours: Colours = LIGHT) -> str:
     """Return the SVG of a part. Lines and labels lie where the picture of the whole SB has them."""
     left, top, right, bottom = figure.bounds(part.states, part.edges)
-    return draw_frame(
-        figure, part, (left - GAP, top - GAP, right + GAP, bottom + GAP), title, colours
-    )
+    frame = (left - GAP, top - GAP, right + GAP, bottom + GAP)
+    drawn = figure.drawn_with(part.states)
+    return framed(_parts(figure, part, drawn, colours), frame, title, colours)
 
 
 def draw_frame(
     figure: Figure, part: PicturePart, frame: Rect, title: str, colours: Colours = LIGHT
 ) -> str:
     """Return the SVG of a frame of a figure. What crosses its border is cut off there."""
-    return framed(
-        [
-            *draw_lines(figure, part.edges, colours),
-            *(svg for state in part.states for svg in draw_node(figure, state, colours)),
-            *draw_labels(figure, part.edges, colours),
-        ],
-        frame,
-        title,
-        colours,
-    )
+    drawn = _within(figure.note_rects, frame), _within(figure.group_rects, frame)
+    return framed(_parts(figure, part, drawn, colours), frame, title, colours)
+
+
+def _within(rects: Floats, frame: Rect) -> list[int]:
+    """Return the numbers of the rectangles that touch a frame."""
+    low, high = rects[:, :2] <= frame[2:], rects[:, 2:] >= frame[:2]
+    found: list[int] = np.nonzero((low & high).all(axis=1))[0].tolist()
+    return found
+
+
+def _parts(
+    figure: Figure, part: PicturePart, drawn: tuple[list[int], list[int]], colours: Colours
+) -> list[str]:
+    """Return the pieces of SVG of a part. ``drawn`` has the numbers of its notes and groups."""
+    notes, groups = drawn
+    return [
+        *draw_groups(figure, groups, colours),
+        *draw_lines(figure, part.edges, colours),
+        *draw_notes(figure, notes, colours),
+        *(svg for state in part.states for svg in draw_node(figure, state, colours)),
+        *draw_labels(figure, part.edges, colours),
+    ]

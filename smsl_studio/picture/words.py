@@ -9,7 +9,7 @@ from __future__ import annotations
 from itertools import accumulate
 from unicodedata import east_asian_width
 
-from smsl_studio.legible import whole_text
+from smsl_studio.legible import one_line, whole_text
 
 _SPARE = 1.03
 _ASCII = (
@@ -53,6 +53,39 @@ def elided(text: str, size: float, room: float) -> str:
         if (heads[left] + _width("…") + tails[kept - left]) * unit <= room:
             return f"{text[:left]}…{text[len(text) - (kept - left) :]}"
     return f"{text[:1]}…"
+
+
+def broken(text: str, size: float, room: float, most: int) -> list[str]:
+    """Return the first ``most`` lines of a text, none wider than ``room``. Lines break at spaces,
+    or in a word that is too long. The last one ends with … if something is left out.
+    """
+    unit = size * _SPARE / 100.0
+    longest = int(room / (min(_ASCII) * unit)) + 1
+    lines: list[str] = []
+    for paragraph in text[: (longest + 1) * (most + 1)].expandtabs(4).splitlines():
+        rest = one_line(paragraph)
+        while len(lines) <= most:
+            kept = _fitting(rest, room / unit, longest)
+            lines.append(rest[:kept].rstrip())
+            rest = rest[kept:].lstrip()
+            if not rest:
+                break
+    if len(lines) > most or len(text) > (longest + 1) * (most + 1):
+        lines = lines[:most]
+        last = lines[-1]
+        while last and width(f"{last}…", size) > room:
+            last = last[:-1]
+        lines[-1] = f"{last}…"
+    return lines
+
+
+def _fitting(text: str, room: float, longest: int) -> int:
+    """Return how many characters fit into a line (hundredths of the font size), at least one."""
+    fits = sum(1 for end in accumulate(map(_width, text[: longest + 1])) if end <= room)
+    if fits >= len(text):
+        return len(text)
+    space = text.rfind(" ", 0, fits + 1)
+    return space + 1 if space > 0 else max(fits, 1)
 
 
 def _width(char: str) -> int:

@@ -78,13 +78,18 @@ def _branch(chance: random.Random, files: int) -> dict[str, Json]:
         branch["_operations"] = {chance.choice(NAMES).replace("/", "~1"): {"cost": 2}}
     if states and chance.random() < 0.5:
         branch["_layout"] = {state: [chance.randrange(999), 0.5] for state in states}
+    if states and chance.random() < 0.4:
+        note = {"text": "n", "at": [1, 2], "state": chance.choice([*states, "gone"])}
+        branch["_notes"] = {"1": note, "odd": chance.choice([None, {"text": "free", "at": [3, 4]}])}
+        group = {"title": "g", "states": chance.sample(states, min(2, len(states)))}
+        branch.setdefault("_layout", {})["_groups"] = {"1": group}
     return branch
 
 
 def stand(blueprint: Blueprint) -> str:
     """Everything that must be the same again: texts, digests, layout, order."""
     states = [
-        [one.name, list(one.notes.layout.items()), one.shape, one.alphabet,
+        [one.name, list(one.notes.layout.items()), str(one.drawn), one.shape, one.alphabet,
          [one.facts(name) for name in one.table]]
         for one in blueprint
     ]  # fmt: skip

@@ -108,7 +108,12 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "hazards": lambda: [{"name": "h", "facts": {}}] * chance.randrange(3),
         "text": lambda: edit.excerpt(blueprint, [other]),
         "file": lambda: chance.choice(blueprint.documents).file,
-    }
+        "drawn_notes": lambda: {chance.choice("123"): chance.choice([
+            None, {"text": odd, "at": where}, {"text": "n", "at": where, "state": at.state},
+            {"at": where, "state": None}])},
+        "groups": lambda: {chance.choice("123"): chance.choice([
+            None, {"title": odd}, {"title": odd, "states": [at.state]}])},
+    }  # fmt: skip
 
 
 def whole(blueprint: Blueprint) -> Any:

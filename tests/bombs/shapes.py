@@ -274,6 +274,22 @@ def odd_notes(n: int) -> Values:
     return {"B": {**_pair(), "_operations": {f"o{i}": words for i in range(n)}}}
 
 
+def drawn_notes(n: int) -> Values:
+    """A ring with a note on each state, every other one in a group."""
+    ring = _ring(n)
+    notes = {str(i): {"text": "x", "at": [i, 8], "state": name} for i, name in enumerate(ring)}
+    groups = {str(i): {"title": "g", "states": [name]} for i, name in enumerate(ring) if i % 2}
+    return {"B": {**ring, "_notes": notes, "_layout": {"_groups": groups}}}
+
+
+def odd_drawn_notes(n: int) -> Values:
+    """Notes on states that are not there, and groups that all want the same states."""
+    ring = _ring(9)
+    notes = {str(i): {"text": 5, "at": [i, "x"], "state": f"gone{i}"} for i in range(n)}
+    groups = {str(i): {"title": [], "states": [*ring, "gone"]} for i in range(n)}
+    return {"B": {**ring, "_notes": notes, "_layout": {"_groups": groups}}}
+
+
 def odd_words(n: int) -> Values:
     """One note with very many words that nobody knows."""
     return {"B": {**_pair(), "_operations": {"on": {f"w{i}": i for i in range(n)}}}}

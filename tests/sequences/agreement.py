@@ -64,6 +64,11 @@ def _canvas(window: Window) -> Iterator[str]:
         yield "states are drawn elsewhere than the session says"
     if window.editor.field is not None:
         yield "a field is open"
+    if window.features.draw.notes.field is not None:
+        yield "the field of a note is open"
+    chosen = canvas.drawn.chosen
+    if chosen is not None and (session.selection or canvas.sheet.drawn.number(chosen) < 0):
+        yield "a note or group is selected that does not stand, or beside states"
     item = {canvas.sheet.picture.names[i] for i in canvas.pool.used}
     if not item <= branch.table.keys():
         yield "an item is drawn for a state that is not there"

@@ -28,6 +28,7 @@ from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.drawn.note_field import NoteField
 from smsl_studio.studio.running import run_session
 from smsl_studio.studio.running.runner import FASTEST
 from smsl_studio.studio.shell.plugins import Plugins
@@ -106,6 +107,23 @@ class Seat:
             QTest.keyClick(lines[0], Qt.Key.Key_Return)
         if self.window.editor.field is not None:
             QTest.keyClick(lines[0], Qt.Key.Key_Escape)
+        QApplication.processEvents()
+
+    def draw(self, words: str) -> None:
+        """Type into the open field of a note or a group, and keep it; Esc where it is refused."""
+        drawn, held = self.window.features.draw.notes, Qt.KeyboardModifier.NoModifier
+        if drawn.field is None:
+            return
+        field = drawn.field.field
+        field.selectAll()
+        typed = QInputMethodEvent()
+        typed.setCommitString(words)
+        QApplication.sendEvent(field, typed)
+        if isinstance(drawn.field, NoteField):
+            held = Qt.KeyboardModifier.ControlModifier
+        QTest.keyClick(field, Qt.Key.Key_Return, held)
+        if drawn.field is not None:
+            QTest.keyClick(field, Qt.Key.Key_Escape)
         QApplication.processEvents()
 
     def point(self, state: str) -> QPoint:

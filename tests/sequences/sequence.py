@@ -66,6 +66,7 @@ class Sequence:
             (2, self._reopen), (3, self._mode), (2, self._tab), (1, self._fact), (1, self._branch),
             (2, self._run), (1, self._stop), (2, self._sibling), (2, self._copy),
             (2, self._template),
+            (2, self._draw_note), (1, self._draw_group),
         ]  # fmt: skip
         weights = [weight for weight, _ in verbs]
         _, verb = self.chance.choices(verbs, weights)[0]
@@ -218,6 +219,36 @@ class Sequence:
         name, chosen = self.chance.choice([*TEMPLATES]), self._chosen()
         self._note(f"template {name} at {[*map(str, self.session.selection)]}")
         return self._edit(lambda: self.seat.act(f"template_{name}")) if chosen else []
+
+    def _draw_note(self) -> list[str]:
+        """Put a note on a state or on the canvas, or delete the one that was added last."""
+        hung = self.chance.random() < 0.5 and bool(self._table)
+        state = self._state() if hung else ""
+        words = self.chance.choice(["Look here", "é\u202e 漢", "x " * 200])
+        self._note(f"note on {state or 'the canvas'}: {words[:9]!r}")
+
+        def do() -> None:
+            chosen = (Address(self.session.branch, state),) if state else ()
+            self.session.select(chosen)
+            self.seat.act("add_note")
+            self.seat.draw(words)
+
+        return self._edit(do)
+
+    def _draw_group(self) -> list[str]:
+        """Group some states, or dissolve the group of one."""
+        if not self._table:
+            return []
+        states = [*dict.fromkeys(self._state() for _ in range(2))]
+        verb, title = self.chance.choice(["group", "ungroup"]), self._name()
+        self._note(f"{verb} {states} {title!r}")
+
+        def do() -> None:
+            self.session.select(Address(self.session.branch, state) for state in states)
+            self.seat.act(verb)
+            self.seat.draw(title)
+
+        return self._edit(do)
 
     def _rename(self) -> list[str]:
         if not self._table:

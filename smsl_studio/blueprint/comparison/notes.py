@@ -10,6 +10,7 @@ from smsl_studio.blueprint.comparison.difference import Change, Path
 from smsl_studio.blueprint.comparison.file_level import changed_fields, kind_of, value_words
 from smsl_studio.blueprint.comparison.sides import BranchSides
 from smsl_studio.blueprint.comparison.values import fields_that_differ, merged
+from smsl_studio.blueprint.drawn import GROUPS, LAYOUT, NOTES, written_groups
 from smsl_studio.blueprint.meaning import AS_WRITTEN, MEANING_FIELDS, notes_meaning
 from smsl_studio.blueprint.model import StateBranch
 
@@ -27,12 +28,31 @@ def compare_notes(pair: BranchSides) -> None:
         for table in MEANING_FIELDS:
             _compare_table(pair, table, one.get(table, {}), other.get(table, {}))
         _compare_misfits(pair, one.get(AS_WRITTEN, {}), other.get(AS_WRITTEN, {}))
-    own = (*MEANING_FIELDS, "_layout")
+    own = (*MEANING_FIELDS, LAYOUT, NOTES)
     old = {key: value for key, value in pair.before.fields.items() if key not in own}
     new = {key: value for key, value in pair.after.fields.items() if key not in own}
     at, to = pair.before.address, pair.after.address
     found = changed_fields(old, new, pair.after.name, at.path, to.path, before=at, after=to)
     pair.sides.changes.extend(found)
+    _compare_drawn(pair, (NOTES,), *(side.fields.get(NOTES) for side in (pair.before, pair.after)))
+    _compare_drawn(pair, (LAYOUT, GROUPS), *(
+        written_groups(side.fields.get(LAYOUT)) for side in (pair.before, pair.after)))  # fmt: skip
+
+
+def _compare_drawn(pair: BranchSides, path: Path, old: Json, new: Json) -> None:
+    """Compare the notes or the groups on the drawing one by one."""
+    at, to = pair.before.address, pair.after.address
+    if old == new:
+        return
+    *above, key = path
+    where, inside = f"{pair.after.name}", above
+    if all(isinstance(side, dict | None) for side in (old, new)):
+        where, inside = f"{key} of {where}", [*path]
+    else:
+        old, new = {key: old}, {key: new}
+    pair.sides.changes.extend(changed_fields(
+        old or {}, new or {}, where, (*at.path, *inside), (*to.path, *inside),
+        before=at, after=to))  # fmt: skip
 
 
 def _compare_table(

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.digits import add_fact as add_fact
     from smsl_studio.blueprint.editing.digits import delete_fact as delete_fact
     from smsl_studio.blueprint.editing.digits import move_fact as move_fact
+    from smsl_studio.blueprint.editing.drawn import put_groups as put_groups
+    from smsl_studio.blueprint.editing.drawn import put_notes as put_notes
     from smsl_studio.blueprint.editing.duplicates import duplicate_state as duplicate_state
     from smsl_studio.blueprint.editing.excerpts import cut as cut
     from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
@@ -65,6 +67,8 @@ _HOMES = {
     "keep_last": "notes",
     "move_fact": "digits",
     "paste": "pasted_text",
+    "put_groups": "drawn",
+    "put_notes": "drawn",
     "rename": "renames",
     "reorder": "moves",
     "retarget": "moves",

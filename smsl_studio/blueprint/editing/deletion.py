@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 from smsl_studio.blueprint.address import Address, note_key, split_fact
 from smsl_studio.blueprint.editing.additions import recount
 from smsl_studio.blueprint.editing.draft import Draft, existing
+from smsl_studio.blueprint.editing.drawn import states_gone
 from smsl_studio.blueprint.editing.headers import drop_sub
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.model import Blueprint
@@ -64,6 +65,7 @@ def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:
     for table in draft.tables(branch, "_states", "_layout"):
         for state in gone:
             table.pop(state, None)
+    states_gone(draft, branch, gone)
     for key in ("INITIAL", "ACTIVATING"):
         if getattr(found.header, key.lower()) in gone:
             del draft.header(branch)[key]

@@ -10,8 +10,10 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.drawn import GROUPS, LAYOUT, NOTES
 from smsl_studio.blueprint.editing.deletion import delete
 from smsl_studio.blueprint.editing.draft import existing
+from smsl_studio.blueprint.editing.drawn import part_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused
@@ -90,4 +92,9 @@ def _notes(
         found = {n: v for n, v in table.items() if n in names} if isinstance(table, dict) else {}
         if found:
             notes[key] = found
+    hanging, groups = part_of(written, states)
+    if hanging:
+        notes[NOTES] = hanging
+    if groups:
+        notes[LAYOUT] = {**notes.get(LAYOUT, {}), GROUPS: groups}
     return notes

@@ -62,7 +62,7 @@ def set_note(
                 del draft.at(branch)[table]
         return draft.done()
     _Noted(blueprint, branch, table).must_have(key)
-    plain = _plain(note)
+    plain = plain_value(note)
     _must_fit(table, plain)
     draft.table(branch, table)[key] = plain
     return draft.done()
@@ -109,7 +109,7 @@ def _changed(
             f"{key} in {table} of {branch} is no map, so nothing can be added to it",
             advice="Write it as { ... } in the text.",
         )
-    after = {**entry, **_plain(words)}
+    after = {**entry, **plain_value(words)}
     return {word: value for word, value in after.items() if value is not None or word not in words}
 
 
@@ -121,7 +121,7 @@ def set_hazards(
 
     Hazards that were there before are not checked again; rule R29 reports them.
     """
-    plain = _plain(list(hazards))
+    plain = plain_value(list(hazards))
     document = document_named(blueprint, file)
     written = document.values.get("_hazards", [])
     if not isinstance(written, list):
@@ -156,7 +156,7 @@ def keep_last(blueprint: Blueprint, path: tuple[str, ...], file: str | None = No
 
 
 def _must_fit(table: str, words: Mapping[str, Json]) -> None:
-    faults = read_notes({table: {"0": _plain(words)}}).faults if words else ()
+    faults = read_notes({table: {"0": plain_value(words)}}).faults if words else ()
     if faults:
         raise EditRefused(
             f"this is no entry of {table}: {faults[0][1]}", advice="See the table of annotations."
@@ -213,12 +213,12 @@ def _must_be_state(branch: StateBranch, state: str) -> None:
         )
 
 
-def _plain(value: Json) -> Json:
+def plain_value(value: Json) -> Json:
     """Return a value as the plain dictionaries and lists of a document."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(inner) for key, inner in value.items()}
+        return {str(key): plain_value(inner) for key, inner in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(inner) for inner in value]
+        return [plain_value(inner) for inner in value]
     if isinstance(value, float) and not math.isfinite(value):
         raise EditRefused(f"{value} is no number that can be written", advice="Write a number.")
     return value

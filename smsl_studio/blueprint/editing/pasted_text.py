@@ -8,6 +8,7 @@ from typing import Any
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.editing.additions import recount
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
+from smsl_studio.blueprint.editing.drawn import put_pasted
 from smsl_studio.blueprint.editing.excerpts import MARK, OPERATIONS, STATES, parts_of
 from smsl_studio.blueprint.editing.pasted_places import ASIDE, PastedPlaces, Point
 from smsl_studio.blueprint.editing.renames import renamed_requires, renamed_subs
@@ -141,6 +142,7 @@ class _Into:
         taken = self._found.notes.layout.values()
         for state, place in places.of(states, _map(value, "_layout"), taken):
             draft.table(branch, "_layout")[names[state]] = place
+        put_pasted(draft, branch, value, names)
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:
         """Put operations into the states with the same names as those from which they were

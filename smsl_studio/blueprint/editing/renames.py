@@ -7,6 +7,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
+from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
@@ -124,6 +125,7 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
         for key in former & table.keys():
             del table[key]
         rename_keys(table, names)
+    states_follow(draft, branch, names)
     for table in draft.tables(branch, "_operations"):
         moved = {}
         for key in list(table):

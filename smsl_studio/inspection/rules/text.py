@@ -85,7 +85,7 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
         yield from _odd_hazards(blueprint, document)
         yield from _odd_levels(blueprint, document)
     for branch in blueprint:
-        for path, reason in branch.notes.faults:
+        for path, reason in (*branch.notes.faults, *branch.drawn.faults):
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
             yield _note(blueprint.home(branch.name), (branch.name, *path), words)
         yield from _strangers(blueprint, branch)

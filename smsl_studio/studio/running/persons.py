@@ -7,6 +7,7 @@ give a name. The record then says "a person".
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import asdict, dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
@@ -68,6 +69,10 @@ class Persons(QObject):
         """The person who commands a run from this window."""
         return self.named(self._settings.text_of(ME)) or next(iter(self._all), SOMEBODY)
 
+    def author(self) -> str:
+        """The name under which this person writes, or else that of the system's user."""
+        return _user_name() if self.me == SOMEBODY else self.me.name
+
     def named(self, name: str) -> Person | None:
         """The person of this name, in any spelling (see ``same_name``); None if there is none."""
         wanted = same_name(name)
@@ -98,6 +103,17 @@ class Persons(QObject):
 
     def _write(self) -> None:
         self._settings.store_text(PERSONS, json.dumps([asdict(one) for one in self._all]))
+
+
+def _user_name() -> str:
+    """The name of the system's user, the full one if it is known; empty if there is none."""
+    try:
+        import pwd
+
+        user = pwd.getpwuid(os.getuid())
+    except (ImportError, KeyError):
+        return os.environ.get("USERNAME", "")
+    return user.pw_gecos.partition(",")[0].strip() or user.pw_name
 
 
 def _read(text: str) -> tuple[Person, ...]:

@@ -53,6 +53,7 @@ class Features(QObject):
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
         self.draw = DrawFeature(parts, shell)
+        self.draw.notes.author = windows.persons.author
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.start = StartFeature(parts, shell)
         self.run = RunFeature(parts, shell, windows.spare)

@@ -1,8 +1,8 @@
 """The accessible interfaces of a canvas: the view, its states, and the operations of each state.
 
 Graphics items have no accessible interface of their own. States are children of the canvas by
-number, and operations are children of the state they leave, in the order of the file. States
-outside the view are included, so that the zoom does not change what is read out.
+number, then groups and notes. Operations are children of the state they leave, in the order of the
+file. States outside the view are included, so that the zoom does not change what is read out.
 
 No class here overrides ``interface_cast``: PySide 6.11 crashes when an override returns None.
 Without an override Qt's own answer (no further interface) holds.
@@ -19,7 +19,9 @@ from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.accessible import state_words, words_for
+from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 
@@ -34,6 +36,7 @@ class CanvasAccessible(QAccessibleInterface):
         super().__init__()
         self._held = ref(canvas)
         self._children: dict[int, StateAccessible] = {}
+        self._drawn: dict[DrawnKey, DrawnAccessible] = {}
 
     @property
     def canvas(self) -> Canvas:
@@ -66,34 +69,57 @@ class CanvasAccessible(QAccessibleInterface):
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
     def childCount(self) -> int:
+        """The number of states, groups and notes in the SB that is shown."""
+        sheet = self.sheet
+        return self.states + len(sheet.drawn.listed()) if sheet is not None else 0
+
+    @property
+    def states(self) -> int:
         """The number of states in the SB that is shown."""
         sheet = self.sheet
         return len(sheet.picture) if sheet is not None else 0
 
     def child(self, index: int) -> Any:
-        """The state with this number; None if there is none."""
+        """The state with this number, or the group or note after the states; None if there is
+        none."""
         if not 0 <= index < self.childCount():
             return None
+        sheet = self.sheet
+        if sheet is not None and index >= self.states:
+            key = sheet.drawn.listed()[index - self.states]
+            if key not in self._drawn:
+                self._drawn[key] = DrawnAccessible(self, self._held, key)
+            return self._drawn[key]
         if index not in self._children:
             self._children[index] = StateAccessible(self, index)
         return self._children[index]
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
-        """The number of a state; -1 for anything else."""
+        """The number of a state, group or note; -1 for anything else."""
+        sheet = self.sheet
+        if isinstance(child, DrawnAccessible) and sheet is not None:
+            keys = sheet.drawn.listed()
+            return self.states + keys.index(child.key) if child.key in keys else -1
         return child.index if isinstance(child, StateAccessible) else -1
 
     def childAt(self, x: int, y: int) -> Any:
-        """The state at a point of the screen (pixels); None if there is none."""
+        """The state, note or title at a point of the screen (pixels); None if there is none."""
         sheet = self.sheet
         if sheet is None:
             return None
         at = self.canvas.mapToScene(self.canvas.viewport().mapFromGlobal(QRect(x, y, 1, 1)
                                                                            .topLeft()))  # fmt: skip
+        drawn = self.canvas.drawn_at(at)
+        if drawn is not None:
+            return self.child(self.states + sheet.drawn.listed().index(drawn))
         return self.child(sheet.state_at(at.x(), at.y()))
 
     def focusChild(self) -> Any:
-        """The state that was selected last."""
+        """The state that was selected last, or the selected note or group."""
         sheet = self.sheet
+        chosen = self.canvas.drawn.chosen
+        if sheet is not None and chosen in sheet.drawn.listed():
+            return self.child(self.states + sheet.drawn.listed().index(chosen))
         for address in reversed(self.canvas.marks.selection):
             state = sheet.picture.node(address) if sheet is not None else -1
             if state >= 0:
@@ -144,7 +170,7 @@ class StateAccessible(QAccessibleInterface):
 
     def isValid(self) -> bool:
         """Whether the canvas still shows a state with this number."""
-        return self._parent.isValid() and self.index < self._parent.childCount()
+        return self._parent.isValid() and self.index < self._parent.states
 
     def object(self) -> Any:
         """None: a state is no Qt object."""

@@ -12,15 +12,15 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.camera import STEP
+from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
 from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
-from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.theme import Tokens
 
 TOP = 40
 """The height at the top that is kept free for the breadcrumb (pixels)."""
 
 
-class BranchView(Stage):
+class BranchView(DrawnStage):
     """A view of one SB. Points in signals are scene points.
 
     ``editing`` is False in Run mode: nothing can be moved, and a click on an operation emits

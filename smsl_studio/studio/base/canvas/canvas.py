@@ -32,6 +32,7 @@ from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import pending_ends
 from smsl_studio.studio.base.canvas.overlays import Overlays
@@ -148,6 +149,11 @@ class Canvas(BranchView):
             self.hand.show_grip()
             self._describe()
 
+    def choose_drawn(self, chosen: DrawnKey | None) -> None:
+        """Show a note or a group as selected, and tell assistive tools; None for none."""
+        super().choose_drawn(chosen)
+        self._describe()
+
     def show_banner(self, text: str) -> None:
         """Show a sentence across the top, such as "The drawing has moved on"; empty hides it."""
         self.overlays.show_banner(text)
@@ -182,6 +188,11 @@ class Canvas(BranchView):
         if sheet is None or not len(sheet.picture):
             self.setAccessibleDescription("Empty. Double-click to add the first state.")
             return
+        drawn = self.drawn.chosen
+        if drawn is not None:
+            self.setAccessibleDescription(plain_text(f"{sheet.drawn.words(drawn)}, selected"))
+            self._tell_focus(len(sheet.picture) + sheet.drawn.listed().index(drawn))
+            return
         words = f"{sheet.picture.branch.name}, {len(sheet.picture)} states"
         chosen = [a for a in self.marks.selection if a.branch == sheet.picture.branch.name]
         if len(chosen) == 1:
@@ -189,9 +200,14 @@ class Canvas(BranchView):
         elif chosen:
             words += f", {len(chosen)} selected"
         self.setAccessibleDescription(plain_text(words))
-        if QAccessible.isActive() and chosen:
+        if chosen:
+            self._tell_focus(sheet.picture.node(chosen[-1]))
+
+    def _tell_focus(self, child: int) -> None:
+        """Tell assistive tools that this child of the canvas has the focus."""
+        if QAccessible.isActive():
             event = QAccessibleEvent(self, QAccessible.Event.Focus)
-            event.setChild(sheet.picture.node(chosen[-1]))
+            event.setChild(child)
             QAccessible.updateAccessibility(event)
 
     def describe(self, address: Address) -> str:
@@ -281,8 +297,16 @@ class Canvas(BranchView):
         return event.type() != QEvent.Type.ToolTip and super().viewportEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Emit ``context_wanted`` with the element under the pointer."""
+        """Emit ``context_wanted`` with the element under the pointer, or ``drawn_menu_wanted``."""
         at = self.mapToScene(event.pos())
+        drawn = self.drawn_at(at) if self.editing else None
+        if event.reason() is QContextMenuEvent.Reason.Keyboard and self.editing:
+            drawn = self.drawn.chosen
+        if drawn is not None:
+            self.drawn_wanted.emit(drawn)
+            self.drawn_menu_wanted.emit(drawn, event.globalPos())
+            event.accept()
+            return
         self.context_wanted.emit(self.address_at(at), event.globalPos())
         event.accept()
 

@@ -90,7 +90,7 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
 
 def _centres(sheet: Sheet) -> QRectF:
     low, high = sheet.at.min(axis=0), sheet.at.max(axis=0)
-    return QRectF(QPointF(*low), QPointF(*high))
+    return QRectF(QPointF(*low), QPointF(*high)).united(sheet.drawn.extent())
 
 
 def _bounds(sheet: Sheet) -> QRectF:
@@ -107,6 +107,7 @@ def _bounds(sheet: Sheet) -> QRectF:
         x, y = sheet.at[sheet.picture.index[goal]]
         below = y + half[sheet.picture.index[goal]][1]
         whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
+    whole = whole.united(sheet.drawn.extent())
     geometry = sheet.geometry
     for edge in range(len(sheet.picture.operations)):
         # Hidden labels count too, because a run may highlight each of them.

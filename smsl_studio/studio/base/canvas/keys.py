@@ -8,16 +8,11 @@ from PySide6.QtGui import QKeyEvent
 
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
+from smsl_studio.studio.base.canvas.drawn_keys import ARROWS, press_drawn_key
 from smsl_studio.studio.base.canvas.gestures import GRID
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
-ARROWS = {
-    Key.Key_Left: (-1.0, 0.0),
-    Key.Key_Right: (1.0, 0.0),
-    Key.Key_Up: (0.0, -1.0),
-    Key.Key_Down: (0.0, 1.0),
-}
 VERBS = {
     Key.Key_C: "copy",
     Key.Key_X: "cut",
@@ -34,6 +29,8 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
     """Act on a key; False if the canvas has no use for it."""
     key = Key(event.key())
     modifiers = event.modifiers() & ~Modifier.KeypadModifier
+    if press_drawn_key(canvas, key, modifiers):
+        return True
     if key in ARROWS and not modifiers & ~(Modifier.ShiftModifier | Modifier.ControlModifier):
         return _arrow(canvas, *ARROWS[key], modifiers)
     if _is_view_key(canvas, key, event.text(), modifiers):

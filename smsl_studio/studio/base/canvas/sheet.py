@@ -32,6 +32,7 @@ from smsl_studio.picture.levels import (
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
 from smsl_studio.studio.base.paint import edge_paint, node_paint
 from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
 from smsl_studio.studio.base.paint.guard_sign import DECLARED
@@ -69,6 +70,7 @@ class Sheet:
         self._kept_reaches = -1, (self.at.T, self.at.T)
         self._texts: dict[tuple[int, bool], EdgeText] = {}
         self.set_zoom(1.0)
+        self.drawn = DrawnSheet(self)
 
     def _measure(self) -> None:
         """Compute the widths of all nodes. In a large SB all get the largest width of a sample."""

@@ -16,6 +16,7 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.background import EdgePainter, FarNodePainter
 from smsl_studio.studio.base.canvas.camera import Camera
+from smsl_studio.studio.base.canvas.drawn_painter import MARGIN, DrawnPainter
 from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
@@ -51,6 +52,7 @@ class Stage(QGraphicsView):
         scene = QGraphicsScene(self)
         self.lit_layer = LitLayer(20.0)
         self.edges, self.far_nodes = EdgePainter(self.lit_layer), FarNodePainter()
+        self.drawn = DrawnPainter()
         self.gestures = GestureLayer(self)
         self.found_layer = FoundLayer(self.lit_layer)
         for layer in (self.lit_layer, self.found_layer, self.gestures):
@@ -202,13 +204,15 @@ class Stage(QGraphicsView):
         sheet = self._sheet
         if sheet is None:
             return
-        before = self._dirty(list(places))
+        before = self._dirty(list(places)).united(sheet.drawn.around(list(places)))
         edges = sheet.move(places)
         for state in places:
             item = self.pool.used.get(state)
             if item is not None:
                 item.show_state(sheet, state)
-        self._repaint(before.united(self._dirty(list(places), edges)))
+        after = self._dirty(list(places), edges).united(sheet.drawn.around(list(places)))
+        pad = MARGIN * sheet.unit
+        self._repaint(before.united(after).adjusted(-pad, -pad, pad, pad))
         self.picture_changed.emit()
 
     def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
@@ -285,6 +289,7 @@ class Stage(QGraphicsView):
         if self._sheet is not None and len(self._sheet.at):
             low, high = self._sheet.at.min(axis=0), self._sheet.at.max(axis=0)
             rect = rect.united(QRectF(QPointF(*low), QPointF(*high)))
+            rect = rect.united(self._sheet.drawn.extent())
         zoom = self.zoom
         wide = max(self.viewport().width(), 400) / zoom + 300.0
         high_ = max(self.viewport().height(), 300) / zoom + 300.0
@@ -373,8 +378,13 @@ class Stage(QGraphicsView):
             step /= 2.0
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
-        if sheet is not None and len(sheet.picture):
+        if sheet is None:
+            return
+        self.drawn.paint_groups(painter, sheet, area)
+        if len(sheet.picture):
             self.edges.paint(painter, sheet, area)
+        self.drawn.paint_notes(painter, sheet, area)
+        if len(sheet.picture):
             self.far_nodes.paint(painter, sheet, area)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:

@@ -13,6 +13,7 @@ from smsl_studio.studio.base.canvas import keys
 from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
+from smsl_studio.studio.base.canvas.drawn_gestures import press_drawn
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.gestures import (
     Band,
@@ -96,6 +97,9 @@ class Hand:
             if not canvas.editing:
                 canvas.node_clicked.emit(sheet.address_of_state(state))
             return DragStates(canvas, self, event, state)
+        drawn = canvas.drawn_at(at) if canvas.editing else None
+        if drawn is not None:
+            return press_drawn(canvas, event, drawn)
         edge = sheet.edge_at(at.x(), at.y())
         if edge >= 0:
             address = sheet.picture.address(edge)
@@ -189,7 +193,10 @@ class Hand:
         edge = sheet.edge_at(at.x(), at.y())
         if not canvas.editing:
             return
-        if edge >= 0:
+        drawn = canvas.drawn_at(at)
+        if drawn is not None:
+            canvas.drawn_edit_wanted.emit(drawn)
+        elif edge >= 0:
             canvas.rename_wanted.emit(sheet.picture.address(edge))
         else:
             canvas.add_state_wanted.emit(at)
@@ -240,7 +247,8 @@ class Hand:
         state = sheet.state_at(point.x(), point.y())
         if state < 0 and canvas.editing:
             state = self._kept_hover(point)
-        edge = -1 if state >= 0 else sheet.edge_at(point.x(), point.y())
+        drawn = canvas.drawn_at(point) if state < 0 else None
+        edge = -1 if state >= 0 or drawn is not None else sheet.edge_at(point.x(), point.y())
         self._set_hover(state, edge)
         if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
             handle = nearest(sheet, state, point)
@@ -250,6 +258,8 @@ class Hand:
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
         self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
+        if drawn is not None:
+            canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
         self._cursor()
 
     def _kept_hover(self, point: QPointF) -> int:

@@ -13,6 +13,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.feature import Coloured, DockPanel, Feature, Page, Shell
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.theme import Tokens
@@ -35,6 +36,9 @@ from smsl_studio.studio.features.draw.canvas.library_verbs import (
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
+from smsl_studio.studio.features.draw.drawn.drawn_copies import DrawnCopies
+from smsl_studio.studio.features.draw.drawn.drawn_editor import DrawnEditor
+from smsl_studio.studio.features.draw.drawn.drawn_verbs import DrawnVerbs, drawn_actions, fill_drawn
 from smsl_studio.studio.features.draw.facts.panel import Facts
 from smsl_studio.studio.features.draw.find.bar import DrawingFindBar
 from smsl_studio.studio.features.draw.find.destinations import Destinations
@@ -70,6 +74,7 @@ CANVAS_KEYS = (
     ("Drag without snapping to grid and states", "Alt"),
     ("Select the next state", "Ctrl and an arrow; with Shift it is added"),
     ("Select several", "Drag over empty canvas, Shift and click"),
+    ("Edit a selected note, or the title of a selected group", "Enter or F2"),
 )
 
 
@@ -88,6 +93,8 @@ class DrawFeature(Feature):
         self.clipping = ClipboardVerbs(
             session, self.canvas, parts.toast.say, StateCopy(self.editor)
         )
+        self.notes = DrawnEditor(session, self.canvas)
+        self.clipping.drawn = DrawnCopies(session, self.canvas, self.notes)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.using = LibraryVerbs(self.editor)
         self.library.use = self.using.use
@@ -103,6 +110,7 @@ class DrawFeature(Feature):
         bar = DrawingFindBar(tokens)
         self.search = DrawingSearch(session, self.canvas, bar, parts.inspector, self.going)
         self.search.offered = lambda: self.library.offered
+        self.search.show_drawn = self.notes.show
         self.pages = {"draw": lambda: Page(_below(self.search.bar, self.canvas), self.canvas)}
         self.panels = (
             DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
@@ -136,8 +144,10 @@ class DrawFeature(Feature):
                 shell,
             ),
             *template_actions(self.using, shell),
+            *drawn_actions(DrawnVerbs(session, self.canvas, self.notes), self.notes,
+                           lambda: shell.mode == "draw"),
             *compare_actions(self.comparing),
-        )
+        )  # fmt: skip
 
     def take_actions(self, actions: Actions) -> None:
         """Build what needs the actions (palette, tidings) and connect all signals."""
@@ -188,6 +198,9 @@ class DrawFeature(Feature):
         )
         self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
         self.canvas.context_wanted.connect(self._open_context_menu)
+        self.canvas.drawn_menu_wanted.connect(self._open_drawn_menu)
+        self.notes.chosen_changed.connect(actions.refresh)
+        self.properties.state.notes.note_wanted.connect(self._note_on)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
 
     # Called by the shell.
@@ -272,6 +285,20 @@ class DrawFeature(Feature):
     def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
         session, actions = self._parts.session, self._actions
         context_menu(session, self.editor, actions, self.clipping, address).popup(at)
+
+    def _open_drawn_menu(self, key: DrawnKey, at: QPoint) -> None:
+        menu = passing_menu(self._parts.window)
+        fill_drawn(self._actions, key, menu)
+        menu.popup(at)
+
+    def _note_on(self, address: Address, key: str) -> None:
+        """Show a note on a state, or ask for the first one."""
+        self._parts.session.show_branch(address.branch)
+        if key:
+            self.notes.show(DrawnKey("note", key))
+            self.canvas.setFocus()
+        else:
+            self.notes.add_note(state=address.state)
 
     def _choose_sub_sb(self) -> None:
         """Open the menu of facts, with the SBs that could expand each of them."""

@@ -7,6 +7,7 @@ pasted into the drawing.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 from PySide6.QtCore import QMimeData, QPointF
 from PySide6.QtGui import QCursor, QGuiApplication
@@ -30,6 +31,17 @@ MOST = 64 * 2**20
 Put = tuple[Blueprint, tuple[Address, ...]]
 """The blueprint after an edit, and the addresses of the elements that were put in."""
 
+
+class NoteCopies(Protocol):
+    """The clipboard of notes and groups."""
+
+    def can_copy(self) -> bool:
+        """Whether a note or group is selected."""
+
+    def act(self, verb: str, at: tuple[float, float] | None = None) -> bool:
+        """Copy, cut, duplicate or paste a note; False if none is meant."""
+
+
 Texts = QLineEdit | QPlainTextEdit | QTextEdit
 
 
@@ -49,21 +61,22 @@ class ClipboardVerbs:
     ) -> None:
         self._session, self._canvas, self._say = session, canvas, say
         self._one_state = one_state
+        self.drawn: NoteCopies | None = None
 
     def can_copy(self) -> bool:
         """Whether an element is selected or a text field has the keyboard focus."""
-        return bool(self._session.selection) or _text_focus() is not None
+        return self.can_duplicate() or _text_focus() is not None
 
     def can_duplicate(self) -> bool:
         """Whether an element is selected."""
-        return bool(self._session.selection)
+        return bool(self._session.selection) or (self.drawn is not None and self.drawn.can_copy())
 
     def copy(self) -> None:
         """Copy the selection to the clipboard."""
         field = _text_focus()
         if field is not None:
             field.copy()
-        else:
+        elif not self._act("copy"):
             self._copy(self._session.selection)
 
     def cut(self) -> None:
@@ -71,7 +84,7 @@ class ClipboardVerbs:
         field = _text_focus()
         if field is not None:
             field.cut()
-        else:
+        elif not self._act("cut"):
             self._cut(self._session.selection)
 
     def paste(self, at: QPointF | None = None) -> None:
@@ -88,10 +101,16 @@ class ClipboardVerbs:
 
     def duplicate(self) -> None:
         """Add a copy of the selection next to it. Of a single state it is proposed first."""
+        if self._act("duplicate"):
+            return
         if self._one_state.can_ask():
             self._one_state.ask()
         else:
             self._duplicate(self._session.selection)
+
+    def _act(self, verb: str, at: tuple[float, float] | None = None) -> bool:
+        """Whether a note was meant, and the verb is done."""
+        return self.drawn is not None and self.drawn.act(verb, at)
 
     def on_branch(self, verb: str, name: str) -> None:
         """Copy, cut or duplicate a whole SB, or paste. ``verb`` is the name of one of these."""
@@ -116,6 +135,8 @@ class ClipboardVerbs:
 
     def _paste(self, at: QPointF | None) -> None:
         place = on_grid(at if at is not None else self._place())
+        if self._act("paste", place):
+            return
         branch = self._session.branch
         self._put_in("Paste", lambda bp: _pasted(bp, branch, _taken(), place))
 

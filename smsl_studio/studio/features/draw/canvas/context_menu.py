@@ -37,6 +37,8 @@ def context_menu(
         add = menu.addAction("Add a state here", partial(editor.add_state_at, at))
         add.setIcon(actions["add_state"].icon())
         menu.addAction("Paste here", partial(clipping.paste, at))
+        note = menu.addAction("Add a note here", partial(editor.canvas.note_wanted.emit, at))
+        note.setIcon(actions["add_note"].icon())
         _add(menu, actions, ON_CANVAS)
         _add_home(menu, session, actions)
         return menu

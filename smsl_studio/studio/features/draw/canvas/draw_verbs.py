@@ -39,12 +39,12 @@ class DrawVerbs:
         return self.has_branch() and bool(self._branch.table)
 
     def has_selection(self) -> bool:
-        """Whether states or operations are selected."""
-        return bool(self._session.selection)
+        """Whether states, operations, a note or a group are selected."""
+        return bool(self._session.selection) or self.canvas.drawn.chosen is not None
 
     def can_rename(self) -> bool:
         """Whether exactly one element is selected."""
-        return len(self._session.selection) == 1
+        return len(self._session.selection) == 1 or self.canvas.drawn.chosen is not None
 
     def can_add_operation(self) -> bool:
         """Whether one or two states are selected."""
@@ -102,13 +102,16 @@ class DrawVerbs:
 
     def rename(self) -> None:
         """Edit the name of the selected element on the canvas."""
-        if self.can_rename():
+        drawn = self.canvas.drawn.chosen
+        if drawn is not None:
+            self.canvas.drawn_edit_wanted.emit(drawn)
+        elif self.can_rename():
             self.canvas.setFocus()
             self._editor.rename(self._session.selection[0])
 
     def delete(self) -> None:
         """Delete the selection."""
-        self._editor.delete_selected()
+        self.canvas.delete_wanted.emit()
 
     def select_all(self) -> None:
         """Select all states of the SB that is shown."""

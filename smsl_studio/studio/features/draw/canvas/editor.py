@@ -386,7 +386,7 @@ def _same_picture(before: StateBranch, after: StateBranch) -> bool:
         return False
 
     def rest(branch: StateBranch) -> dict[str, object]:
-        """The fields of an SB without its layout."""
-        return {k: v for k, v in branch.fields.items() if k != "_layout"}
+        """The fields of an SB without what is only drawn."""
+        return {k: v for k, v in branch.fields.items() if k not in ("_layout", "_notes")}
 
     return rest(before) == rest(after)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, chain
 
@@ -11,8 +11,9 @@ from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.features.draw.find.haystack import FIELDS, Haystack
-from smsl_studio.studio.features.draw.find.hits import Hits, TextLines, There, named
+from smsl_studio.studio.features.draw.find.hits import DrawnPlace, Hits, TextLines, There, named
 
 ELEMENTS, FACTS_TOO, EVERYTHING = range(3)
 """Scopes: states and operations; facts and notes too; also SBs, hazards, findings, library."""
@@ -77,7 +78,8 @@ class DrawingIndex:
         own = TextLines("State Branch", branch.name, ("name",), name,
                         lambda _: Address(branch.name))  # fmt: skip
         elements = (_states(branch), _operations(branch))
-        return _Part(branch, own, elements, (_facts(branch), _notes(branch)))
+        noted = (_facts(branch), _notes(branch), *_drawn(branch))
+        return _Part(branch, own, elements, noted)
 
 
 def _states(branch: StateBranch) -> TextLines:
@@ -150,6 +152,32 @@ def _notes(branch: StateBranch) -> TextLines:
     lines = [_one_line(branch.notes.states[name].note) for name in noted]
     return TextLines("Note", branch.name, ("note",), Haystack(lines),
                      lambda at: Address(branch.name, noted[at]))  # fmt: skip
+
+
+def _drawn(branch: StateBranch) -> Iterator[TextLines]:
+    """The notes on the drawing and the titles of groups."""
+    drawn = branch.drawn
+    if drawn.groups:
+        titles = Haystack([_one_line(group.title) for group in drawn.groups.values()])
+        yield TextLines("Group", branch.name, ("title",), titles, *_keyed(branch, "group"))
+    if drawn.notes:
+        texts = [
+            FIELDS.join(map(_one_line, (note.text, note.author))) for note in drawn.notes.values()
+        ]
+        fields = ("note", "author")
+        yield TextLines("Note", branch.name, fields, Haystack(texts), *_keyed(branch, "note"))
+
+
+def _keyed(branch: StateBranch, kind: str) -> tuple[Callable[[int], There], Callable[[There], int]]:
+    """Where the note or group of a number is, and the number of what is at a place."""
+    keys = list(branch.drawn.notes if kind == "note" else branch.drawn.groups)
+    numbers = {DrawnPlace(branch.name, DrawnKey(kind, key)): at for at, key in enumerate(keys)}
+
+    def number(there: There) -> int:
+        """The number of the note or group at a place, -1 if there is none."""
+        return numbers.get(there, -1) if isinstance(there, DrawnPlace) else -1
+
+    return list(numbers).__getitem__, number
 
 
 def _one_line(text: str) -> str:

@@ -9,12 +9,13 @@ from PySide6.QtCore import QObject, QTimer
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.find.bar import DrawingFindBar
 from smsl_studio.studio.features.draw.find.destinations import Destinations
 from smsl_studio.studio.features.draw.find.drawing_index import EVERYTHING, DrawingIndex
-from smsl_studio.studio.features.draw.find.hits import Hits, Occurrence, There
+from smsl_studio.studio.features.draw.find.hits import DrawnPlace, Hits, Occurrence, There
 from smsl_studio.studio.features.draw.find.value_filter import (
     conditions,
     filtered,
@@ -45,6 +46,8 @@ class DrawingSearch(QObject):
         """The number of the hit that is shown, from 0; None while none is."""
         self.offered: Callable[[], tuple[str, ...]] = tuple
         """The operations that plugins offer."""
+        self.show_drawn: Callable[[DrawnKey, float], None] = lambda key, least: None
+        """Selects a note or group of the SB that is shown, and scrolls to it."""
         self._again = _timer(self, WAIT, self.look)
         # It waits until no key is left to be read, so typing calls off what it makes obsolete.
         self._soon = _timer(self, 0, self._typed)
@@ -161,8 +164,13 @@ class DrawingSearch(QObject):
         self._say()
 
     def _show_aside(self, hit: Occurrence) -> None:
-        """Show a fact, a hazard or an operation of the library in its panel."""
-        if isinstance(hit.there, tuple):
+        """Show a note or group, or show a fact, a hazard or an operation of the library in its
+        panel.
+        """
+        if isinstance(hit.there, DrawnPlace):
+            self._session.show_branch(hit.there.branch)
+            self.show_drawn(hit.there.key, LEAST_ZOOM)
+        elif isinstance(hit.there, tuple):
             self._going.show_fact(*hit.there)
         elif hit.kind == "Hazard":
             self._going.show_hazard(hit.there)  # type: ignore[arg-type]

@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.features.draw.find.haystack import FIELDS, Haystack
 
 MOST = 20_000
@@ -16,17 +17,26 @@ MOST = 20_000
 MOST_MARKED = 2_000
 """If more operations of one SB than this are found, they get no sign on the canvas."""
 
-There = Address | tuple[str, int] | str
-"""Where something is: an address, a fact as (SB, digit), or the name of a hazard or an operation
-of the library."""
+
+@dataclass(frozen=True)
+class DrawnPlace:
+    """Where a note or a group is: its SB and its key."""
+
+    branch: str
+    key: DrawnKey
+
+
+There = Address | DrawnPlace | tuple[str, int] | str
+"""Where something is: an address, a note or group, a fact as (SB, digit), or the name of a hazard
+or an operation of the library."""
 
 
 @dataclass(frozen=True)
 class Occurrence:
     """One hit: where it is, and the text of which field holds the part from ``start`` to ``end``.
 
-    ``kind`` is State, Operation, State Branch, Fact, Note, Hazard, Finding or Library. ``field`` is
-    the word for the text, such as "title".
+    ``kind`` is State, Operation, State Branch, Fact, Note, Group, Hazard, Finding or Library.
+    ``field`` is the word for the text, such as "title".
     """
 
     kind: str
@@ -171,9 +181,9 @@ class Hits:
 
     def place(self, there: There) -> int | None:
         """The number of the first hit at a place, None if there is none."""
-        home = there.branch if isinstance(there, Address) else ""
+        home = there.branch if isinstance(there, Address | DrawnPlace) else ""
         for run in self._runs:
-            if run.lines.branch in ("", home) or not isinstance(there, Address):
+            if not home or run.lines.branch in ("", home):
                 at = run.lines.number(there)
                 found = bisect_left(run.found, (at, -1, -1)) if at >= 0 else len(run.found)
                 if found < len(run.found) and run.found[found][0] == at:

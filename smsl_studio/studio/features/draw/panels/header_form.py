@@ -35,7 +35,7 @@ from smsl_studio.studio.features.draw.panels.header_facts import (
 )
 from smsl_studio.studio.features.draw.panels.kept import KeptValues, kept_fields
 
-KNOWN = ("_facts", "_states", "_operations", "_layout")
+KNOWN = ("_facts", "_states", "_operations", "_layout", "_notes")
 SENTENCES = 24
 """At most this many sub-SBs are explained in a sentence."""
 

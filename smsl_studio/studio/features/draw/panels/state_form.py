@@ -32,6 +32,7 @@ from smsl_studio.studio.features.draw.panels.note_form import (
     misfits_of,
     written_words,
 )
+from smsl_studio.studio.features.draw.panels.state_notes import StateNotes
 
 MOST_ROWS = 12
 PLAIN = StateNote()
@@ -86,6 +87,8 @@ class StateForm(NoteForm):
         self._none = label("None. Drag from the state's handle to draw one.", "hint")
         self.column.addWidget(self.operations)
         self.column.addWidget(self._none)
+        self.notes = StateNotes()
+        self.column.addWidget(self.notes)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -100,7 +103,7 @@ class StateForm(NoteForm):
         self._name.setText(_short(one.state, 24) if one else "")
         self._name.setToolTip(tip_text(one.state if one else ""))
         self.show_entries(_entries(blueprint, states))
-        for widget in (self.naming, self._facts, self._out):
+        for widget in (self.naming, self._facts, self._out, self.notes):
             widget.setVisible(one is not None)
         shapes = [blueprint[name].shape for name in {at.branch for at in states}]
         self._lines["facts"].setVisible(any(shape.opaque or shape.width == 0 for shape in shapes))
@@ -111,6 +114,7 @@ class StateForm(NoteForm):
             self.operations.hide()
             return
         branch = blueprint[one.branch]
+        self.notes.show_state(branch, one.state)
         self.naming.show_values([ShownValue(one.state)])
         self.chips.show_state(branch, one.state)
         rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
-from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
+from smsl_studio.blueprint.annotations import DrawnNote, FactNote, OperationNote, StateNote
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.features.draw.source.around import HEADER, Around
 
@@ -15,8 +15,13 @@ MOST = 200
 """At most this many names are offered."""
 HEADERS = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
 IN_FILE = ("_imports", "_hazards", "_levels")
-IN_BRANCH = (HEADER, "_facts", "_states", "_operations", "_layout")
-_NOTES = {"_facts": FactNote, "_states": StateNote, "_operations": OperationNote}
+IN_BRANCH = (HEADER, "_facts", "_states", "_operations", "_layout", "_notes")
+_NOTES = {
+    "_facts": FactNote,
+    "_states": StateNote,
+    "_operations": OperationNote,
+    "_notes": DrawnNote,
+}
 _BARE = re.compile(r"(?:[^\s{}\[\]:,#/\"()>-]|-(?!>))+")
 _PLAIN = re.compile(r"[A-Za-z_][\w-]*")
 _WORDS = {"true", "false", "yes", "no", "on", "off", "null", "y", "n"}
@@ -112,7 +117,7 @@ def _in_note(
         yield from _states(branch)
     elif here.path[1] == "_operations":
         yield from _operations(branch, library)
-    elif branch is not None:
+    elif here.path[1] == "_facts" and branch is not None:
         yield from (Completion(str(at), branch.fact_name(at)) for at in range(branch.num_facts))
 
 

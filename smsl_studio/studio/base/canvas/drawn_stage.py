@@ -1,0 +1,72 @@
+"""DrawnStage: a stage with notes and groups that can be selected and moved."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, Signal
+
+from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.base.canvas.stage import Stage
+
+
+class DrawnStage(Stage):
+    """The scene of a canvas with its notes and groups."""
+
+    drawn_wanted = Signal(object)
+    """DrawnKey: select this note or group."""
+    drawn_edit_wanted = Signal(object)
+    """DrawnKey: edit the words of this note, or the title of this group, in place."""
+    drawn_nudge_wanted = Signal(float, float)
+    """(dx, dy) in scene units: move the selected note or group (arrow keys)."""
+    drawn_menu_wanted = Signal(object, object)
+    """(DrawnKey, point of the screen): open the menu of a note or group."""
+    note_wanted = Signal(QPointF)
+    """Add a note at this scene point."""
+    note_moved = Signal(str, QPointF)
+    """(key, scene point): the user dragged the upper left corner of this note there."""
+
+    def drawn_at(self, at: QPointF) -> DrawnKey | None:
+        """The note or the title of a group at a scene point.
+
+        Nodes lie above both, operations above titles. None if something else is on top.
+        """
+        sheet = self.sheet
+        if sheet is None or not sheet.drawn or sheet.state_at(at.x(), at.y()) >= 0:
+            return None
+        found = sheet.drawn.at(at.x(), at.y())
+        under = found is not None and found.kind == "group"
+        return None if under and sheet.edge_at(at.x(), at.y()) >= 0 else found
+
+    def drag_note(self, key: DrawnKey, x: float, y: float) -> None:
+        """Show a note with its upper left corner at a scene point during a drag."""
+        self.update_drawn(key)
+        if self.sheet is not None:
+            self.sheet.drawn.lay_aside(self.sheet.drawn.number(key), x, y)
+        self.update_drawn(key)
+
+    def drop_note(self, key: DrawnKey) -> None:
+        """Show a note where it belongs, after a drag."""
+        self.update_drawn(key)
+        if self.sheet is not None:
+            self.sheet.drawn.lay_back()
+        self.update_drawn(key)
+
+    def choose_drawn(self, chosen: DrawnKey | None) -> None:
+        """Show a note or a group as selected; None for none."""
+        before, self.drawn.chosen = self.drawn.chosen, chosen
+        for key in {before, chosen} if before != chosen else ():
+            self.update_drawn(key)
+
+    def update_drawn(self, key: DrawnKey | None) -> None:
+        """Repaint a note or a group."""
+        sheet = self.sheet
+        rect = sheet.drawn.rect(key) if sheet is not None and key is not None else None
+        if sheet is None or key is None or rect is None:
+            return
+        if key.kind == "note":
+            state = int(sheet.drawn.parts.states[sheet.drawn.number(key)])
+            if state >= 0:
+                x, y = sheet.at[state].tolist()
+                rect = rect.united(QRectF(x, y, 1.0, 1.0))
+        pad = MARGIN / self.zoom
+        self._repaint(rect.adjusted(-pad, -pad, pad, pad))

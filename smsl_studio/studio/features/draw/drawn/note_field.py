@@ -1,0 +1,114 @@
+"""A field for the words of a note, over the note on the canvas."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import QPlainTextEdit, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.annotations import LONGEST
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.overlays.card import PassingCard
+from smsl_studio.studio.base.overlays.name_line import complain, error_label
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+WIDE, HIGH = 236, 104
+TOO_LONG = f"A note has room for {LONGEST:,} characters. Put longer texts into a file."
+
+
+class NoteBox(QPlainTextEdit):
+    """The text of a note. Enter begins a line; Ctrl+Enter emits ``done``, Esc emits ``left``."""
+
+    done = Signal()
+    left = Signal()
+    refused = Signal()
+    """A text is too long to be pasted."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "field")
+        self.setFont(text_font(12))
+        self.setPlaceholderText("What should others know?")
+        self.setAccessibleName("Note")
+        self.setTabChangesFocus(True)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keep the text, leave it, or type."""
+        held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        if held and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.done.emit()
+        elif event.key() == Qt.Key.Key_Escape:
+            self.left.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def insertFromMimeData(self, source: QMimeData) -> None:
+        """Paste a text, unless it is too long. Qt would lay out every line of it first."""
+        if len(source.text()) > LONGEST:
+            self.refused.emit()
+        else:
+            super().insertFromMimeData(source)
+
+
+class NoteField(PassingCard):
+    """Edits the words of one note.
+
+    ``commit`` takes the text and returns why it is refused, or the empty text. Ctrl+Enter commits,
+    and so does a click elsewhere if the text was changed. Esc closes the field without an edit.
+    """
+
+    def __init__(
+        self, parent: QWidget, tokens: Tokens, text: str, commit: Callable[[str], str]
+    ) -> None:
+        super().__init__(parent, tokens, 8.0)
+        self._commit, self._before = commit, text
+        self.field = NoteBox(self)
+        self.field.setPlainText(text)
+        self.field.selectAll()
+        self.field.setFixedSize(WIDE, HIGH)
+        self.error = error_label(self, tokens)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addWidget(self.field)
+        layout.addWidget(self.error)
+        layout.addWidget(label("Ctrl+Enter keeps it, Esc does not", "hint"))
+        self.field.done.connect(self.commit)
+        self.field.left.connect(self.close_field)
+        self.field.refused.connect(lambda: self._complain(TOO_LONG))
+        self.field.textChanged.connect(lambda: self._complain(""))
+        self.field.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Commit or close when the field loses the keyboard focus, but not to a menu or another
+        window."""
+        if isinstance(event, QFocusEvent) and event.type() is QEvent.Type.FocusOut:
+            kept = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
+            if event.reason() not in kept and not self._closing:
+                self.settle()
+        return False
+
+    def settle(self) -> None:
+        """Commit a changed text; close the field unless that is refused."""
+        if self._closing:
+            return
+        if self.field.toPlainText() == self._before:
+            self.close_field()
+        else:
+            self.commit()
+
+    def commit(self) -> None:
+        """Take the text over. If that is refused, show why and keep what was typed."""
+        if self._closing:
+            return
+        reason = self._commit(self.field.toPlainText())
+        if reason:
+            self._complain(reason)
+        else:
+            self.close_field()
+
+    def _complain(self, reason: str) -> None:
+        complain(self.error, reason, WIDE)
+        self.adjustSize()

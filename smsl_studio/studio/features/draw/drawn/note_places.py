@@ -1,0 +1,85 @@
+"""Finds free places for new notes (scene units)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QPointF, QRectF
+
+from smsl_studio.picture.drawn_parts import NOTE_WIDTH
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.gestures import GRID
+from smsl_studio.studio.base.canvas.sheet import Sheet
+
+Position = tuple[float, float]
+HIGH = 64.0
+"""The height of a note of two lines."""
+AWAY = 32.0
+"""The distance of a note from its state."""
+RINGS = 12
+"""How many steps away from the middle of the view a place is sought."""
+
+
+def place_in_view(canvas: Canvas) -> Position:
+    """A place for the upper left corner of a free note, near the middle of the view."""
+    middle = canvas.seen.center()
+    x, y = middle.x() - NOTE_WIDTH / 2, middle.y() - HIGH / 2
+    wishes = sorted(_around(), key=lambda way: way[0] ** 2 + way[1] ** 2)
+    places = ((x + dx * 48.0, y + dy * 40.0) for dx, dy in wishes)
+    seen = canvas.clear_view
+    free = (
+        at for at in places
+        if seen.contains(QRectF(*at, NOTE_WIDTH, HIGH)) and _is_free(canvas.sheet, at)
+    )  # fmt: skip
+    return _on_grid(next(free, (x, y)))
+
+
+def place_at(canvas: Canvas, state: str) -> Position:
+    """A place for the upper left corner of a note on a state, from the centre of the state."""
+    rect_x, rect_y = canvas.positions[state]
+    sheet = canvas.sheet
+    assert sheet is not None
+    half, high = sheet.halves()[sheet.picture.index[state]].tolist()
+    ways = (
+        (half + AWAY, -HIGH - high),
+        (half + AWAY, high),
+        (-half - AWAY - NOTE_WIDTH, -HIGH - high),
+        (-half - AWAY - NOTE_WIDTH, high),
+        (-NOTE_WIDTH / 2, -high - AWAY - HIGH),
+        (-NOTE_WIDTH / 2, high + AWAY),
+        (half + AWAY, -HIGH / 2),
+    )
+    seen = canvas.seen
+
+    def cost(way: Position) -> tuple[bool, bool]:
+        """Whether a note would be out of view, or cover something."""
+        at = rect_x + way[0], rect_y + way[1]
+        return not seen.contains(QRectF(*at, NOTE_WIDTH, HIGH)), not _is_free(sheet, at)
+
+    return _on_grid(min(ways, key=cost))
+
+
+def near(at: QPointF) -> Position:
+    """The grid point nearest to a scene point."""
+    return _on_grid((at.x(), at.y()))
+
+
+def _around() -> Iterator[tuple[int, int]]:
+    steps = range(-RINGS, RINGS + 1)
+    return ((dx, dy) for dx in steps for dy in steps)
+
+
+def _on_grid(at: Position) -> Position:
+    return round(at[0] / GRID) * GRID, round(at[1] / GRID) * GRID
+
+
+def _is_free(sheet: Sheet | None, at: Position) -> bool:
+    """Whether a note with its corner here covers no node, no line and no other note."""
+    if sheet is None:
+        return True
+    left, top, right, bottom = at[0], at[1], at[0] + NOTE_WIDTH, at[1] + HIGH
+    if sheet.is_drawn_on(left, top, right, bottom):
+        return False
+    rects = sheet.drawn.note_rects
+    low, high = rects[:, :2] < (right, bottom), rects[:, 2:] > (left, top)
+    return not bool((low & high).all(axis=1).any())
