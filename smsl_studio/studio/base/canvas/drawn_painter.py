@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter
 
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.base.canvas.found_layer import paint_lens
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.drawn_paint import NoteLook, paint_group, paint_note
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN
 
-MARGIN = 4.0
-"""How far the line around a chosen note or group reaches beyond it (pixels)."""
+MARGIN = 9.0
+"""How far the line around a chosen note or group, or its lens, reaches beyond it (pixels)."""
 PALE = 0.62
 """The opacity of notes and groups where everything without a mark is pale."""
 
@@ -24,6 +25,8 @@ class DrawnPainter:
     def __init__(self) -> None:
         self.chosen: DrawnKey | None = None
         """The note or group that is selected."""
+        self.found: frozenset[DrawnKey] = frozenset()
+        """Those that a search has found."""
 
     def paint_groups(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         """Paint the exposed groups."""
@@ -36,9 +39,10 @@ class DrawnPainter:
         painter.setOpacity(PALE if sheet.looks.marks.dimmed else 1.0)
         for number in _exposed(rects, exposed, MARGIN / sheet.zoom):
             left, top, right, bottom = (rects[number] / unit).tolist()
-            chosen = self.chosen == DrawnKey("group", parts.group_keys[number])
-            rect = QRectF(left, top, right - left, bottom - top)
-            paint_group(painter, rect, parts.groups[number].title, drawn.bar, chosen, sheet.ink)
+            key = DrawnKey("group", parts.group_keys[number])
+            rect, title = QRectF(left, top, right - left, bottom - top), parts.groups[number].title
+            paint_group(painter, rect, title, drawn.bar, key == self.chosen, sheet.ink)
+            self._paint_lens(painter, key, rect.topLeft(), sheet, unit)
         painter.restore()
 
     def paint_notes(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
@@ -58,13 +62,25 @@ class DrawnPainter:
             left, top, right, bottom = rects[number].tolist()
             state = int(parts.states[number])
             end = tuple(sheet.at[state].tolist()) if state >= 0 else None
-            chosen = self.chosen == DrawnKey("note", parts.note_keys[number])
+            key = DrawnKey("note", parts.note_keys[number])
             rect = QRectF(left, top, right - left, bottom - top)
-            look = NoteLook(sheet.zoom, chosen, end)
+            look = NoteLook(sheet.zoom, key == self.chosen, end)
             paint_note(painter, rect, parts.notes[number], look, sheet.ink)
+            self._paint_lens(painter, key, rect.topLeft(), sheet, 1.0)
         painter.restore()
         painter.setPen(NO_PEN)
         painter.setBrush(NO_BRUSH)
+
+    def _paint_lens(
+        self, painter: QPainter, key: DrawnKey, at: QPointF, sheet: Sheet, unit: float
+    ) -> None:
+        """Paint the lens of a hit at a corner, if it is one and not the one that is shown."""
+        if key in self.found and key != self.chosen:
+            painter.save()
+            painter.translate(at)
+            painter.scale(1.0 / (sheet.zoom * unit), 1.0 / (sheet.zoom * unit))
+            paint_lens(painter, QPointF(0.0, 0.0), sheet.ink.tokens)
+            painter.restore()
 
 
 def _exposed(rects: Floats, exposed: QRectF, pad: float) -> list[int]:

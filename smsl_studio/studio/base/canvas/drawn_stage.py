@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, Signal
 
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
-from smsl_studio.studio.base.canvas.stage import Stage
+from smsl_studio.studio.base.canvas.stage import POOL, Stage
 
 
 class DrawnStage(Stage):
@@ -55,6 +55,15 @@ class DrawnStage(Stage):
         """Show a note or a group as selected; None for none."""
         before, self.drawn.chosen = self.drawn.chosen, chosen
         for key in {before, chosen} if before != chosen else ():
+            self.update_drawn(key)
+
+    def mark_drawn(self, found: frozenset[DrawnKey]) -> None:
+        """Show a lens at the notes and groups that a search has found."""
+        before, self.drawn.found = self.drawn.found, found
+        changed = before ^ found
+        if len(changed) > POOL:
+            self._repaint()
+        for key in changed if len(changed) <= POOL else ():
             self.update_drawn(key)
 
     def update_drawn(self, key: DrawnKey | None) -> None:

@@ -64,6 +64,8 @@ def test_nothing_stale_is_left_on_the_screen(drawer: Drawer) -> None:
         ("choose a note", lambda: drawer.click(middle(drawer, FREE))),
         ("choose another", lambda: drawer.click(middle(drawer, HUNG))),
         ("choose a group", lambda: drawer.click(middle(drawer, GROUP))),
+        ("find both", lambda: drawer.canvas.mark_drawn(frozenset({FREE, GROUP}))),
+        ("find none", lambda: drawer.canvas.mark_drawn(frozenset())),
         ("choose a state", lambda: drawer.click(drawer.place("State111"))),
     ]
     for what, step in steps:

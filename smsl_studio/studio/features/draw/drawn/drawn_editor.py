@@ -255,17 +255,11 @@ class DrawnEditor(QObject):
             self.dissolve([key.key])
 
     def dissolve(self, keys: Iterable[str]) -> None:
-        """Dissolve groups. Their states stay, and are selected."""
-        branch, groups = self._session.branch, self.drawn.groups
-        gone = dict.fromkeys(keys)
-        if not gone:
-            self._canvas.say("No group is selected.")
-            return
-        states = [state for key in gone for state in groups[key].states]
-        titles = ", ".join(groups[key].title for key in gone)
+        """Dissolve groups. Their states stay."""
+        branch, gone = self._session.branch, dict.fromkeys(keys)
+        titles = ", ".join(self.drawn.groups[key].title for key in gone)
         words = f"Dissolve the group {titles}"
-        if not self._edit(words, lambda bp: editing.put_groups(bp, branch, gone)):
-            self._session.select(Address(branch, state) for state in states)
+        self._edit(words, lambda bp: editing.put_groups(bp, branch, gone))
 
     # Inside
 

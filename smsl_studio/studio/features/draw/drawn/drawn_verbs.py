@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 from PySide6.QtWidgets import QMenu
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
@@ -54,8 +55,14 @@ class DrawnVerbs:
         self._drawn.add_note(state=states[0] if len(states) == 1 else "")
 
     def dissolve(self) -> None:
-        """Dissolve the selected group, or those of the selected states."""
-        self._drawn.dissolve(self._groups())
+        """Dissolve the selected group, or those of the selected states. Their states are selected
+        then.
+        """
+        keys, groups = self._groups(), self._drawn.drawn.groups
+        states = [state for key in keys for state in groups[key].states]
+        if keys:
+            self._drawn.dissolve(keys)
+            self._session.select(Address(self._session.branch, state) for state in states)
 
     def show_next(self) -> None:
         """Select the next group or note, in written order."""

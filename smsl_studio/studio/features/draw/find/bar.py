@@ -22,7 +22,7 @@ WIDE = 640
 SCOPES = ("States and operations", "Facts and notes too", "Everything")
 SCOPE_TIPS = (
     "Names, titles and fact values of states and operations",
-    "Also facts with the meanings of their values, and the notes of states",
+    "Also facts with the meanings of their values, notes, and titles of groups",
     "Also State Branches, hazards, findings and the operations of plugins",
 )
 NOTHING = "Nothing is typed yet"

@@ -186,6 +186,7 @@ class DrawingSearch(QObject):
         """Mark the hits in the SB that is shown."""
         there = self._shown()
         hit = there if isinstance(there, Address) and there.state else None
+        self._canvas.mark_drawn(self.hits.drawn_in(self._session.branch))
         marks, found = self._canvas.marks, self.hits.in_branch(self._session.branch)
         if (marks.found, marks.hit) != (found, hit):
             self._canvas.set_marks(replace(marks, found=found, hit=hit))

@@ -179,6 +179,16 @@ class Hits:
                 places.update((run.lines.there(one[0]), None) for one in run.found)
         return tuple(at for at in places if isinstance(at, Address) and at.state)
 
+    def drawn_in(self, branch: str) -> frozenset[DrawnKey]:
+        """The notes and groups of an SB that were found."""
+        places = (
+            run.lines.there(one[0])
+            for run in self._runs
+            if run.lines.branch == branch and run.lines.kind in ("Note", "Group")
+            for one in run.found
+        )
+        return frozenset(at.key for at in places if isinstance(at, DrawnPlace))
+
     def place(self, there: There) -> int | None:
         """The number of the first hit at a place, None if there is none."""
         home = there.branch if isinstance(there, Address | DrawnPlace) else ""
