@@ -35,9 +35,9 @@ def put_notes(blueprint: Blueprint, branch: str, drawn_notes: Entries) -> Bluepr
         if after is None:
             table.pop(key, None)
             continue
+        _must_fit(DrawnNote, after, f"{NOTES} of {branch}")
         if "at" in (words or {}):
             after["at"] = point(after["at"])
-        _must_fit(DrawnNote, after, f"{NOTES} of {branch}")
         if after.get("state"):
             _must_be_states(branch, states, [after["state"]])
         table[key] = after
@@ -120,7 +120,11 @@ def part_of(written: Values, states: Collection[str]) -> tuple[dict[str, Json], 
     notes, groups = _map(written, NOTES), _map(_map(written, LAYOUT), GROUPS)
     return (
         {key: note for key, note in notes.items() if _state_of(note) in states},
-        {key: one for key, one in groups.items() if _listed(one) and states >= set(_listed(one))},
+        {
+            key: one
+            for key, one in groups.items()
+            if _listed(one) and all(name in states for name in _listed(one))
+        },
     )
 
 

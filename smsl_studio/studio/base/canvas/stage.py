@@ -356,7 +356,10 @@ class Stage(QGraphicsView):
     def _repaint(self, rect: QRectF | None = None) -> None:
         """Repaint a part of the scene or all of it, including the cached background."""
         if rect is not None:
-            self.scene().invalidate(rect)
+            # Qt would have all of a rectangle painted, also what is far outside the view.
+            shown = rect.intersected(self.seen)
+            if not shown.isEmpty():
+                self.scene().invalidate(shown)
             return
         # ``QGraphicsScene.invalidate`` without a rectangle leaves the cached background as it is.
         self.resetCachedContent()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath
 
 from smsl_studio.blueprint.annotations import DrawnNote
@@ -25,6 +25,8 @@ from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, pen
 
 READABLE, TOLD = 0.5, 0.15
 """From the first zoom on a note has its words, from the second one strokes in their place."""
+LONG = 600.0
+"""From this length (scene units) on a line to a state has no dashes."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,11 @@ def paint_note(painter: QPainter, rect: QRectF, note: DrawnNote, look: NoteLook,
     tokens = ink.tokens
     if look.hung is not None:
         sides = rect.left(), rect.top(), rect.right(), rect.bottom()
-        painter.setPen(pen(tokens.nl, 1.0, (2.0, 3.0)))
-        painter.drawLine(QPointF(*nearest_point(sides, look.hung)), QPointF(*look.hung))
+        line_to = QLineF(QPointF(*nearest_point(sides, look.hung)), QPointF(*look.hung))
+        # Qt computes every dash, also those far outside the view.
+        dashes = (2.0, 3.0) if line_to.length() < LONG else ()
+        painter.setPen(pen(tokens.nl, 1.0, dashes))
+        painter.drawLine(line_to)
     line = pen(tokens.acc, 2.0 / min(look.zoom, 1.0)) if look.chosen else pen(tokens.nl, 1.0)
     painter.setPen(line)
     painter.setBrush(tokens.surf)
