@@ -188,7 +188,8 @@ def test_the_menu_at_a_title_and_the_find_bar_know_it(person: Person) -> None:
     words = [one.text().partition("\t")[0] for one in menu.actions() if one.text()]
     assert words == ["Rename the group", "Cut", "Copy", "Duplicate", "Dissolve the group"]
     menu.close()
-    person.press(Key.Key_Escape)
+    person.come_back()
+    window.canvas.setFocus()
     bar, search = window.features.draw.search.bar, window.features.draw.search
     person.ctrl(Key.Key_F)
     person.until(bar.field.hasFocus)

@@ -189,7 +189,7 @@ class Canvas(BranchView):
             self.setAccessibleDescription("Empty. Double-click to add the first state.")
             return
         drawn = self.drawn.chosen
-        if drawn is not None:
+        if drawn is not None and drawn in sheet.drawn.listed():
             self.setAccessibleDescription(plain_text(f"{sheet.drawn.words(drawn)}, selected"))
             self._tell_focus(len(sheet.picture) + sheet.drawn.listed().index(drawn))
             return
