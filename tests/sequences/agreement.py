@@ -190,6 +190,8 @@ def _panels(window: Window) -> Iterator[str]:
     said = window.canvas.accessibleDescription()
     here = [one for one in session.selection if one.branch == session.branch]
     name = here[0].path[-1] if len(here) == 1 else session.branch
+    if window.canvas.drawn.chosen is not None:
+        name = window.canvas.drawn.chosen.kind.capitalize()
     if not said.startswith(name) and window.canvas.positions:
         yield f"the canvas is read out as {said!r}, not as {name!r}"
 
