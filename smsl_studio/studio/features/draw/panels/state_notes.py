@@ -50,4 +50,4 @@ class StateNotes(QWidget):
         self.words.setToolTip(tip_text(words if keys else ""))
         self.button.setText("Show note" if keys else "Add note")
         tip = "Select the note and scroll to it" if keys else "Put a note on this state"
-        self.button.setToolTip(f"{tip} (Ctrl+Shift+M adds one)")
+        self.button.setToolTip(tip_text(f"{tip} (Ctrl+Shift+M adds one)"))
