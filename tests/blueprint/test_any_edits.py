@@ -95,6 +95,12 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "rename_everywhere": lambda: True,
         "index": lambda: chance.randrange(4),
         "digit": lambda: chance.randrange(2),
+        "states": lambda: [one for one in (at.state, other.state) if one],
+        "old_value": lambda: chance.choice(["0", "1", *"ab"]),
+        "new_value": lambda: chance.choice(["0", "1", *"ab", odd]),
+        "table_text": lambda: chance.choice(
+            ["", f"{odd}\tgo\t{other.state}", f"a\tgo\tb\n{at.state}\tgo\tb\nc", "a\tgo\nb"]
+        ),
         "fact_value": lambda: chance.choice(["", "1", "b", "10", odd]),
         "at": lambda: where,
         "positions": lambda: {at.state: where},

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.excerpts import cut as cut
     from smsl_studio.blueprint.editing.excerpts import excerpt as excerpt
     from smsl_studio.blueprint.editing.fact_table import fill_facts as fill_facts
+    from smsl_studio.blueprint.editing.fact_values import rename_value as rename_value
+    from smsl_studio.blueprint.editing.fact_values import set_value as set_value
     from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
     from smsl_studio.blueprint.editing.headers import detach_sub as detach_sub
     from smsl_studio.blueprint.editing.headers import keep_activating as keep_activating
@@ -38,9 +40,11 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.notes import set_hazards as set_hazards
     from smsl_studio.blueprint.editing.notes import set_layout as set_layout
     from smsl_studio.blueprint.editing.notes import set_note as set_note
+    from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
     from smsl_studio.blueprint.editing.renames import rename as rename
+    from smsl_studio.blueprint.editing.renames import rename_operations as rename_operations
     from smsl_studio.blueprint.editing.templates import add_recovery as add_recovery
     from smsl_studio.blueprint.editing.templates import add_tries as add_tries
     from smsl_studio.blueprint.editing.templates import expand_fact as expand_fact
@@ -67,9 +71,12 @@ _HOMES = {
     "keep_last": "notes",
     "move_fact": "digits",
     "paste": "pasted_text",
+    "paste_states": "pasted_table",
     "put_groups": "drawn",
     "put_notes": "drawn",
     "rename": "renames",
+    "rename_operations": "renames",
+    "rename_value": "fact_values",
     "reorder": "moves",
     "retarget": "moves",
     "set_hazards": "notes",
@@ -78,6 +85,7 @@ _HOMES = {
     "set_layout": "notes",
     "set_levels": "levels",
     "set_note": "notes",
+    "set_value": "fact_values",
 }
 """Every edit with its module. Random sequences of edits in the tests take each of them."""
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
+from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, rename_keys
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.editing.renames import states_renamed
@@ -124,15 +125,24 @@ def new_names(branch: StateBranch, order: Sequence[int], new: str = "") -> dict[
                 f"{other} and {state} would have the same facts", advice="Delete one of them first."
             )
         names[state], meant[name] = name, facts
-    written = None if shape.written is None else len(order)
+    width = f" of {shape.width} characters" if shape.width > 1 else ""
+    advice = f"Choose a value{width} as in the other names." if NEW in order else (
+        "Delete or rename the states first.")  # fmt: skip
+    must_be_cut(meant, None if shape.written is None else len(order), advice)
+    return names
+
+
+def must_be_cut(meant: Mapping[str, tuple[str, ...]], written: int | None, advice: str) -> None:
+    """Raise EditRefused if the names of states would not be cut into the facts that are meant.
+
+    ``written`` is NUM_FACTS.
+    """
     after = shape_of(meant, written)
     if meant and (after.opaque or any(after.values(name) != meant[name] for name in meant)):
-        why = f"the names of the states could not be cut into {len(order)} facts"
-        width = f" of {shape.width} characters" if shape.width > 1 else ""
-        advice = f"Choose a value{width} as in the other names." if NEW in order else (
-            "Delete or rename the states first.")  # fmt: skip
-        raise EditRefused(why, advice=advice)
-    return names
+        count = len(next(iter(meant.values())))
+        raise EditRefused(
+            f"the names of the states could not be cut into {count} facts", advice=advice
+        )
 
 
 def _arrange_notes(draft: Draft, branch: StateBranch, order: Sequence[int], new: str) -> None:
@@ -199,7 +209,7 @@ def _facts_follow(
     if branch.header.sub_sbs:
         header = draft.header(name)
         header["SUB_SBS"] = _moved_subs(header["SUB_SBS"], moved)
-    _conditions_follow(draft, name, moved)
+    conditions_follow(draft, lambda facts: _moved_facts(facts, name, moved))
     for table in draft.tables(name, "_operations"):
         for key, note in table.items():
             touches = note.get("touches") if isinstance(note, dict) else None
@@ -234,37 +244,17 @@ def _moved_subs(written: Json, moved: Mapping[int, int]) -> Json:
     }
 
 
-def _conditions_follow(draft: Draft, name: str, moved: Mapping[int, int]) -> None:
-    """Let ``requires`` of all SBs and the hazards of all files follow."""
-    before = draft.before
-    for branch in before:
-        for table in draft.tables(branch.name, "_operations"):
-            for key, note in table.items():
-                after = _moved_facts(note, "requires", name, moved)
-                if after is not note:
-                    table[key] = after
-    for document in before.documents:
-        hazards = document.values.get("_hazards")
-        if isinstance(hazards, list):
-            renamed = [_moved_facts(hazard, "facts", name, moved) for hazard in hazards]
-            if renamed != hazards:
-                draft.file(document)["_hazards"] = renamed
-
-
-def _moved_facts(entry: Json, word: str, name: str, moved: Mapping[int, int]) -> Json:
-    facts = entry.get(word) if isinstance(entry, dict) else None
-    if not isinstance(facts, dict):
-        return entry
+def _moved_facts(facts: Facts, name: str, moved: Mapping[int, int]) -> Facts:
     texts = {}
     for text in facts:
         fact = split_fact(text)
         if fact is not None and fact[0] == name and moved.get(fact[1], fact[1]) != fact[1]:
             texts[text] = fact_text(name, moved[fact[1]])
     if not texts:
-        return entry
+        return facts
     after = dict(facts)
     rename_keys(after, texts)
-    return {**entry, word: after}
+    return after
 
 
 def _refuse_named(blueprint: Blueprint, name: str, digit: int) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
@@ -21,6 +22,7 @@ from smsl_studio.smsl.forms import form_named, form_of
 
 Json = Any
 Values = Mapping[str, Json]
+FILE = "the pasted text"
 
 
 def paste(
@@ -29,9 +31,9 @@ def paste(
     """Put a copied text (see ``excerpt``), or any SMSL text, into the blueprint. Return the new
     addresses too.
 
-    States and operations go into ``branch``, whole SBs after the others. An element whose name is
-    taken gets a free one, and references to it follow. ``at`` is the new middle of the states.
-    EditRefused if the text is no SMSL.
+    States and operations go into ``branch``, also a text that is only states, and whole SBs after
+    the others. An element whose name is taken gets a free one, and references to it follow. ``at``
+    is the new middle of the states. EditRefused if the text is no SMSL.
     """
     return _put(blueprint, [(branch, *item) for item in _values(text).items()], PastedPlaces(at=at))
 
@@ -46,17 +48,31 @@ def duplicate(
 
 def _values(text: str) -> Values:
     """Return the SBs in a text. EditRefused if it is no SMSL."""
-    file = "the pasted text"
     try:
-        document = form_named(form_of("", text)).parse(text, file)
-        branches_of(document)
+        return _read(text)
     except ReadError as error:
+        with suppress(ReadError):
+            if text.strip():
+                return _read(_as_states(text))
         where = f" (line {error.place.line})" if error.place else ""
         raise EditRefused(
-            f"{file} is no SMSL: {error.sentence}{where}",
+            f"{FILE} is no SMSL: {error.sentence}{where}",
             advice="Copy states, operations or State Branches, or the text of an SMSL file.",
         ) from None
+
+
+def _read(text: str) -> Values:
+    document = form_named(form_of("", text)).parse(text, FILE)
+    branches_of(document)
     return {name: value for name, value in document.values.items() if not name.startswith("_")}
+
+
+def _as_states(text: str) -> str:
+    """Return the text of some states, without an SB around them, as an excerpt."""
+    inner = text.strip()
+    if inner[:1] == '"':
+        return f'{{"SB": {{"{MARK}": "{STATES}", {inner.rstrip(",")}}}}}'
+    return f'{{\n# NAME: SB\n# {MARK}: "{STATES}"\n{inner}\n}}'
 
 
 def _put(

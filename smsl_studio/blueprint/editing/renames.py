@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
@@ -11,6 +11,7 @@ from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import EditRefused
 
 Json = Any
 
@@ -35,7 +36,7 @@ def rename(
         _rename_branch(draft, address.branch, new_name)
     elif not address.operation:
         free_name(new_name, blueprint[address.branch].table, "a state")
-        _rename_state(draft, address.branch, address.state, new_name)
+        rename_states(draft, address.branch, {address.state: new_name})
     else:
         _rename_operation(draft, address, new_name, rename_everywhere)
     return draft.done()
@@ -96,12 +97,18 @@ def _renamed_fact(text: str, names: Mapping[str, str]) -> str:
     return fact_text(names[fact[0]], fact[1]) if fact and fact[0] in names else text
 
 
-def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
-    states_renamed(draft, branch, {old: new})
-    gone = (branch, old)
-    levels_follow(
-        draft, lambda key: (branch, new, key[2]) if len(key) == 3 and key[:2] == gone else key
-    )
+def rename_states(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
+    """Give states of an SB other names in their places. All that names them follows."""
+    states_renamed(draft, branch, names)
+    former = set(names.values()) - draft.before[branch].table.keys()
+
+    def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:
+        """Return the key of a level after the edit. One that is left of a former state goes."""
+        if len(key) != 3 or key[0] != branch:
+            return key
+        return None if key[1] in former else (branch, names.get(key[1], key[1]), key[2])
+
+    levels_follow(draft, follow)
 
 
 def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
@@ -137,6 +144,35 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
         rename_keys(table, moved)
 
 
+def rename_operations(
+    blueprint: Blueprint, addresses: Iterable[Address], new_name: str
+) -> Blueprint:
+    """Give several edges of one name another name, in their places, in one or several SBs.
+
+    What names them follows as in ``rename``. EditRefused if the name is not free in a state, or if
+    the edges have several names.
+    """
+    chosen: dict[str, dict[str, None]] = {}
+    names = set()
+    for address in addresses:
+        existing(blueprint, address)
+        if not address.operation:
+            raise EditRefused(f"{address} is no operation", advice="Choose operations.")
+        names.add(address.operation)
+        chosen.setdefault(address.branch, {})[address.state] = None
+    if len(names) > 1:
+        raise EditRefused("the operations have several names", advice="Choose those of one name.")
+    old = next(iter(names), new_name)
+    if old == new_name:
+        return blueprint
+    draft = Draft(blueprint)
+    for branch, states in chosen.items():
+        for state in states:
+            free_name(new_name, blueprint[branch].table[state], f"in {state} an operation")
+    _rename_edges(draft, chosen, old, new_name)
+    return draft.done()
+
+
 def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool) -> None:
     old, branch = address.operation, address.branch
     table = draft.before[branch].table
@@ -144,15 +180,24 @@ def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool
     chosen = bearers if everywhere else [address.state]
     for state in chosen:
         free_name(new, table[state], f"in {state} an operation" if everywhere else "an operation")
-    unused = not any(new in operations for operations in table.values())
-    for state in chosen:
-        rename_keys(draft.at(branch, state), {old: new})
-    for notes in draft.tables(branch, "_operations"):
-        rename_keys(notes, {note_key(old, state): note_key(new, state) for state in chosen})
-        if unused and chosen == bearers and note_key(new) not in notes:
-            rename_keys(notes, {note_key(old): note_key(new)})
-    edges: dict[tuple[str, ...], tuple[str, ...]]
-    edges = {(branch, state, old): (branch, state, new) for state in chosen}
-    if unused and chosen == bearers and digit_of(draft.before[branch], old) is None:
-        edges[branch, old] = (branch, new)
-    levels_follow(draft, lambda key: edges.get(key, key))
+    _rename_edges(draft, {branch: chosen}, old, new)
+
+
+def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, new: str) -> None:
+    """Rename the edges ``old`` of the chosen states of each SB, with their notes and levels."""
+    levels: dict[tuple[str, ...], tuple[str, ...]] = {}
+    for branch, states in chosen.items():
+        found = draft.before[branch]
+        unused = not any(new in operations for operations in found.table.values())
+        left = {state for state, operations in found.table.items() if old in operations}
+        left.difference_update(states)
+        for state in states:
+            rename_keys(draft.at(branch, state), {old: new})
+        for notes in draft.tables(branch, "_operations"):
+            rename_keys(notes, {note_key(old, state): note_key(new, state) for state in states})
+            if unused and not left and note_key(new) not in notes:
+                rename_keys(notes, {note_key(old): note_key(new)})
+        levels |= {(branch, state, old): (branch, state, new) for state in states}
+        if unused and not left and digit_of(found, old) is None:
+            levels[branch, old] = (branch, new)
+    levels_follow(draft, lambda key: levels.get(key, key))
