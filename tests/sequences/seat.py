@@ -17,7 +17,7 @@ from unittest.mock import patch
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.request import RunRequest
@@ -28,6 +28,7 @@ from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
 from smsl_studio.studio.features.draw.drawn.note_field import NoteField
 from smsl_studio.studio.running import run_session
 from smsl_studio.studio.running.runner import FASTEST
@@ -124,6 +125,32 @@ class Seat:
         QTest.keyClick(field, Qt.Key.Key_Return, held)
         if drawn.field is not None:
             QTest.keyClick(field, Qt.Key.Key_Escape)
+
+    def choose_where(self, downs: int) -> None:
+        """Go down in the answers below a name field, if it asks where to rename."""
+        field = self.window.editor.field
+        for _ in range(downs):
+            if isinstance(field, RenameField):
+                QTest.keyClick(field.field, Qt.Key.Key_Down)
+
+    def choose_value(self, digit: int, at: int) -> None:
+        """Choose one of the values that the menu of a fact offers for the selected states."""
+        self.window.drawing.values.open(digit)
+        menu = QApplication.activePopupWidget()
+        if isinstance(menu, QMenu):
+            offered = [entry for entry in menu.actions() if entry.isCheckable()]
+            offered[at % len(offered)].trigger()
+            menu.close()
+        QApplication.processEvents()
+
+    def paste(self, text: str) -> None:
+        """Paste a text on the canvas, and agree if there is something to agree to."""
+        QApplication.clipboard().setText(text)
+        self.window.canvas.setFocus()
+        self.act("paste")
+        card = self.window.clipping.table_card
+        if card.isVisible():
+            (card.agree if card.agree.isEnabled() else card.cancel).click()
         QApplication.processEvents()
 
     def point(self, state: str) -> QPoint:
@@ -137,6 +164,10 @@ class Seat:
         held = Qt.KeyboardModifier.ShiftModifier if shift else Qt.KeyboardModifier.NoModifier
         QTest.mouseClick(self.window.canvas.viewport(), LEFT, held, self.point(state))
         QApplication.processEvents()
+        self.window.drawing.values.give_up()
+        menu = QApplication.activePopupWidget()
+        if menu is not None:
+            menu.close()
 
     def drag(self, state: str, by: QPoint) -> None:
         start, view = self.point(state), self.window.canvas.viewport()

@@ -65,8 +65,8 @@ class Sequence:
             (4, self._move), (3, self._delete), (5, self._undo), (3, self._redo), (3, self._save),
             (2, self._reopen), (3, self._mode), (2, self._tab), (1, self._fact), (1, self._branch),
             (2, self._run), (1, self._stop), (2, self._sibling), (2, self._copy),
-            (2, self._template),
-            (2, self._draw_note), (1, self._draw_group),
+            (2, self._template), (2, self._draw_note), (1, self._draw_group),
+            (3, self._set_value), (2, self._paste_table),
         ]  # fmt: skip
         weights = [weight for weight, _ in verbs]
         _, verb = self.chance.choices(verbs, weights)[0]
@@ -262,6 +262,7 @@ class Sequence:
         def do() -> None:
             self.session.select((old,))
             self.seat.act("rename")
+            self.seat.choose_where(self.chance.choice([0, 1, 2]))
             self.seat.write(new)
 
         wrong = self._edit(do)
@@ -271,6 +272,28 @@ class Sequence:
         if seen(self.session)[self.session.branch].get(chosen[0].state) != place:
             wrong.append("a state that was renamed is seen elsewhere")
         return wrong
+
+    def _set_value(self) -> list[str]:
+        branch = self.session.blueprint.branches.get(self.session.branch)
+        if branch is None or not branch.table:
+            return []
+        states = [self._state() for _ in range(self.chance.choice([1, 1, 2]))]
+        digit, at = self.chance.randrange(branch.num_facts), self.chance.randrange(3)
+        self._note(f"give fact {digit} of {states} its value {at}")
+
+        def do() -> None:
+            self.session.select(Address(branch.name, state) for state in states)
+            self.seat.choose_value(digit, at)
+
+        return self._edit(do)
+
+    def _paste_table(self) -> list[str]:
+        rows = [
+            [self._name(), self.chance.choice(["", "Op_0_up", "go"]), self._name()]
+            for _ in range(self.chance.randrange(1, 4))
+        ]
+        self._note(f"paste {rows}")
+        return self._edit(lambda: self.seat.paste("\n".join(map("\t".join, rows))))
 
     def _move(self) -> list[str]:
         self.seat.act("mode_draw")

@@ -8,7 +8,14 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QModelIndex, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QMenu,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
@@ -98,6 +105,15 @@ class Person:
             QTest.keyClick(view, Qt.Key.Key_Down)
         QTest.keyClick(view, Qt.Key.Key_Return)
         self.qtbot.waitUntil(lambda: not view.isVisible())
+        self.come_back()
+
+    def choose_in_menu(self, words: str) -> None:
+        """Click a row of the menu that is open."""
+        self.qtbot.waitUntil(lambda: isinstance(QApplication.activePopupWidget(), QMenu))
+        menu = QApplication.activePopupWidget()
+        assert isinstance(menu, QMenu)
+        entry = next(one for one in menu.actions() if words in one.text())
+        QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entry).center())
         self.come_back()
 
     def come_back(self) -> None:

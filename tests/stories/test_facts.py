@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QHelpEvent, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QToolTip
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.studio.base.paint.node_paint import chip_places
@@ -49,16 +49,6 @@ def write(person: Person, text: str) -> None:
 def note(person: Person, digit: int = 0) -> FactNote:
     found = person.blueprint[person.window.session.branch].fact_note(digit)
     return found or FactNote()
-
-
-def choose(person: Person, words: str) -> None:
-    """Choose a line of the menu that is open."""
-    person.until(lambda: isinstance(QApplication.activePopupWidget(), QMenu))
-    menu = QApplication.activePopupWidget()
-    assert isinstance(menu, QMenu)
-    entry = next(one for one in menu.actions() if words in one.text())
-    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entry).center())
-    person.come_back()
 
 
 def test_a_click_on_a_cell_edits_it_as_one_step(sit: Sit) -> None:
@@ -140,14 +130,14 @@ def test_the_keyboard_alone_reaches_every_cell(sit: Sit) -> None:
 def test_a_value_counts_as_on_or_as_a_failure(sit: Sit) -> None:
     person = sit(REGISTRATION)
     click_cell(person, 0, "value", "0")
-    choose(person, "means failure")
+    person.choose_in_menu("means failure")
     assert note(person).failure == ("0",)
     click_cell(person, 0, "value", "0")
-    choose(person, "counts as on")
+    person.choose_in_menu("counts as on")
     assert note(person).on == "0"
     assert [one.kind for one in facts(person).view.facts.lines[0].values] == ["on", "off"]
     click_cell(person, 0, "value", "1")
-    choose(person, "counts as on")
+    person.choose_in_menu("counts as on")
     assert note(person).on is None
 
 

@@ -87,6 +87,7 @@ def test_a_fact_that_a_sub_sb_expands_has_no_sensor_of_its_own(sit: Sit) -> None
     chips = person.window.properties.state.chips
     person.window.repaint()
     QTest.mouseClick(chips, LEFT, pos=chips.place_of(1).center().toPoint())
+    person.choose_in_menu("What Fact 2 means…")
     form = person.window.properties.fact
     assert form.isVisible()
     assert not person.window.properties.state.isVisible()
@@ -112,6 +113,7 @@ def test_a_fact_of_a_selected_state_is_clicked_on_the_canvas(sit: Sit) -> None:
     person.click_canvas(at)
     assert person.window.properties.state.isVisible(), "the first click selects"
     person.click_canvas(at)
+    person.choose_in_menu("What Fact 3 means…")
     form = person.window.properties.fact
     assert form.isVisible()
     assert form.who() == "fact 2 of SB1"

@@ -470,8 +470,9 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
 
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
-        "Add operation", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Show ways between",
-        "Add note", "Group", "Insert template", "Make initial", "Make activating",
+        "Add operation", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Change a fact…",
+        "Show ways between", "Add note", "Group", "Insert template", "Make initial",
+        "Make activating",
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
     assert words("SB1/State100/Operation100A") == [

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import MOST_CHIPS
@@ -14,6 +17,8 @@ from smsl_studio.studio.base.tips import tip_text
 
 CHIP, GAP = 20, 5
 ON, OFF, VALUE = "on", "off", "value"
+MOST_VALUES = 8
+"""So many values of a fact are named in a tooltip."""
 
 
 def kind_of(branch: StateBranch, state: str, digit: int) -> str:
@@ -32,6 +37,16 @@ def fact_words(branch: StateBranch, digit: int, value: str) -> str:
     note = branch.fact_note(digit)
     meaning = note.values.get(value, "") if note is not None else ""
     return f"{branch.fact_name(digit)}: {f'{meaning} ({value})' if meaning else value}"
+
+
+def values_of(branch: StateBranch, digit: int) -> tuple[str, ...]:
+    """The values of a fact: those in the states, and those that are only described. A fact that is
+    0 or 1 has both.
+    """
+    note = branch.fact_note(digit) or FactNote()
+    seen = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
+    found = tuple(dict.fromkeys((*seen, *note.values, *note.failure)))
+    return ("0", "1") if set(found) <= {"0", "1"} else found
 
 
 def paint_chip(
@@ -58,7 +73,7 @@ def paint_chip(
 
 
 class Chips(QWidget):
-    """The facts of one state as a row of chips. ``chosen`` carries the digit of a clicked chip."""
+    """The facts of states as a row of chips. ``chosen`` carries the digit of a clicked chip."""
 
     chosen = Signal(int)
 
@@ -86,16 +101,25 @@ class Chips(QWidget):
         self._tokens = tokens
         self.update()
 
-    def show_state(self, branch: StateBranch, state: str) -> None:
-        """Show the facts of ``state``."""
-        facts = branch.facts(state)
-        shown = tuple(enumerate(facts[:MOST_CHIPS]))
-        subs = branch.subs
-        self._chips = tuple((value, kind_of(branch, state, d), d in subs) for d, value in shown)
-        said = [fact_words(branch, digit, value) for digit, value in shown]
-        if len(facts) > MOST_CHIPS:
-            said.append(f"and {len(facts) - MOST_CHIPS:,} more")
-        self.setToolTip(tip_text("\n".join([*said, "Click a fact to edit what it means."])))
+    def show_states(self, branch: StateBranch, states: Sequence[str]) -> None:
+        """Show the facts of states. A fact in which they differ shows ``…``."""
+        facts = [branch.facts(state) for state in states]
+        count = min(map(len, facts), default=0)
+        chips, said = [], []
+        for digit in range(min(count, MOST_CHIPS)):
+            values = sorted({one[digit] for one in facts})
+            sub = digit in branch.subs
+            if len(values) == 1:
+                chips.append((values[0], kind_of(branch, states[0], digit), sub))
+                said.append(fact_words(branch, digit, values[0]))
+            else:
+                chips.append(("…", VALUE, sub))
+                some = ", ".join(values[:MOST_VALUES]) + ("…" if len(values) > MOST_VALUES else "")
+                said.append(f"{branch.fact_name(digit)}: various ({some})")
+        if count > MOST_CHIPS:
+            said.append(f"and {count - MOST_CHIPS:,} more")
+        self._chips = tuple(chips)
+        self.setToolTip(tip_text("\n".join([*said, "Click a fact to change its value."])))
         self.setAccessibleName(plain_text(", ".join(said)))
         self.update()
 

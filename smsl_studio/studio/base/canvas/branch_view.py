@@ -62,7 +62,8 @@ class BranchView(DrawnStage):
     fact_wanted = Signal(int)
     """The digit of a fact of the selected state that was clicked."""
     verb_wanted = Signal(str)
-    """The id of a window action whose key was pressed: copy, cut, paste, duplicate, find."""
+    """The id of a window action whose key was pressed: copy, cut, paste, duplicate, find,
+    set_value."""
     hover_changed = Signal(object)
     """Address under the pointer, or None."""
 

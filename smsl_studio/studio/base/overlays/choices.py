@@ -1,4 +1,4 @@
-"""The list of names that fit what is being typed; arrow keys or a click choose one."""
+"""A short list below a field, such as names that fit what is typed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROW = 28
 
 
 class Choices(QWidget):
-    """The list of fitting names. No name is chosen before an arrow key or a click."""
+    """A list of names or answers, of which an arrow key or a click chooses one."""
 
     chosen = Signal(str)
 
@@ -35,9 +35,14 @@ class Choices(QWidget):
         """The names that are offered."""
         return tuple(self._names)
 
-    def show_names(self, names: list[str]) -> None:
-        """Offer these names and choose none; without names the list hides."""
-        self._names, self._at = names, -1
+    @property
+    def at(self) -> int:
+        """The row of the chosen name; -1 while none is chosen."""
+        return self._at
+
+    def show_names(self, names: list[str], at: int = -1) -> None:
+        """Offer these names and choose one or none (-1); without names the list hides."""
+        self._names, self._at = names, at
         self.setVisible(bool(names))
         self.setFixedHeight(len(names) * ROW)
         self.update()
@@ -52,6 +57,7 @@ class Choices(QWidget):
         """Emit ``chosen`` with the clicked name."""
         row = int(event.position().y() // ROW)
         if 0 <= row < len(self._names):
+            self._at = row
             self.chosen.emit(self._names[row])
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -193,9 +193,8 @@ class DrawFeature(Feature):
         self.outline.verb_wanted.connect(self.clipping.on_branch)
         self.outline.action_wanted.connect(lambda name: actions[name].trigger())
         self.outline.branch_deleted.connect(self._say_deleted)
-        self.canvas.fact_wanted.connect(
-            lambda digit: self.going.show_fact(self._parts.session.branch, digit)
-        )
+        self.drawing.values.fact_wanted.connect(self.going.show_fact)
+        self.properties.state.values_wanted.connect(self.drawing.values.open)
         self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.canvas.drawn_menu_wanted.connect(self._open_drawn_menu)

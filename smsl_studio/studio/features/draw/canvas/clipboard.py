@@ -9,24 +9,29 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from PySide6.QtCore import QMimeData, QPointF
+from PySide6.QtCore import QMimeData, QPointF, QRectF
 from PySide6.QtGui import QCursor, QGuiApplication
 from PySide6.QtWidgets import QApplication, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.editing.pasted_table import is_table
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused, StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.free_places import on_grid
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
+from smsl_studio.studio.features.draw.canvas.table_card import TableCard, TablePaste, table_paste
 
 KIND = "text/x-smsl"
-MOST = 64 * 2**20
+MOST = 1_000_000
 """In characters. A longer text is not pasted; it has to be opened as a file."""
+
+NO_STATES = StateBranch("SB1", {})
+"""The SB that a table makes in a file without SBs."""
 
 Put = tuple[Blueprint, tuple[Address, ...]]
 """The blueprint after an edit, and the addresses of the elements that were put in."""
@@ -62,6 +67,12 @@ class ClipboardVerbs:
         self._session, self._canvas, self._say = session, canvas, say
         self._one_state = one_state
         self.drawn: NoteCopies | None = None
+        self.table_card = TableCard(canvas)
+        """What a pasted table brings."""
+        self.table_card.agreed.connect(self._paste_table)
+        # What it tells is no longer true then.
+        session.blueprint_changed.connect(lambda *_: self.table_card.close_card())
+        session.branch_changed.connect(lambda _: self.table_card.close_card())
 
     def can_copy(self) -> bool:
         """Whether an element is selected or a text field has the keyboard focus."""
@@ -137,8 +148,32 @@ class ClipboardVerbs:
         place = on_grid(at if at is not None else self._place())
         if self._act("paste", place):
             return
+        session, branch = self._session, self._session.branch
+        session.settling.emit()
+        try:
+            text = _taken()
+        except StudioError as error:
+            session.refused.emit(error)
+            return
+        if is_table(text):
+            shown = session.blueprint.branches.get(branch, NO_STATES)
+            self.table_card.show_paste(table_paste(shown, text))
+        else:
+            self._put_in("Paste", lambda bp: _pasted(bp, branch, text, place))
+
+    def _paste_table(self, paste: TablePaste) -> None:
+        """Put the states and operations of a table in, after the person said yes."""
         branch = self._session.branch
-        self._put_in("Paste", lambda bp: _pasted(bp, branch, _taken(), place))
+        self._canvas.setFocus()
+
+        def change(blueprint: Blueprint) -> Put:
+            """Paste into the SB that is shown; if there is none, into a new one."""
+            if branch in blueprint.branches:
+                return editing.paste_states(blueprint, branch, paste.text)
+            added = editing.add_branch(blueprint, NO_STATES.name)
+            return editing.paste_states(added, NO_STATES.name, paste.text)
+
+        self._put_in("Paste", change)
 
     def _duplicate(self, chosen: Sequence[Address]) -> None:
         self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
@@ -155,9 +190,23 @@ class ClipboardVerbs:
         if not session.edit(f"{verb} {_what(made)}", lambda _: after):
             return
         session.show_branch(made[0].branch)
-        session.select(address for address in made if address.state)
+        states = [address for address in made if address.state and not address.operation]
+        session.select(states or (address for address in made if address.operation))
         self._canvas.reveal(made[0])
+        self._bring_into_view(states)
         self._canvas.setFocus()
+
+    def _bring_into_view(self, states: Sequence[Address]) -> None:
+        """Scroll to new states, or show the whole SB if they need more room than the view has."""
+        canvas, rect = self._canvas, QRectF()
+        for address in states:
+            rect = rect.united(canvas.rect_of(address) or rect)
+        room = canvas.clear_view
+        if rect.width() > room.width() or rect.height() > room.height():
+            canvas.fit()
+        elif not canvas.seen.contains(rect):
+            canvas.camera.keep("")
+            canvas.camera.go(rect.center(), canvas.zoom)
 
     def _excerpt(self, chosen: Sequence[Address]) -> str:
         if not chosen:
@@ -226,6 +275,8 @@ def _what(chosen: Sequence[Address]) -> str:
     if len(chosen) == 1:
         return chosen[0].path[-1]
     states = sum(1 for address in chosen if address.state and not address.operation)
-    if states == len(chosen):
-        return counted(states, "state")
-    return counted(len(chosen), "element" if states else "operation")
+    operations = sum(1 for address in chosen if address.operation)
+    if states + operations < len(chosen):
+        return counted(len(chosen), "element")
+    words = [counted(states, "state")] if states else []
+    return series([*words, *([counted(operations, "operation")] if operations else [])])

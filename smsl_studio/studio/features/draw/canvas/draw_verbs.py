@@ -15,6 +15,7 @@ from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
+from smsl_studio.studio.features.draw.canvas.value_menu import ValueMenu
 from smsl_studio.studio.features.draw.canvas.ways import WaysBetween
 
 TENTH = 0.1
@@ -27,6 +28,7 @@ class DrawVerbs:
     def __init__(self, session: Session, editor: CanvasEditor) -> None:
         self._session, self._editor, self.canvas = session, editor, editor.canvas
         self.ways = WaysBetween(session, self.canvas)
+        self.values = ValueMenu(session, self.canvas)
 
     # What can be done now.
 
@@ -168,6 +170,10 @@ def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Ac
                pointer=("state", "operation")),
         Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
                lambda: drawn() and drawing.has_states(), scope="canvas", section=1),
+        Action("set_value", "Change a fact…", drawing.values.open_facts, "Edit", "", ("V",),
+               lambda: drawn() and drawing.values.can_open(), scope="canvas", section=1,
+               tip="Give a fact of the selected states another value; the names follow",
+               pointer=("state",)),
         Action("show_ways", "Show ways between", drawing.ways.show, "Edit", "",
                enabled=lambda: drawn() and drawing.ways.can_show(), section=1,
                tip="Light the cheapest ways between two selected states, there and back",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import compress
 from operator import is_not
@@ -15,6 +15,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.rename_scopes import rename_scopes
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
@@ -26,6 +27,7 @@ from smsl_studio.studio.features.draw.canvas.free_places import (
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
+from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
 from smsl_studio.studio.features.draw.canvas.suggest import Suggestions
 
 Position = tuple[float, float]
@@ -224,28 +226,27 @@ class CanvasEditor(QObject):
         if rect is None or not self._stands(address):
             return
         old = address.path[-1]
+        scopes = rename_scopes(self.session.blueprint, (address,))
 
-        def commit(new: str) -> str:
-            """Rename the element and keep it selected.
+        def commit(new: str, chosen: Sequence[Address] = (address,)) -> str:
+            """Rename the element, or all chosen operations. The selection follows.
 
             Returns why that was refused, or the empty text.
             """
-            if new == old:
-                return ""
             words = f"Rename {old} to {new}"
-            reason = self.edit(words, lambda bp: editing.rename(bp, address, new))
-            if not reason:
-                renamed = (
-                    replace(address, operation=new)
-                    if address.operation
-                    else replace(address, state=new)
-                )
-                self.session.select((renamed,))
-            return reason
+            if len(chosen) == 1:
+                return self.edit(words, lambda bp: editing.rename(bp, address, new))
+            words += f" in {len(chosen):,} places"
+            return self.edit(words, lambda bp: editing.rename_operations(bp, chosen, new))
 
         hint = "Operation" if address.operation else "State"
         width = max(rect.width() * self.canvas.zoom, 96.0)
-        self._name(old, hint, commit, self._field_place(rect.center(), width, rect))
+        place = self._field_place(rect.center(), width, rect)
+        if len(scopes) > 1:
+            field = RenameField(self.canvas, self.canvas.tokens, old, scopes, commit)
+            self.open_card(field, place[0], centred=True)
+        else:
+            self._name(old, hint, commit, place)
 
     def retarget(self, operation: Address, target: Address) -> None:
         """Make an operation lead to another state."""

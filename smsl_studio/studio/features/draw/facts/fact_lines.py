@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.studio.base.chips import values_of
 
 MOST = 200
 """At most this many facts have a line; a name of 10,000 characters may have as many facts."""
@@ -66,16 +67,6 @@ def fact_count(branch: StateBranch) -> int:
 def fact_lines(branch: StateBranch) -> tuple[TabledFact, ...]:
     """The lines of the facts of an SB, digit 0 first."""
     return tuple(_line(branch, digit) for digit in range(min(fact_count(branch), MOST)))
-
-
-def values_of(branch: StateBranch, digit: int) -> tuple[str, ...]:
-    """The values of a fact: those in the states, and those that are only described. A fact that is
-    0 or 1 has both.
-    """
-    note = branch.fact_note(digit) or PLAIN
-    seen = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-    found = tuple(dict.fromkeys((*seen, *note.values, *note.failure)))
-    return ("0", "1") if set(found) <= {"0", "1"} else found
 
 
 def _line(branch: StateBranch, digit: int) -> TabledFact:

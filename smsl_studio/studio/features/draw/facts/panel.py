@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QPoint, QRectF, Qt, Signal
@@ -23,6 +24,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.overlays.change_card import AskedValue, ChangeCard
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.small_button import SmallButton
@@ -30,7 +32,6 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.facts.cells import COLUMNS, MARGIN, WIDE
-from smsl_studio.studio.features.draw.facts.change_card import ChangeCard
 from smsl_studio.studio.features.draw.facts.fact_lines import (
     MOST,
     PLAIN,
@@ -43,6 +44,7 @@ from smsl_studio.studio.features.draw.facts.proposals import (
     deletion,
     move,
     paste,
+    renaming,
 )
 from smsl_studio.studio.features.draw.facts.view import FactView
 from smsl_studio.studio.features.draw.panels.fact_name import fact_name_step
@@ -50,6 +52,7 @@ from smsl_studio.studio.features.draw.panels.frame import Panel
 
 HINT = "One sensor or one sub-SB reads a fact. Click a cell to change it."
 NONE = "No facts yet."
+NEW_VALUE = AskedValue("Its value in them", "Value of the new fact in all states", "0")
 
 
 class ColumnWords(QWidget):
@@ -90,7 +93,7 @@ class Facts(Panel):
         self.none: QLabel = label(NONE, "hint")
         self.first = QPushButton("Add the first fact")
         self.first.setProperty("role", "link")
-        self.card = ChangeCard()
+        self.card = ChangeCard("Change of the facts")
         self.add = QPushButton("Add fact")
         self.hint: QLabel = label(HINT, "hint")
         below = QVBoxLayout()
@@ -144,7 +147,7 @@ class Facts(Panel):
             return
         proposal = addition(branch, "")
         if proposal.count or proposal.fault:
-            self.card.propose(proposal, lambda value: addition(branch, value))
+            self.card.propose(proposal, lambda value: addition(branch, value), NEW_VALUE)
         else:
             self._carry_out(proposal)
 
@@ -253,6 +256,8 @@ class Facts(Panel):
         note = branch.fact_note(digit) or PLAIN
         if kind in ("digit", "more"):
             self.fact_wanted.emit(branch.name, digit)
+        elif kind == "rename":
+            self._propose_value(digit, value)
         elif kind == "sub":
             self._session.show_branch(branch.subs.get(digit, ""))
         elif kind == "critical":
@@ -282,7 +287,18 @@ class Facts(Panel):
                     digit, change, f"Set what {step} in fact {digit}"
                 )
             )
+        menu.addSeparator()
+        again = menu.addAction(as_it_is(f"Rename {value}…\tF2"))
+        again.triggered.connect(lambda: self._propose_value(digit, value))
         menu.popup(at)
+
+    def _propose_value(self, digit: int, value: str) -> None:
+        """Ask for another name of a value, and tell which states it changes."""
+        branch = self._shown
+        if branch is not None:
+            asked = AskedValue("New value", f"New value for {value}", value)
+            again = partial(renaming, branch, digit, value)
+            self.card.propose(again(""), again, asked)
 
     def _open_menu(self, digit: int, at: QPoint) -> None:
         branch = self._shown

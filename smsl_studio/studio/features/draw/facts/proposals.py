@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.editing.digits import NEW, count_of, new_names
 from smsl_studio.blueprint.editing.fact_table import read_table
+from smsl_studio.blueprint.editing.fact_values import names_with, renamed_value
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
 from smsl_studio.studio.base.words import capital, counted
@@ -18,7 +19,8 @@ class FactChange:
     """A change of the facts of an SB that waits for a yes.
 
     ``names`` are the states that change, each with its name afterwards. ``beside`` states keep
-    their names and get the value in ``_states``. ``fault`` says why it cannot be done.
+    their names and get the value in ``_states``. ``fault`` says why it cannot be done, ``asks``
+    what the person types first.
     """
 
     words: str
@@ -28,6 +30,12 @@ class FactChange:
     names: tuple[tuple[str, str], ...] = ()
     beside: int = 0
     fault: str = ""
+    asks: str = ""
+
+    @property
+    def ready(self) -> bool:
+        """Whether it can be done as it is."""
+        return not (self.fault or self.asks)
 
     @property
     def count(self) -> int:
@@ -35,10 +43,15 @@ class FactChange:
         return len(self.names) + self.beside
 
     @property
+    def lines(self) -> tuple[str, ...]:
+        """Each state that changes, with its name afterwards."""
+        return tuple(f"{old} → {new}" for old, new in self.names)
+
+    @property
     def sentence(self) -> str:
         """What it does, with the number of states."""
-        if self.fault:
-            return self.fault
+        if not self.ready:
+            return self.fault or self.asks
         if self.beside:
             kept = counted(self.beside, "state keeps its name", "states keep their names")
             return f"{self.words} {kept}; the value stands beside."
@@ -81,6 +94,27 @@ def move(branch: StateBranch, digit: int, place: int) -> FactChange:
         lambda blueprint: editing.move_fact(blueprint, name, digit, place),
     )
     return _told(made, branch, order)
+
+
+def renaming(branch: StateBranch, digit: int, old: str, new: str) -> FactChange:
+    """A value of the fact gets another name."""
+    name, fact = branch.name, branch.fact_name(digit)
+    made = FactChange(
+        f"“{old}” of “{fact}” becomes “{new}”.",
+        "Rename",
+        f"Rename value {old} of fact {digit} to {new}",
+        lambda blueprint: editing.rename_value(blueprint, name, digit, old, new),
+    )
+    if new in ("", old):
+        return replace(made, asks=f"Another name for the value “{old}” of “{fact}”?")
+    try:
+        changes = renamed_value(branch, digit, old, new)
+        names = names_with(branch, changes)
+    except EditRefused as error:
+        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+    if not names:
+        return replace(made, beside=len(changes))
+    return replace(made, names=tuple(names.items()))
 
 
 def paste(branch: StateBranch, text: str) -> FactChange:

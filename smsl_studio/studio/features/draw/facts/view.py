@@ -31,7 +31,7 @@ TIPS = {
     "name": "The plain name of the fact",
     "critical": "Whether people may be harmed if it is wrong",
     "unit": "The unit of its sensors",
-    "value": "{}: click to let it count as on or as a failure",
+    "value": "{}: click to rename it, or to let it count as on or as a failure",
     "meaning": "What {} means",
     "source": "The sensors that read it, with commas between",
     "sub": "Show {}",
@@ -46,7 +46,10 @@ class FactView(QListView):
     typed = Signal(int, str, str, str)
     """(digit, kind of cell, value, text): the person typed this text into a cell."""
     pressed_cell = Signal(int, str, str, QPoint)
-    """(digit, kind of cell, value, place on the screen): the person pressed another cell."""
+    """(digit, kind of cell, value, place on the screen): the person pressed another cell.
+
+    The kind is ``rename`` for F2 on a value.
+    """
     moved = Signal(int, int)
     """(digit, place): the person wants this fact at another place."""
     unwanted = Signal(int)
@@ -240,13 +243,14 @@ class FactView(QListView):
         hit = (cell for cell in cells if cell.rect.adjusted(-2, -2, 2, 2).contains(inside))
         return index.row(), next(hit, None)
 
-    def _act(self, row: int, cell: Cell) -> None:
+    def _act(self, row: int, cell: Cell, rename: bool = False) -> None:
         if cell.kind in TYPED:
             self.edit_cell(row, *cell.key)
         else:
+            kind = "rename" if rename and cell.kind == "value" else cell.kind
             place = self.rect_of(row, *cell.key).bottomLeft()
             where = self.viewport().mapToGlobal(place)
-            self.pressed_cell.emit(row, cell.kind, cell.value, where)
+            self.pressed_cell.emit(row, kind, cell.value, where)
 
     # Keys
 
@@ -264,8 +268,10 @@ class FactView(QListView):
             self.moved.emit(row, row + (1 if key == Key.Key_Down else -1))
         elif key in (Key.Key_Left, Key.Key_Right):
             self._choose(row, 1 if key == Key.Key_Right else -1)
-        elif key in (Key.Key_Return, Key.Key_Enter, Key.Key_F2, Key.Key_Space):
+        elif key in (Key.Key_Return, Key.Key_Enter, Key.Key_Space):
             self._act(row, self._current(row))
+        elif key == Key.Key_F2:
+            self._act(row, self._current(row), rename=True)
         elif key == Key.Key_Delete:
             self.unwanted.emit(row)
         elif event.text().isprintable() and event.text().strip():

@@ -14,17 +14,18 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.picture.sub_marks import sub_mark
-from smsl_studio.studio.base.controls import Combo, Switch, label, row
+from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.lines.bound_function import BindingLine
 from smsl_studio.studio.base.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.base.lines.digits import DigitsLine
-from smsl_studio.studio.base.lines.line import FormLine, ShownValue
+from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue
 from smsl_studio.studio.base.lines.requires import RequiresLine
 from smsl_studio.studio.base.lines.roles import RolesLine
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLine
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, counted
+from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm
@@ -61,14 +62,13 @@ class OperationForm(NoteForm):
         self._build_details(tokens)
 
     def _build_edge(self) -> None:
-        self.naming = TextLine("Name", "The name of this edge (F2)")
+        self.naming = TextLine("Name", "The name of the operation (F2)")
         self.naming.given.connect(self._rename)
         self.name = self.naming.field
-        self.everywhere = Switch()
-        self._every_words = label("", "second")
-        tip = "Rename every edge of this name in the State Branch"
-        self._every = FormLine("", self.everywhere, tip, self._every_words, None)
-        self.everywhere.setAccessibleName("Rename everywhere")
+        self._scopes: tuple[RenameScope, ...] = ()
+        self.scope = Combo()
+        tip = "For which operations of this name a new name holds"
+        self._scope = FormLine("Rename", self.scope, tip)
         self.source = QPushButton()
         self.source.setProperty("role", "link")
         self.source.clicked.connect(self._select_source)
@@ -76,7 +76,7 @@ class OperationForm(NoteForm):
         self.target = Combo()
         self._to = FormLine("To", self.target, "The state this operation leads to")
         self.target.activated.connect(self._retarget)
-        for line in (self.naming, self._every, self._from, self._to):
+        for line in (self.naming, self._scope, self._from, self._to):
             self.column.addWidget(line)
 
     def _build_details(self, tokens: Tokens) -> None:
@@ -145,19 +145,25 @@ class OperationForm(NoteForm):
     def show_operations(self, blueprint: Blueprint, edges: Sequence[Address]) -> None:
         """Show one edge, or what several share."""
         if tuple(edges) != self._edges:
-            self.everywhere.setChecked(False)
             self._edges = tuple(edges)
             self._offer_where(blueprint)
+            self.scope.setCurrentIndex(0)
         one = edges[0] if len(edges) == 1 else None
         names = {edge.operation for edge in edges}
         self._heading.setText("Operation" if one else counted(len(edges), "operation"))
         self._name.setText(edges[0].operation if len(names) == 1 else "")
-        for line in (self.naming, self._from, self._to):
-            line.setVisible(one is not None)
+        branch = blueprint[edges[0].branch]
+        together = all(edge.branch == branch.name for edge in edges)
+        self.naming.setVisible(len(names) == 1 and together)
+        self._from.setVisible(one is not None)
+        self._to.setVisible(together)
+        for line in (self.naming, self._to):
             line.refuse("")
-        if one is not None:
-            self._show_edge(blueprint[one.branch], one)
-        self._every.setVisible(one is not None and self._count_of(one) > 1)
+        self._show_scopes(blueprint, len(names) == 1 and together)
+        self.source.setText(as_it_is(edges[0].state))
+        self.source.setToolTip(tip_text(f"Select {edges[0].state}"))
+        if together:
+            self._show_target(branch)
         self.alone.show_edges(edges)
         self._show_details()
 
@@ -170,19 +176,27 @@ class OperationForm(NoteForm):
             return names[0]
         return counted(len(self._edges), "operation")
 
-    def _show_edge(self, branch: StateBranch, edge: Address) -> None:
-        self.naming.show_values([ShownValue(edge.operation)])
-        self._every_words.setText(f"Rename all {self._count_of(edge)}")
-        self.source.setText(as_it_is(edge.state))
-        self.source.setToolTip(tip_text(f"Select {edge.state}"))
-        target = branch.table[edge.state][edge.operation]
-        states = list(branch.table)
-        known = target in branch.table
-        items = states if known else [f"{target} (no such state)", *states]
+    def _show_scopes(self, blueprint: Blueprint, one_name: bool) -> None:
+        """Show the name of the edges, and where a new name may hold if others have it too."""
+        at = self.scope.currentIndex()
+        self._scopes = rename_scopes(blueprint, self._edges) if one_name else ()
+        self.naming.show_values([ShownValue(self._edges[0].operation)])
+        self.scope.clear()
+        self.scope.addItems([scope.words for scope in self._scopes])
+        self.scope.setCurrentIndex(at if 0 <= at < len(self._scopes) else 0)
+        self._scope.setVisible(len(self._scopes) > 1)
+
+    def _show_target(self, branch: StateBranch) -> None:
+        """Show the state to which all edges lead, or that they differ."""
+        targets = {branch.table[edge.state][edge.operation] for edge in self._edges}
+        states, first = list(branch.table), next(iter(targets))
+        unknown = f"{first} (no such state)" if len(targets) == 1 else VARIOUS
+        known = len(targets) == 1 and first in branch.table
+        items = states if known else [unknown, *states]
         if [self.target.itemText(i) for i in range(self.target.count())] != items:
             self.target.clear()
             self.target.addItems(items)
-        self.target.setCurrentIndex(states.index(target) if known else 0)
+        self.target.setCurrentIndex(states.index(first) if known else 0)
 
     def _show_details(self) -> None:
         blueprint = self._session.blueprint
@@ -233,30 +247,34 @@ class OperationForm(NoteForm):
         own = noted_edges(blueprint, self._edges)
         self.where.setCurrentIndex(1 if own else 0)
 
-    def _count_of(self, edge: Address) -> int:
-        table = self._session.blueprint[edge.branch].table
-        return sum(edge.operation in operations for operations in table.values())
-
     # Edits.
 
     def _rename(self, new: Any) -> None:
-        edge, name, every = self._edges[0], str(new or ""), self.everywhere.isChecked()
-        done = self.edit(
-            f"Rename {edge.operation} to {name}",
-            lambda bp: editing.rename(bp, edge, name, rename_everywhere=every),
+        name, old = str(new or ""), self._edges[0].operation
+        chosen = self._scopes[max(self.scope.currentIndex(), 0)].addresses
+        where = f" in {len(chosen):,} places" if len(chosen) > 1 else ""
+        self.edit(
+            f"Rename {old} to {name}{where}",
+            lambda bp: editing.rename_operations(bp, chosen, name),
             self.naming.refuse,
         )
-        if done:
-            self._session.select((Address(edge.branch, edge.state, name),))
 
     def _retarget(self) -> None:
-        edge, target = self._edges[0], self.target.currentText()
-        if target in self._session.blueprint[edge.branch].table:
+        edges = self._edges
+        states = list(self._session.blueprint[edges[0].branch].table)
+        # A first entry that is no state says that there is none, or that they differ.
+        at = self.target.currentIndex() - (self.target.count() - len(states))
+        if at >= 0:
+            target = states[at]
             self.edit(
-                f"Lead {edge.operation} to {target}",
-                lambda bp: editing.retarget(bp, edge, target),
+                f"Lead {self._leading()} to {target}",
+                lambda bp: editing.retarget(bp, edges, target),
                 self._to.refuse,
             )
+
+    def _leading(self) -> str:
+        return self._edges[0].operation if len(self._edges) == 1 else counted(
+            len(self._edges), "operation")  # fmt: skip
 
     def _select_source(self) -> None:
         edge = self._edges[0]

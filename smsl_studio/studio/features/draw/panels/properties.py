@@ -61,7 +61,6 @@ class Properties(QScrollArea):
         session.selection_changed.connect(lambda *_: self._show())
         session.branch_changed.connect(lambda *_: self._show())
         session.blueprint_changed.connect(lambda *_: self._show())
-        self.state.fact_wanted.connect(self.show_fact)
         self.header.fact_wanted.connect(self.show_fact)
         self.fact.left.connect(session.leave_fact)
         self.fact.sub_wanted.connect(session.show_branch)
@@ -118,7 +117,7 @@ class Properties(QScrollArea):
 
 
 class _Several(Panel):
-    """How many elements are selected, the facts the states share, and a button to delete them."""
+    """How many elements are selected, the ways between two states, and a button to delete them."""
 
     def __init__(self, session: Session) -> None:
         super().__init__("Selection")
@@ -126,8 +125,6 @@ class _Several(Panel):
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(8)
         self._count: QLabel = label("", "heading")
-        self._facts: QLabel = label("", "small")
-        self._facts.setWordWrap(True)
         self._ways: QLabel = label("", "small")
         self._ways.setWordWrap(True)
         self.ways = QPushButton("Show ways between")
@@ -136,7 +133,6 @@ class _Several(Panel):
         self.delete.setToolTip("Delete what is selected (Del)")
         self.delete.clicked.connect(self._delete)
         self.column.addWidget(self._count)
-        self.column.addWidget(self._facts)
         self.column.addWidget(self._ways)
         self.column.addLayout(row(self.ways, None))
         self.column.addLayout(row(self.delete, None))
@@ -148,14 +144,12 @@ class _Several(Panel):
         self._ways.setVisible(bool(words))
 
     def show_selection(self, states: list[Address], edges: list[Address]) -> None:
-        """Count the selected elements, and show the facts that the states share."""
+        """Count the selected elements."""
         words = [counted(len(states), "state")] if states else []
         words += [counted(len(edges), "operation")] if edges else []
         self._count.setText(f"{' and '.join(words)} selected")
         # If all are of one kind, the heading of their form shows the count.
         self._count.setVisible(len(words) > 1)
-        self._facts.setText(_shared_facts(self._session.blueprint, states))
-        self._facts.setVisible(bool(self._facts.text()))
         self.delete.setText(f"Delete {' and '.join(words)}")
         two = len(states) == 2 and not edges
         self.ways.setVisible(two and states[0].branch == states[1].branch)
@@ -165,20 +159,6 @@ class _Several(Panel):
         self._session.edit(
             f"Delete {counted(len(chosen), 'element')}", lambda bp: editing.delete(bp, chosen)
         )
-
-
-def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
-    """The facts with the same value in all selected states, in words."""
-    if len(states) < 2 or len({a.branch for a in states}) != 1:
-        return ""
-    branch = blueprint[states[0].branch]
-    columns = list(zip(*(branch.facts(a.state) for a in states), strict=False))
-    same = [
-        f"{branch.fact_name(digit)} is {column[0]}"
-        for digit, column in enumerate(columns)
-        if len(set(column)) == 1
-    ]
-    return f"In all of them {', '.join(same)}." if same else "They share no fact."
 
 
 def _stands(blueprint: Blueprint, address: Address) -> bool:

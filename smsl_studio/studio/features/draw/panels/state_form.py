@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint import editing
@@ -41,8 +41,8 @@ PLAIN = StateNote()
 class StateForm(NoteForm):
     """Edits one state, or what several share. A click on an operation selects it."""
 
-    fact_wanted = Signal(str, int)
-    """(SB, digit): the person clicked this fact."""
+    values_wanted = Signal(int, QPoint)
+    """(digit, point of the screen): the person clicked this fact of the states."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("State", "_states", session, parent)
@@ -103,8 +103,12 @@ class StateForm(NoteForm):
         self._name.setText(_short(one.state, 24) if one else "")
         self._name.setToolTip(tip_text(one.state if one else ""))
         self.show_entries(_entries(blueprint, states))
-        for widget in (self.naming, self._facts, self._out, self.notes):
+        for widget in (self.naming, self._out, self.notes):
             widget.setVisible(one is not None)
+        named = {at.branch for at in states}
+        self._facts.setVisible(len(named) == 1)
+        if len(named) == 1:
+            self.chips.show_states(blueprint[named.pop()], [at.state for at in states])
         shapes = [blueprint[name].shape for name in {at.branch for at in states}]
         self._lines["facts"].setVisible(any(shape.opaque or shape.width == 0 for shape in shapes))
         fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
@@ -116,7 +120,6 @@ class StateForm(NoteForm):
         branch = blueprint[one.branch]
         self.notes.show_state(branch, one.state)
         self.naming.show_values([ShownValue(one.state)])
-        self.chips.show_state(branch, one.state)
         rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]
         self._count.setText(str(len(rows)))
         self._to.setVisible(bool(rows))
@@ -140,7 +143,8 @@ class StateForm(NoteForm):
             self._session.select((Address(address.branch, name),))
 
     def _want_fact(self, digit: int) -> None:
-        self.fact_wanted.emit(self._states[0].branch, digit)
+        place = self.chips.place_of(digit).bottomLeft().toPoint()
+        self.values_wanted.emit(digit, self.chips.mapToGlobal(place + QPoint(0, 6)))
 
     def _clicked(self, index: QModelIndex) -> None:
         row_ = index.data(Qt.ItemDataRole.UserRole)

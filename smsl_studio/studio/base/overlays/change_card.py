@@ -1,8 +1,10 @@
-"""The card that tells what a change of the facts does to the states, and asks for a yes."""
+"""The card that tells what a change does to many places, and asks for a yes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -11,34 +13,68 @@ from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, Field, label, row
 from smsl_studio.studio.base.theme import mono_font
-from smsl_studio.studio.features.draw.facts.proposals import FactChange
 
 SHOWN = 4
-"""So many states are named; the number of the others follows."""
+"""So many lines are shown; the number of the others follows."""
+
+
+class ProposedChange(Protocol):
+    """A change that waits for a yes."""
+
+    @property
+    def sentence(self) -> str:
+        """What it does, with numbers; or why it cannot be done."""
+
+    @property
+    def lines(self) -> Sequence[str]:
+        """What becomes of each place, such as ``State_0 → State_00``."""
+
+    @property
+    def verb(self) -> str:
+        """The word on the button."""
+
+    @property
+    def fault(self) -> str:
+        """Why it cannot be done; empty if it can."""
+
+    @property
+    def ready(self) -> bool:
+        """Whether it can be done as it is: without a fault, and with all that is asked for."""
+
+
+@dataclass(frozen=True)
+class AskedValue:
+    """The field of a card: its words, its name for screen readers, and what it shows if empty."""
+
+    words: str
+    name: str
+    hint: str = ""
+
+
+NOTHING_ASKED = AskedValue("", "")
 
 
 class ChangeCard(QFrame):
-    """A proposal with its effect on the states. Enter agrees, Escape gives it up."""
+    """A proposal with its effect on each place. Enter agrees, Escape gives it up."""
 
     agreed = Signal(object)
-    """FactChange: the person wants it."""
+    """ProposedChange: the person wants it."""
     closed = Signal()
     shown = Signal(bool)
     """Whether the card is there now."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "float")
-        self.setAccessibleName("Change of the facts")
-        self._proposal: FactChange | None = None
-        self._again: Callable[[str], FactChange] | None = None
+        self.setAccessibleName(plain_text(name))
+        self._proposal: ProposedChange | None = None
+        self._again: Callable[[str], ProposedChange] | None = None
         self.words = label("", "second")
         self.words.setWordWrap(True)
         self.names = [Elided() for _ in range(SHOWN)]
         self.rest = label("", "hint")
-        self._value_words = label("Its value in them", "small")
+        self._value_words = label("", "small")
         self.value = Field()
-        self.value.setAccessibleName("Value of the new fact in all states")
         self.value.setFixedWidth(64)
         self.agree, self.cancel = QPushButton("Agree"), QPushButton("Cancel")
         self.agree.setProperty("role", "primary")
@@ -59,23 +95,31 @@ class ChangeCard(QFrame):
         self.hide()
 
     @property
-    def proposal(self) -> FactChange | None:
+    def proposal(self) -> ProposedChange | None:
         """What is proposed now; None if the card is closed."""
         return self._proposal
 
     def propose(
-        self, proposal: FactChange, again: Callable[[str], FactChange] | None = None
+        self,
+        proposal: ProposedChange,
+        again: Callable[[str], ProposedChange] | None = None,
+        asked: AskedValue = NOTHING_ASKED,
     ) -> None:
-        """Show a proposal. ``again`` gives the proposal with another value of the new fact."""
+        """Show a proposal. ``again`` gives the proposal with another text in the field ``asked``,
+        which has the keys if the first proposal cannot be done.
+        """
         self._again = again
         for widget in (self._value_words, self.value):
             widget.setVisible(again is not None)
+        self._value_words.setText(asked.words)
         self.value.settle("")
-        self.value.setPlaceholderText("0")
+        self.value.setAccessibleName(plain_text(asked.name))
+        self.value.setPlaceholderText(asked.hint)
         self._show(proposal)
         self.show()
         self.shown.emit(True)
-        (self.agree if self.agree.isEnabled() else self.cancel).setFocus()
+        first = self.value if again is not None else self.cancel
+        (self.agree if proposal.ready else first).setFocus()
 
     def close_card(self) -> None:
         """Give the proposal up."""
@@ -94,22 +138,22 @@ class ChangeCard(QFrame):
         else:
             super().keyPressEvent(event)
 
-    def _show(self, proposal: FactChange) -> None:
+    def _show(self, proposal: ProposedChange) -> None:
         self._proposal = proposal
         self.words.setText(proposal.sentence)
         self.words.setProperty("role", "refusal" if proposal.fault else "second")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
         for at, one in enumerate(self.names):
-            shown = at < len(proposal.names)
+            shown = at < len(proposal.lines)
             one.setVisible(shown)
             if shown:
-                one.setText("{} → {}".format(*proposal.names[at]))
-        rest = len(proposal.names) - SHOWN
+                one.setText(proposal.lines[at])
+        rest = len(proposal.lines) - SHOWN
         self.rest.setText(f"and {rest:,} more")
         self.rest.setVisible(rest > 0)
         self.agree.setText(plain_text(proposal.verb))
-        self.agree.setEnabled(not proposal.fault)
+        self.agree.setEnabled(proposal.ready)
 
     def _value_typed(self, text: str) -> None:
         if self._again is not None:
@@ -117,7 +161,7 @@ class ChangeCard(QFrame):
 
     def _agree(self) -> None:
         proposal = self._proposal
-        if proposal is not None and not proposal.fault:
+        if proposal is not None and proposal.ready:
             self._proposal = None
             self.hide()
             self.shown.emit(False)
