@@ -271,6 +271,18 @@ def test_without_a_selected_state_enter_selects_the_operations_as_a_click_does(s
     assert person.selected() == ["SB1/State110/Operation110B"]
 
 
+def test_a_drag_over_the_canvas_of_a_narrow_window_closes_the_drawer(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1100, 760))
+    person.ctrl(Key.Key_B)
+    drawer = person.window.docks.drawer
+    person.until(drawer.isVisible)
+    data, at = library_data("operation", "Inspect"), person.place("SB1/State111")
+    enter = QDragEnterEvent(at, COPY, data, LEFT, NONE)
+    QApplication.sendEvent(person.window.canvas.viewport(), enter)
+    assert enter.isAccepted()
+    assert not drawer.isVisible()
+
+
 def test_a_row_is_dragged_with_its_name_and_the_selection_stays(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:

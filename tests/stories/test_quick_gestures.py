@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -210,6 +210,31 @@ def test_a_fixed_target_is_not_replaced_by_a_click(hfsm: Drawer) -> None:
     hfsm.click(hfsm.place("State100"))
     assert hfsm.editor.field is None
     assert hfsm.selected() == ["State100"]
+
+
+@pytest.mark.parametrize("state", ["State000", "State110", "State111"])
+def test_the_card_of_a_new_state_covers_neither_it_nor_others(hfsm: Drawer, state: str) -> None:
+    hfsm.click(hfsm.place(state))
+    hfsm.key(Key.Key_Tab)
+    card, drawn = hfsm.editor.field, hfsm.canvas.gestures.drawn
+    assert card is not None
+    assert drawn is not None
+    new = QRect(0, 0, 108, 54)
+    new.moveCenter(hfsm.at(drawn.end))
+    assert not card.geometry().intersects(new)
+    away = card.geometry().center() - new.center()
+    assert abs(away.x()) < 220, "it is beside the new state, or above or below"
+    assert abs(away.y()) < 220
+    for name in hfsm.canvas.positions:
+        assert not card.geometry().contains(hfsm.place(name))
+
+
+def test_a_card_in_place_of_another_shows_its_own_new_state(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Tab)
+    hfsm.canvas.setFocus()
+    hfsm.key(Key.Key_Tab)
+    assert hfsm.canvas.gestures.drawn is not None
 
 
 # The buttons beside a state

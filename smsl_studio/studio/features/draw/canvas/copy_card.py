@@ -16,6 +16,8 @@ from smsl_studio.studio.base.overlays.name_line import NameLine, complain, error
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.features.draw.canvas.chip_choice import ChipChoice
 
+HINT = "Enter adds it, Esc does not"
+
 
 class CopyCard(PassingCard):
     """Name and facts of a copy that is not made yet. Enter makes it, Esc gives it up.
@@ -48,6 +50,7 @@ class CopyCard(PassingCard):
         self.name.setText(named)
         self.name.selectAll()
         self.error = error_label(self, tokens)
+        self.hint = self._words(HINT, 11)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(4)
@@ -58,11 +61,11 @@ class CopyCard(PassingCard):
             self.chips.setFixedHeight(self.chips.heightForWidth(232))
         layout.addWidget(self.name)
         layout.addWidget(self.error)
-        layout.addWidget(self._words("Enter adds it, Esc does not", 11))
+        layout.addWidget(self.hint)
         self.setFixedWidth(252)
         self._wire()
 
-    def _words(self, text: str, size: int) -> QWidget:
+    def _words(self, text: str, size: int) -> Elided:
         words = Elided(text, self)
         words.setFont(text_font(size, 500))
         tint(words, self.tokens.tx3)
@@ -85,18 +88,20 @@ class CopyCard(PassingCard):
 
     def commit(self) -> None:
         """Make the copy. If that is refused, show why and keep what was chosen."""
-        if self._closing:
+        if self._closing or self._is_taken():
             return
         reason = self._commit(self.name.text().strip())
         if reason:
-            self._complain(reason)
+            complain(self.error, reason, self.width() - 20)
+            self.adjustSize()
         else:
             self.close_field()
 
     @property
     def complaint(self) -> str:
         """What is wrong with the name; empty if nothing is."""
-        return self.error.text()
+        said = self.hint.text() if self.hint.text() != HINT else ""
+        return said if self.error.isHidden() else self.error.text()
 
     def _chosen(self) -> None:
         assert self.chips is not None
@@ -112,11 +117,16 @@ class CopyCard(PassingCard):
 
     def _changed(self) -> None:
         self.untouched = False
+        self._is_taken()
+        self.named.emit(self.name.text().strip())
+
+    def _is_taken(self) -> bool:
+        """Whether there is such a state already. It is told in the last line: a card that grew
+        could cover the sketch.
+        """
         name = self.name.text().strip()
         taken = name in self._branch.table
-        self._complain(f"There is already a state {name}." if taken else "")
-        self.named.emit(name)
-
-    def _complain(self, reason: str) -> None:
-        complain(self.error, reason, self.width() - 20)
-        self.adjustSize()
+        self.error.hide()
+        self.hint.setText(f"There is already a state {name}." if taken else HINT)
+        tint(self.hint, self.tokens.bad if taken else self.tokens.tx3)
+        return taken

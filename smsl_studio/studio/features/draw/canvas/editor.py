@@ -199,7 +199,6 @@ class CanvasEditor(QObject):
                 self.session.select((Address(branch, source.state, name),))
             return reason
 
-        self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
         card = ConnectCard(
             self.canvas,
             self.canvas.tokens,
@@ -218,6 +217,8 @@ class CanvasEditor(QObject):
         if pattern:
             card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
         self.open_card(card, self._beside(at))
+        # A card that was open before has taken its own line along.
+        self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
 
     def rename(self, address: Address) -> None:
         """Edit the name of a state or operation on the canvas, which scrolls to it."""

@@ -38,7 +38,7 @@ def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) ->
     ]
     places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
     places += [QPoint(p.x(), inside.top()) for p in places[:4]]
-    new = QRect(0, 0, 2 * aside, aside)
+    new = QRect(0, 0, 2 * aside - 8, aside)
     new.moveCenter(at)
     hidden = None
     for place in places:

@@ -51,6 +51,9 @@ class LibraryDrop(QObject):
         """Take the events of drags from the library; others go on, such as those of files."""
         if isinstance(event, QDragEnterEvent):
             self._drop = self._found(event.mimeData())
+            if self._drop is not None:
+                # In a narrow window the library lies over the canvas until it loses the focus.
+                self._canvas.setFocus()
             return self._show(event)
         if isinstance(event, QDragMoveEvent):
             return self._show(event)
