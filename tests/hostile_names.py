@@ -30,6 +30,18 @@ BLUEPRINT = {
         "HEADER": {"INITIAL": FIRST, "ACTIVATING": SECOND, "NUM_FACTS": 1, f"{TAG}{TURNS}KEY": 1},
         "_facts": {"0": {"name": f"{TAG}{TURNS}fact", "values": {"1": f"{BOLD}{TURNS}on"}}},
         "_states": {FIRST: {"title": f"{TAG}{TURNS}title"}},
+        "_notes": {
+            f"{TAG}{TURNS}": {
+                "text": f"{TAG}\n{STEERS}{TURNS}",
+                "author": f"{BOLD}{TURNS}",
+                "date": f"{TAG}{HIDES}",
+                "at": [0, -150],
+                "state": FIRST,
+            },
+        },
+        "_layout": {
+            "_groups": {f"{TAG}{TURNS}": {"title": f"{TAG}{TURNS}group", "states": [FIRST, SECOND]}}
+        },
         FIRST: {OPERATION: SECOND, f"{OPERATION}2": f"{SECOND}gone"},
         SECOND: {f"back{OPERATION}": FIRST},
     },
