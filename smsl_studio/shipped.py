@@ -1,4 +1,4 @@
-"""The folders of the files that ship with the code: plugins, samples, resources.
+"""The folders of the files that ship with the code: plugins, samples, resources, pages.
 
 In a checkout these are the folders at the top, so that an edit there has an effect at once. In an
 installed wheel they lie inside the package. All other code asks this module for them.
@@ -24,6 +24,11 @@ def samples_dir() -> Path:
 def resources_dir() -> Path:
     """Return the folder of icons and other pictures."""
     return _shipped("resources")
+
+
+def docs_dir() -> Path:
+    """Return the folder of the pages that the window shows as help."""
+    return _shipped("docs")
 
 
 def _shipped(name: str) -> Path:

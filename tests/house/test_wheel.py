@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from smsl_studio.shipped import plugins_dir, resources_dir, samples_dir
+from smsl_studio.shipped import docs_dir, plugins_dir, resources_dir, samples_dir
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("plugins", "resources", "samples")
+FOLDERS = ("docs", "plugins", "resources", "samples")
 
 
 @pytest.fixture(scope="module")
@@ -29,7 +29,8 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_checkout_uses_its_own_folders() -> None:
-    assert [plugins_dir(), resources_dir(), samples_dir()] == [ROOT / name for name in FOLDERS]
+    folders = [docs_dir(), plugins_dir(), resources_dir(), samples_dir()]
+    assert folders == [ROOT / name for name in FOLDERS]
 
 
 def test_the_wheel_holds_every_shipped_file_and_no_other(installed: Path) -> None:

@@ -113,15 +113,12 @@ def test_the_second_card_asks_for_a_file(
     assert (person.window.mode, person.window.menu_row.title) == ("draw", "hfsm.json")
 
 
-def test_try_it_opens_a_copy_at_its_first_error_with_the_fix(sit: Sit) -> None:
+def test_try_it_begins_the_tour(sit: Sit) -> None:
     person = sit(begin=False)
     window = person.window
     person.click(page_of(window).column.cards[2])
-    person.until(window.fix_card.isVisible)
     assert (window.menu_row.title, window.files.path) == ("hanoi.json", None)
-    assert len(person.selected()) == 1
-    person.ctrl(Key.Key_Period)
-    assert len(person.steps()) == 1, "the fix is one step"
+    assert window.features.tour.tour is not None
 
 
 def test_a_sample_opens_as_a_copy_and_has_its_picture(sit: Sit) -> None:

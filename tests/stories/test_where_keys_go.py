@@ -96,7 +96,7 @@ def test_a_choice_that_is_locked_hands_the_keys_to_the_canvas(sit: Sit) -> None:
 @pytest.mark.parametrize("width", [560, 420])
 def test_the_list_of_keys_is_not_scrolled_sideways(sit: Sit, width: int) -> None:
     person = sit()
-    person.press(Key.Key_F1)
+    person.press(Key.Key_F1, [Qt.KeyboardModifier.ShiftModifier])
     dialog = next(d for d in person.window.findChildren(QDialog) if d.isVisible())
     dialog.resize(width, 620)
     QApplication.processEvents()

@@ -88,7 +88,7 @@ def test_every_action_has_words_and_a_tip_and_no_key_means_two_things(sit: Sit) 
 
 def test_the_list_of_keys_names_every_key(sit: Sit) -> None:
     person = sit()
-    person.press(Key.Key_F1)
+    person.press(Key.Key_F1, [Qt.KeyboardModifier.ShiftModifier])
     dialog = next(d for d in person.window.findChildren(QDialog) if d.isVisible())
     words = {part.text() for part in dialog.findChildren(QLabel)}
     for action in person.window.actions_table:

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Protocol, runtime_checkable
 
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.library.loaded import Loaded
@@ -18,6 +18,15 @@ from smsl_studio.studio.base.theme import Tokens
 
 KeyList = tuple[str, tuple[tuple[str, str], ...]]
 """A title, and pairs (words, key) below it, for the list of shortcuts."""
+
+
+Control = tuple[QWidget, QRect]
+"""A widget, and the part of it that counts."""
+
+
+def whole(widget: QWidget) -> Control:
+    """A widget as a control."""
+    return widget, widget.rect()
 
 
 @dataclass(frozen=True)
@@ -74,6 +83,10 @@ class Feature:
     it opens."""
     keys: tuple[KeyList, ...] = ()
     """Keys that are no actions, for the list of shortcuts."""
+
+    def control(self, name: str) -> Control | None:
+        """The control of this name, for somebody who points at it; None if there is none now."""
+        return None
 
     def actions(self) -> tuple[Action, ...]:
         """The rows of this feature for the table of actions, in their order."""
@@ -190,6 +203,9 @@ class Shell(Protocol):
 
     def corner_below(self, action: str) -> QPoint:
         """The point of the screen below the button of an action, for a menu."""
+
+    def controls(self, name: str) -> list[Control]:
+        """The controls of this name in all features and bars, visible or not."""
 
     def new_window(self) -> None:
         """Open another window."""

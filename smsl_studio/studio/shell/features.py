@@ -13,6 +13,7 @@ from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
+from smsl_studio.studio.features.help.feature import HelpFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
@@ -20,6 +21,7 @@ from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.start.feature import StartFeature
 from smsl_studio.studio.features.supervise.feature import SuperviseFeature
+from smsl_studio.studio.features.tour.feature import TourFeature
 from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows
 
@@ -56,6 +58,8 @@ class Features(QObject):
         self.draw.notes.author = windows.persons.author
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.start = StartFeature(parts, shell)
+        self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
+        self.tour = TourFeature(parts, shell, self.help.show_first)
         self.run = RunFeature(parts, shell, windows.spare)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
@@ -70,7 +74,7 @@ class Features(QObject):
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.start, self.export, self.run, self.supervise)
-        yield from (self.people, self.monitor, self.replay)
+        yield from (self.people, self.monitor, self.replay, self.tour, self.help)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane
@@ -81,6 +85,7 @@ class Features(QObject):
     def _introduce(self, pane: RunPane) -> None:
         """Connect the parts of a run with each other, after they were made."""
         supervise, people = self.supervise.part(), self.people.part()
+        self.tour.follow(pane.run)
         pane.monitor_wanted.connect(self.monitor.toggle)
         supervise.begin_wanted.connect(pane.play)
         pane.reset_wanted.connect(lambda: supervise.ask_for("reset"))
@@ -125,6 +130,7 @@ class Features(QObject):
     def mode_shown(self) -> None:
         """Tell the run that another mode is shown, in which a run may begin."""
         self.run.mode_shown()
+        self.tour.look()
 
     def keep_unsaved(self) -> bool:
         """Write the journal now; returns whether there is unsaved work."""

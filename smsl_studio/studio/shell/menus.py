@@ -17,6 +17,7 @@ def all_actions(features: Iterable[Feature], shell: Shell) -> tuple[Action, ...]
 def help_actions(shell: Shell) -> tuple[Action, ...]:
     """The rows of the Help menu."""
     return (
-        Action("shortcuts", "Keyboard shortcuts", shell.show_shortcuts, "Help", "", ("F1",)),
-        Action("about", "About SMSL Studio", shell.show_about, "Help"),
-    )
+        Action("shortcuts", "Keyboard shortcuts", shell.show_shortcuts, "Help", "",
+               ("Shift+F1",), section=1),
+        Action("about", "About SMSL Studio", shell.show_about, "Help", section=1),
+    )  # fmt: skip

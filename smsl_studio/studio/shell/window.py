@@ -9,7 +9,7 @@ from PySide6.QtGui import QCloseEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from smsl_studio.studio.base.actions import Actions
-from smsl_studio.studio.base.feature import AllWindows, DockSides
+from smsl_studio.studio.base.feature import AllWindows, Control, DockSides
 from smsl_studio.studio.base.lines.typed_field import take_over
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.toast import Toast
@@ -238,6 +238,11 @@ class Window(QMainWindow):
     def corner_below(self, action: str) -> QPoint:
         """The point of the screen below the button of an action."""
         return self.mode_bar.below(action)
+
+    def controls(self, name: str) -> list[Control]:
+        """The controls of this name in all features and in the mode bar, visible or not."""
+        found = [self.mode_bar.control(name), *(one.control(name) for one in self.features)]
+        return [control for control in found if control is not None]
 
     def show_tab(self, name: str) -> None:
         """Show the panel of this name."""

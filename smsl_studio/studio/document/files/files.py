@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -153,13 +153,14 @@ class Files(QObject):
         self.changed.emit()
         return True
 
-    def open_copy(self, path: Path) -> bool:
-        """Open a sample as a new blueprint of that name; a save will ask for a place."""
+    def open_copy(self, path: Path, change: Callable[[Blueprint], Blueprint] | None = None) -> bool:
+        """Open a sample, or what ``change`` makes of it, as a new blueprint of that name."""
         self.asking.emit()
         opened = self._read(path)
         if opened is None or not self.may_leave():
             return False
-        self.show(opened, None, path.name)
+        made = replace(opened, blueprint=change(opened.blueprint)) if change else opened
+        self.show(made, None, path.name)
         return True
 
     def show(self, opened: OpenedFile, path: Path | None, name: str) -> None:

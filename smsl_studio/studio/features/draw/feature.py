@@ -14,7 +14,15 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
-from smsl_studio.studio.base.feature import Coloured, DockPanel, Feature, Page, Shell
+from smsl_studio.studio.base.feature import (
+    Coloured,
+    Control,
+    DockPanel,
+    Feature,
+    Page,
+    Shell,
+    whole,
+)
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
@@ -203,6 +211,13 @@ class DrawFeature(Feature):
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
 
     # Called by the shell.
+
+    def control(self, name: str) -> Control | None:
+        """The first finding, and the card with its fix."""
+        if name == "finding":
+            rows = self.findings.list
+            return rows.viewport(), rows.visualRect(rows.model().index(0, 0))
+        return whole(self.fix_card) if name == "fix" else None
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
         """Offer the operations of the plugins in the library, the source and the forms."""

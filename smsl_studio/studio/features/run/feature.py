@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEventLoop, QTimer
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Feature, Page, Shell
+from smsl_studio.studio.base.feature import Control, Feature, Page, Shell, whole
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.run.actions import run_actions
@@ -100,6 +100,15 @@ class RunFeature(Feature):
         self.pane.show_monitor()
 
     # What the shell needs.
+
+    def control(self, name: str) -> Control | None:
+        """The buttons of the run's row, and the world."""
+        pane = self.part.made
+        if pane is None:
+            return None
+        row = pane.transport
+        own = {"run_play": row.play, "run_stop": row.stop, "world": pane.world}
+        return whole(own[name]) if name in own else None
 
     def mode_shown(self) -> None:
         """Prepare a world, because a run may begin in the mode that is shown now."""

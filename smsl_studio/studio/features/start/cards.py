@@ -41,9 +41,9 @@ OPEN = CardWords(
     key="Ctrl+O",
 )
 TRY = CardWords(
-    "Try it: fix Hanoi",
-    "A copy with two wrong labels. It opens at the first, with its fix.",
-    remark="Then press Run",
+    "Try it: fix and run Hanoi",
+    "Find a misprint, correct it, run it, stop it and steer it. Each step is shown.",
+    remark="About two minutes",
 )
 
 
@@ -73,7 +73,7 @@ class StartCard(Tile):
         if said.key:
             self.show_key(painter, 20, HIGH - 36, key_words(said.key).replace("+", " "))
         else:
-            draw(painter, "play", QRectF(20, HIGH - 33, 13, 13), tokens.tx2, tokens.surf)
+            draw(painter, "clock", QRectF(20, HIGH - 33, 13, 13), tokens.tx2, tokens.surf)
             painter.setPen(tokens.tx2)
             self.say(painter, QRectF(40, HIGH - 37, room - 20, 20), said.remark, 12)
         if roomy:

@@ -31,7 +31,12 @@ TITLE = "Draw a procedure as states and operations. Check it, then run it in phy
 WHO = (
     "Engineers draw it, one person supervises it, and a run steps through it in a simulated world."
 )
-HINTS = (("", "Arrows move"), ("Enter", "opens"), ("Ctrl K", "finds any command"))
+HINTS = (
+    ("", "Arrows move"),
+    ("Enter", "opens"),
+    ("Ctrl K", "finds any command"),
+    ("F1", "explains what has the focus"),
+)
 
 
 class Column(QWidget):
@@ -39,7 +44,7 @@ class Column(QWidget):
 
     new_wanted = Signal()
     open_wanted = Signal()
-    try_wanted = Signal(Path)
+    try_wanted = Signal()
     file_wanted = Signal(Path)
     sample_wanted = Signal(Path)
     removed = Signal(Path)
@@ -83,7 +88,7 @@ class Column(QWidget):
         new, opened, tried = self.cards
         new.clicked.connect(self.new_wanted)
         opened.clicked.connect(self.open_wanted)
-        tried.clicked.connect(lambda: self.try_wanted.emit(samples.tried()))
+        tried.clicked.connect(self.try_wanted)
         self.show_all.clicked.connect(self._show_all)
         for card in self.samples:
             card.clicked.connect(partial(self.sample_wanted.emit, card.path))

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
-
-from PySide6.QtCore import Qt
 
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.feature import Feature, Page, Shell
@@ -41,7 +38,7 @@ class StartFeature(Feature):
         column = page.column
         column.new_wanted.connect(self._actions["new"].trigger)
         column.open_wanted.connect(self._actions["open"].trigger)
-        column.try_wanted.connect(self._try)
+        column.try_wanted.connect(self._actions["first_steps"].trigger)
         column.file_wanted.connect(lambda path: files.open(path))
         column.sample_wanted.connect(lambda path: files.open_copy(path))
         for changed in (files.changed, files.refused):
@@ -54,15 +51,6 @@ class StartFeature(Feature):
             self.part.made.stop()
         if self._shell.mode == "start":
             self._shell.set_mode("draw")
-
-    def _try(self, path: Path) -> None:
-        """Open a copy of the sample, and go to its first finding as soon as it is checked."""
-        if self._parts.files.open_copy(path):
-            once = Qt.ConnectionType.SingleShotConnection
-            self._parts.inspector.found.connect(self._show_finding, once)
-
-    def _show_finding(self, _: object) -> None:
-        self._actions["next_finding"].trigger()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

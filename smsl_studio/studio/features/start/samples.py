@@ -40,7 +40,6 @@ SAMPLES = (
     ShownSample("registration-people.json", "People in the loop",
            "Operations and facts that wait for a person."),
 )  # fmt: skip
-TRIED = "hanoi.json"
 
 
 def shown_samples() -> tuple[tuple[Path, ShownSample], ...]:
@@ -48,11 +47,6 @@ def shown_samples() -> tuple[tuple[Path, ShownSample], ...]:
     folder = samples_dir()
     found = ((folder / sample.file, sample) for sample in SAMPLES)
     return tuple((path, sample) for path, sample in found if path.is_file())
-
-
-def tried() -> Path:
-    """The sample that "Try it" opens."""
-    return samples_dir() / TRIED
 
 
 class SampleCard(Tile):

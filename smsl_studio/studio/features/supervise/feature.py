@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Feature, Page, Shell
+from smsl_studio.studio.base.feature import Control, Feature, Page, Shell, whole
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.supervise.actions import supervise_actions
@@ -80,6 +80,22 @@ class SuperviseFeature(Feature):
         self.pane.ask_for(word)
 
     # What the shell needs.
+
+    def control(self, name: str) -> Control | None:
+        """The buttons of its row and of Step in, and the question that stands there."""
+        pane = self.part.made
+        if pane is None:
+            return None
+        bar, step_in = pane.bar, pane.step_in
+        own = {
+            "run_play": bar.play,
+            "run_stop": bar.stop,
+            "run_reset": bar.reset,
+            "veto": step_in.veto,
+            "take_over": step_in.hand,
+            "confirm": step_in.asking,
+        }
+        return whole(own[name]) if name in own else None
 
     def is_shown(self) -> bool:
         """Whether its page is visible."""

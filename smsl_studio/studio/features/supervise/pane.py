@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -323,6 +323,15 @@ class SupervisePane(QWidget):
         self.refresh()
 
     # Keys.
+
+    def event(self, event: QEvent) -> bool:
+        """While something is asked, Esc drops the question, whatever else the window does on
+        Esc."""
+        before = event.type() is QEvent.Type.ShortcutOverride and self.step_in.asking.isVisible()
+        if before and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            event.accept()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Answer the keys of supervision; a key that is held counts once."""

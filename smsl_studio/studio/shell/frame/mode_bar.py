@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.controls import name_parts, row, rule
+from smsl_studio.studio.base.feature import Control, whole
 from smsl_studio.studio.base.icons import draw, icon
 from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.precedence import Precedence
@@ -119,6 +120,11 @@ class ModeBar(QToolBar):
         if layout is not None:
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(0)
+
+    def control(self, name: str) -> Control | None:
+        """The button of an action, or of a mode; None if the bar has none."""
+        own = {"run_play": self.run, "run_stop": self.stop, **self.segments.buttons}
+        return whole(own[name]) if name in own else None
 
     def add_row(self, mode: str, row: QWidget) -> None:
         """Set the row that a mode shows instead of the drawing tools."""
@@ -236,10 +242,10 @@ class Segments(QFrame):
         self.setAccessibleName("Mode")
         layout = row(spacing=0)
         layout.setContentsMargins(2, 2, 2, 2)
-        self._buttons: dict[str, QToolButton] = {}
+        self.buttons: dict[str, QToolButton] = {}
         for name, action, words in modes:
             button = QToolButton()
-            self._buttons[name] = button
+            self.buttons[name] = button
             if name in PASSING:
                 button.hide()
             button.setDefaultAction(action)
@@ -253,7 +259,7 @@ class Segments(QFrame):
 
     def show_segment(self, name: str, shown: bool) -> None:
         """Show or hide the button of a mode."""
-        self._buttons[name].setVisible(shown)
+        self.buttons[name].setVisible(shown)
 
 
 class SearchBox(QAbstractButton):

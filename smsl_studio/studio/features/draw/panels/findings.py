@@ -95,6 +95,12 @@ class Findings(Panel):
         """The findings that are listed."""
         return self._findings
 
+    @property
+    def chosen_rule(self) -> str:
+        """The rule of the chosen finding, such as ``R15``; empty if none is chosen."""
+        finding = self.list.currentIndex().data(Qt.ItemDataRole.UserRole)
+        return finding.rule if isinstance(finding, Finding) else ""
+
     def set_checking(self) -> None:
         """Say that the inspection is running, because the blueprint has changed."""
         if self._broken is not None:

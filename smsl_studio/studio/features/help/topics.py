@@ -1,0 +1,92 @@
+"""What F1 explains: one row for each mode, panel, part and dialog of the window."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.features.help.pages import HelpPlace
+
+_PANELS = "panels-and-what-they-say-when-empty"
+
+
+def _panel(name: str) -> HelpPlace:
+    """The row of a panel in the table of panels."""
+    return HelpPlace("window.md", _PANELS, name)
+
+
+def _window(anchor: str, word: str = "") -> HelpPlace:
+    return HelpPlace("window.md", anchor, word)
+
+
+MODES = {
+    "start": _window("the-start-page"),
+    "draw": HelpPlace("engineer.md", "2-draw-it"),
+    "run": HelpPlace("engineer.md", "4-run-it"),
+    "supervise": _window("supervise"),
+    "replay": _window("replay"),
+}
+"""By mode: what is explained if no row of ``PARTS`` fits what has the focus."""
+
+PARTS = {
+    "Canvas": _panel("Canvas"),
+    "Outline": _panel("Outline"),
+    "Facts": _panel("Facts"),
+    "Library": _panel("Library"),
+    "Properties": _window("forms"),
+    "HeaderForm": _panel("Branch header"),
+    "HazardForm": _panel("Hazards"),
+    "Findings": _panel("Findings"),
+    "SourcePane": _window("the-source"),
+    "History": _panel("History"),
+    "DrawingFindBar": _window("finding"),
+    "Palette": _window("finding", "Anything"),
+    "FixCard": _panel("Findings"),
+    "ChangeBar": _window("files", "Other programs"),
+    "WorldView": _panel("World"),
+    "PossiblePanel": _panel("Possible now"),
+    "HoldCard": HelpPlace("supervision.md", "when-it-cannot-go-on"),
+    "FactsTable": HelpPlace("monitoring.md", "from-sample-to-fact"),
+    "StateCheckView": HelpPlace("monitoring.md", "where-an-sb-is-and-what-a-check-says"),
+    "CheckPanel": _panel("State check"),
+    "Timeline": _panel("Timeline"),
+    "Transport": HelpPlace("engineer.md", "4-run-it"),
+    "StepIn": _window("supervise", "Deciding"),
+    "TaskCard": _window("people", "The card"),
+    "Continuum": _window("people", "Human and automation"),
+    "MenuRow": _window("layout"),
+    "ModeBar": _window("layout"),
+    "CompareDialog": _window("comparing"),
+    "RevisionDialog": _window("comparing"),
+    "PictureDialog": _window("pictures-diagrams-paper"),
+    "MonitorPage": HelpPlace("monitoring.md", "the-monitor-page"),
+    "PersonsDialog": _window("people", "Who answers"),
+    "LevelEditor": HelpPlace("people.md", "levels"),
+    "RecoveryOffer": _window("files", "The journal"),
+    "PluginQuestion": _window("plugins"),
+    "FixList": _panel("Findings"),
+    "HelpWindow": _window("help"),
+    "QMessageBox": _window("files", "Saving"),
+    "QFileDialog": _window("files"),
+}
+"""By the class of a widget: what is explained while it, or a part of it, has the focus."""
+
+
+def place_about(focus: QWidget | None, mode: str) -> HelpPlace:
+    """What explains the widget that has the keyboard focus.
+
+    The innermost part that has a row counts, else the mode.
+    """
+    found = part_with_row(focus)
+    return PARTS[found] if found else MODES[mode]
+
+
+def part_with_row(widget: QWidget | None) -> str:
+    """The class of the innermost part around a widget that has a row; empty if none has one."""
+    while widget is not None:
+        for kind in type(widget).__mro__:
+            if kind.__name__ in PARTS:
+                return kind.__name__
+        if widget.isWindow():
+            return ""
+        widget = widget.parentWidget()
+    return ""
