@@ -43,7 +43,7 @@ def names(text: str, form: str = "json", library: tuple[str, ...] = ()) -> list[
         ('"SB1": {"HEADER": {"INITIAL": |', ["State_0", "State_1"]),
         ('"SB1": {"HEADER": {"A|', ["ACTIVATING", "INITIAL", "NUM_FACTS", "NUM_STATES"]),
         ('"SB1": {"HEADER": {"SUB_SBS": {"|', ["SB2"]),
-        ('"SB1": {"|', ["State_2", "HEADER", "_facts", "_operations", "_layout"]),
+        ('"SB1": {"|', ["State_2", "HEADER", "_facts", "_operations", "_layout", "_notes"]),
         ('"SB1": {"_states": {"|', ["State_0", "State_1"]),
         ('"SB1": {"_states": {"State_0": {"t|', ["title", "note", "facts"]),
         ('"SB1": {"_operations": {"Op|', ["Op_1", "Op_2"]),
