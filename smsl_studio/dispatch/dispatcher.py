@@ -1,8 +1,10 @@
 """The dispatcher: it carries out one D-SFO step at a time, chosen by a person or by the plan.
 
 ``tick`` carries out the waiting commands first. Then it makes one host tick if something is carried
-out or the world is live, or else proposes the next operation. ``docs/supervision.md`` draws the run
-states. Nothing here reads a clock or a file, or starts a thread.
+out or the world is live, or else proposes the next operation. If a command begins or resumes an
+operation, this tick makes no host tick: so other commands can come while the operation runs, even
+if it takes one tick. ``docs/supervision.md`` draws the run states. Nothing here reads a clock or a
+file, or starts a thread.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
@@ -18,6 +21,7 @@ from smsl_studio.dispatch.drive.review import Reviewer
 from smsl_studio.dispatch.drive.start import begin_run
 from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.dispatch.drive.terms import USUAL, RunTerms
+from smsl_studio.dispatch.execution.stage import RUNNING
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, stand
@@ -71,9 +75,18 @@ class Dispatcher(Commands):
         self._waiting.append(command)
 
     @property
-    def commanded(self) -> tuple[str, ...]:
-        """The words of the commands that wait for the next tick."""
-        return tuple(command.word for command in self._waiting)
+    def waiting(self) -> tuple[Command, ...]:
+        """The commands that wait for the next tick, in the order in which they came."""
+        return tuple(self._waiting)
+
+    @property
+    def under_way(self) -> Address | None:
+        """The edge whose function goes on at the next tick. None if no function does."""
+        driver = self._driver
+        if driver is None or self._ended is not None or driver.state.frozen:
+            return None
+        carrier = driver.carrier
+        return carrier.running if carrier is not None and carrier.stage is RUNNING else None
 
     # the run ------------------------------------------------------------------------------------
 
@@ -109,16 +122,19 @@ class Dispatcher(Commands):
         if driver is None or self._ended is not None:
             return ()
         try:
+            set_going = False
             if self._waiting:
+                stood = self.under_way is None
                 commands, self._waiting = list(in_order(self._waiting)), []
                 try:
                     obey(driver, commands)
                 finally:
                     self._waiting[:0] = commands
                 driver.arrival.forget()
+                set_going = stood and self.under_way is not None
             if self._leaving and driver.ended is None:
                 leave(driver)
-            if driver.ended is None:
+            if driver.ended is None and not set_going:
                 driver.go_on()
         except HostError as error:
             return self._host_gone(error)

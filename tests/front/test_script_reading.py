@@ -10,12 +10,14 @@ from typing import Any
 import pytest
 
 import smsl_studio as smsl
+from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import ReadError
 from smsl_studio.front.script.lines import FAULTS, MOST, read_script, script_of
 from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Script, Trigger
 from smsl_studio.front.script.words import WORDS
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import samples_dir
+from smsl_studio.smsl.files import parse_text
 
 HANOI = smsl.read(samples_dir() / "hanoi-corrected.json")
 EDGE = "SB1/State_aaa/Op_1c"
@@ -50,6 +52,36 @@ def test_moments_are_at_a_time_at_a_state_or_during_an_operation() -> None:
     ]
     assert [act.by for act in script.acts] == ["script", "script", "Ada", "script", "script"]
     assert [act.place.line for act in script.acts] == [1, 3, 4, 5, 6]
+
+
+def test_a_turn_counts_ticks_and_a_line_of_notes_is_left_out() -> None:
+    script = _script(
+        {"_run": "smsl-studio run hanoi.json --world table", "_by": "a window"},
+        {"at": 1, "turn": 2, "do": "pause"},
+        {"during": EDGE, "turn": 3, "do": "resume"},
+    )
+    assert [act.trigger for act in script.acts] == [
+        Trigger(AT, 1.0, turn=2),
+        Trigger(DURING, 0.0, EDGE, turn=3),
+    ]
+    for wrong in (0, "every", 1.5, True):
+        assert "no count" in _fault({"do": "pause", "turn": wrong}).sentence
+    assert "no 'do'" in _fault("{}").sentence
+    assert "no 'do'" in _fault({"at": 1, "_why": "nothing"}).sentence
+
+
+def test_names_may_be_long_and_other_texts_may_not() -> None:
+    long = "x" * 9_000
+    table = {"SB1": {f"State_{long}": {f"Op_{long}": f"State_{long}"}}}
+    blueprint = read_blueprint(parse_text(json.dumps(table), "long.json"))
+    edge = f"SB1/State_{long}/Op_{long}"
+    lines: list[dict[str, Any]] = [
+        {"during": edge, "do": "prune", "address": edge, "reason": "it slipped"},
+        {"when": f"SB1/State_{long}", "do": "inject", "fault": "elsewhere", "state": long},
+    ]
+    raw = "\n".join(map(json.dumps, lines)).encode()
+    assert [act.trigger.kind for act in script_of(raw, "s", blueprint).acts] == [DURING, WHEN]
+    assert "cannot be printed" in _fault({"do": "pause", "by": long}).sentence
 
 
 def test_addresses_are_written_out_and_levels_set_apart() -> None:

@@ -17,6 +17,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress
 from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.running import operation_time
 from smsl_studio.studio.shell.application import make_window
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window
@@ -43,11 +44,15 @@ def _looked(path: str) -> Loaded:
 
 
 @pytest.fixture
-def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
+def sit(
+    qapp: QApplication, qtbot: QtBot, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Sit]:
     """Open a window on a copy of a file, else with a new drawing, and sit down at it.
 
-    With ``begin`` False the window stays at the start page.
+    With ``begin`` False the window stays at the start page. Without physics operations are shown
+    for a short time only, because nobody has to follow them.
     """
+    monkeypatch.setattr(operation_time, "USUAL", 0.02)
     windows = Windows(qapp, Settings(home), Plugins(Look()))
 
     def open_on(

@@ -29,7 +29,7 @@ ENCODE = "Save the script as UTF-8."
 SHORTER = "Make it shorter; a script is written for one run."
 FAULTS = 20
 """The largest number of wrong lines that are reported together."""
-_MOMENT = (AT, WHEN, DURING, "after", "times", "do", "by")
+_MOMENT = (AT, WHEN, DURING, "after", "times", "turn", "do", "by")
 BY = "script"
 
 
@@ -80,6 +80,8 @@ class _Line:
 
     def __init__(self, file: str, number: int, raw: bytes) -> None:
         self.file, self.number = file, number
+        self.noted = False
+        """Whether the line has keys that are left out."""
         try:
             self.text = raw.decode("utf-8").rstrip("\r")
         except UnicodeDecodeError as error:
@@ -101,7 +103,9 @@ class _Line:
             raise self.wrong(1, "the line nests too deep, or has too long a number") from None
         if not isinstance(found, dict):
             raise self.wrong(1, "the line is no JSON object")
-        return {key: value for key, value in found.items() if not key.startswith("_")}
+        values = {key: value for key, value in found.items() if not key.startswith("_")}
+        self.noted = len(values) < len(found)
+        return values
 
     def of(self, key: str, check: Callable[[], Json]) -> Json:
         """Return the checked value of a key. A UsageError of ``check`` becomes a ReadError with the
@@ -148,6 +152,8 @@ def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, 
     if not line.text.strip():
         return
     values = line.values()
+    if line.noted and not values:
+        return
     word = values.get("do")
     if not isinstance(word, str) or word not in WORDS:
         known = f"The words are {', '.join(WORDS)}."
@@ -206,22 +212,26 @@ def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Bluepr
             raise line.wrong(
                 line.key_at(key), f"{key!r} needs a state or an operation", "Say when, or during."
             )
+    turn = line.of("turn", lambda: _count(values.get("turn", 1)))
     if kind == AT:
-        return Trigger(AT, line.of(AT, lambda: seconds(blueprint, values.get(AT, 0))))
+        return Trigger(AT, line.of(AT, lambda: seconds(blueprint, values.get(AT, 0))), turn=turn)
     after = line.of("after", lambda: seconds(blueprint, values.get("after", 0)))
     address = ""
     if kind in (WHEN, DURING):
         check = state if kind == WHEN else operation
         address = line.of(kind, lambda: checked(check, blueprint, values[kind]))
-    return Trigger(kind, after, address, line.of("times", lambda: _times(values.get("times", 1))))
+    times = line.of("times", lambda: _times(values.get("times", 1)))
+    return Trigger(kind, after, address, times, turn)
 
 
 def _times(value: Json) -> int:
-    if value == "every":
-        return EVERY
+    return EVERY if value == "every" else _count(value, ', or "every"')
+
+
+def _count(value: Json, more: str = "") -> int:
     if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 10**6:
         raise UsageError(
-            f"{str(value)[:60]} is no count", advice='Write a number from 1 on, or "every".'
+            f"{str(value)[:60]} is no count", advice=f"Write a number from 1 on{more}."
         )
     return value
 
@@ -233,7 +243,7 @@ def _set_level(
     blueprint: Blueprint,
     levels: dict[str, str],
 ) -> None:
-    late = next((key for key in _MOMENT[:5] if key in values), None)
+    late = next((key for key in _MOMENT[:6] if key in values), None)
     if late is not None:
         words = "a level is set before the start, at no other moment"
         raise line.wrong(line.key_at(late), words, f"Leave {late!r} out.")

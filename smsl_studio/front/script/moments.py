@@ -18,15 +18,29 @@ class Moments:
     """Follows the events of a run and finds the acts whose moments have come.
 
     The moment of an act with ``during`` passes when its operation ends. The moment of an answer
-    passes when its task is closed.
+    passes when its task is closed. ``counts`` says how often each state was entered and each
+    operation has begun. ``going`` has the begin (simulated s) of the operations that are under way,
+    the latest one last.
     """
 
-    def __init__(self, acts: Iterable[Act]) -> None:
-        self._acts = [act for act in acts if act.trigger.kind in (WHEN, DURING, ASKED)]
-        self._counts: Counter[Act] = Counter()
+    def __init__(self, acts: Iterable[Act] = ()) -> None:
+        self._acts: list[Act] = []
+        for act in acts:
+            self.add(act)
+        self.counts: Counter[tuple[str, str]] = Counter()
+        self.going: dict[str, float] = {}
+        self._tasks: Counter[Act] = Counter()
         self._configuration: dict[str, str] = {}
-        self._going: set[str] = set()
         self._open: set[str] = set()
+
+    def add(self, act: Act) -> None:
+        """Wait for the moment of one more act."""
+        if act.trigger.kind in (WHEN, DURING, ASKED):
+            self._acts.append(act)
+
+    def drop_all(self) -> None:
+        """Wait for no moment any more."""
+        self._acts = []
 
     def met(self, event: Event) -> Iterator[Met]:
         """Yield the acts whose moments come with an event."""
@@ -34,19 +48,21 @@ class Moments:
             case run.RunStarted():
                 yield from self._arrived(event, event.start)
             case run.Committed():
-                self._going.difference_update(event.operations)
+                for address in event.operations:
+                    self.going.pop(address, None)
                 yield from self._arrived(event, event.configuration)
             case run.Relocalised():
-                self._going.clear()
+                self.going.clear()
                 known = self._configuration.items()
                 yield from self._arrived(event, dict(event.configuration.items() - known))
             case run.OperationStarted():
-                self._going.add(event.address)
+                self.going.pop(event.address, None)
+                self.going[event.address] = event.t
                 yield from self._of(DURING, event.address, event.t)
             case run.OperationEnded():
-                self._going.discard(event.address)
+                self.going.pop(event.address, None)
             case run.Held() | run.Mismatch() | run.RunStopped() | run.TakenOver():
-                self._going.clear()
+                self.going.clear()
             case run.TaskOpened():
                 self._open.add(event.task)
                 yield from self._asked(event)
@@ -58,7 +74,7 @@ class Moments:
     def is_over(self, act: Act, task: str) -> bool:
         """Whether the moment of an act has come and has passed already."""
         if act.trigger.kind == DURING:
-            return act.trigger.address not in self._going
+            return act.trigger.address not in self.going
         return bool(task) and task not in self._open
 
     def _arrived(self, event: Event, states: Mapping[str, str]) -> Iterator[Met]:
@@ -67,18 +83,18 @@ class Moments:
             yield from self._of(WHEN, str(Address(branch, state)), event.t)
 
     def _of(self, kind: str, address: str, time: float) -> Iterator[Met]:
+        self.counts[kind, address] += 1
+        known = (EVERY, self.counts[kind, address])
         for act in self._acts:
             trigger = act.trigger
-            if (trigger.kind, trigger.address) == (kind, address) and self._counts_now(act):
+            if (trigger.kind, trigger.address) == (kind, address) and trigger.times in known:
                 yield time + trigger.seconds, act, ""
 
     def _asked(self, event: run.TaskOpened) -> Iterator[Met]:
         for act in self._acts:
             kind, address = act.given.get("kind"), act.given.get("address")
             fits = kind in (None, event.kind) and address in (None, event.address)
-            if act.trigger.kind == ASKED and fits and self._counts_now(act):
-                yield event.t + act.trigger.seconds, act, event.task
-
-    def _counts_now(self, act: Act) -> bool:
-        self._counts[act] += 1
-        return act.trigger.times in (EVERY, self._counts[act])
+            if act.trigger.kind == ASKED and fits:
+                self._tasks[act] += 1
+                if act.trigger.times in (EVERY, self._tasks[act]):
+                    yield event.t + act.trigger.seconds, act, event.task

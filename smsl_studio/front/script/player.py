@@ -7,7 +7,7 @@ commands, in the window and without it.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.supervision.row import Command
@@ -23,28 +23,55 @@ WAITING = ("ready", "paused", "waiting", "no_route", "taken_over", "fault_hold",
 
 @dataclass(frozen=True, slots=True)
 class Due:
-    """An act whose moment is known: its time (simulated s), and the task that it answers."""
+    """An act whose moment is known: its time (simulated s), and the task that it answers.
+
+    ``turn`` counts down the ticks from this time on; with 1 it comes at the next one.
+    """
 
     time: float
     act: Act
     task: str = ""
+    turn: int = 1
 
 
 class ScriptPlayer:
     """Carries out one script in one run.
 
     Call ``before`` before every tick, and ``hear`` with the events of the tick. If the run waits
-    and the script has no further commands, the run is no longer attended.
+    and the script has no further commands, the run is no longer attended, unless the player
+    ``stays`` because a person attends the run, too.
     """
 
-    def __init__(self, script: Script) -> None:
-        self._moments = Moments(script.acts)
-        self._due = [Due(act.trigger.seconds, act) for act in script.acts if act.trigger.kind == AT]
+    def __init__(self, script: Script, stays: bool = False) -> None:
+        self._stays = stays
+        self._moments = Moments()
+        self._due: list[Due] = []
         self._done: set[Act] = set()
-        self._acts = script.acts
+        self._acts: tuple[Act, ...] = ()
+        for act in script.acts:
+            self.add(act)
         self._asking: Act | None = None
         self._resuming = ""
         self._by_hand = False
+
+    def add(self, act: Act) -> None:
+        """Add an act. ``times`` counts from the begin of the run."""
+        self._acts += (act,)
+        self._moments.add(act)
+        if act.trigger.kind == AT:
+            self._due.append(Due(act.trigger.seconds, act, turn=act.trigger.turn))
+
+    def plan(self, act: Act) -> None:
+        """Add an act for the next time that its moment comes from now on."""
+        trigger = act.trigger
+        so_far = self._moments.counts[trigger.kind, trigger.address]
+        self.add(replace(act, trigger=replace(trigger, times=so_far + 1)))
+
+    def drop_all(self) -> None:
+        """Forget every act that was not carried out yet."""
+        self._acts = tuple(act for act in self._acts if act in self._done)
+        self._moments.drop_all()
+        self._due = []
 
     @property
     def left(self) -> tuple[Act, ...]:
@@ -55,21 +82,26 @@ class ScriptPlayer:
         """Take in events: states that became active, operations that began, tasks that opened."""
         for event in events:
             for time, act, task in self._moments.met(event):
-                self._due.append(Due(time, act, task))
+                self._due.append(Due(time, act, task, act.trigger.turn))
             self._due = [due for due in self._due if not self._moments.is_over(due.act, due.task)]
 
     def has_something(self, dispatcher: Dispatcher) -> bool:
         """Whether ``before`` has something to do now: a command, or to leave the run."""
         ready = self._ready(dispatcher)
-        return bool(self._asking or self._resuming or ready or self._leaves(ready, dispatcher))
+        busy = self._asking or self._resuming or ready or self._come(dispatcher)
+        return bool(busy or self._leaves(ready, dispatcher))
 
     def before(self, dispatcher: Dispatcher) -> None:
         """Give the commands that are due now."""
+        come = self._come(dispatcher)
+        ready = self._ready(dispatcher)
+        for due in come:
+            if due.turn > 1:
+                self._due[self._due.index(due)] = replace(due, turn=due.turn - 1)
         if self._asking is not None:
             act, self._asking = self._asking, None
             dispatcher.take(_command(act))
             return
-        ready = self._ready(dispatcher)
         if any(due.act.do == "pause" for due in ready):
             self._resuming = ""
         if self._resuming and not ready and dispatcher.phase != "running":
@@ -84,15 +116,21 @@ class ScriptPlayer:
             dispatcher.leave()
 
     def _leaves(self, ready: list[Due], dispatcher: Dispatcher) -> bool:
-        return not ready and not self._due and dispatcher.phase in WAITING
+        nothing = not ready and not self._due and not self._stays
+        return nothing and dispatcher.phase in WAITING
+
+    def _come(self, dispatcher: Dispatcher) -> list[Due]:
+        """Return the acts whose time has come, though perhaps not their turn."""
+        now = dispatcher.time + HAIR
+        return [due for due in self._due if due.time <= now]
 
     def _ready(self, dispatcher: Dispatcher) -> list[Due]:
         """Return the acts that are due. In a paused run time does not move, so the next act by
         time is due at once."""
-        now = dispatcher.time
-        ready = [due for due in self._due if due.time <= now + HAIR]
-        if not ready and dispatcher.phase == "paused" and not self._resuming:
-            soonest = min((due.time for due in self._due), default=now)
+        come = self._come(dispatcher)
+        ready = [due for due in come if due.turn <= 1]
+        if not come and dispatcher.phase == "paused" and not self._resuming:
+            soonest = min((due.time for due in self._due), default=0.0)
             ready = [due for due in self._due if due.time <= soonest]
         return sorted(ready, key=lambda due: (due.time, due.act.place.line))
 

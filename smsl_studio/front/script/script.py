@@ -21,13 +21,15 @@ class Trigger:
     With ``at`` it is the simulated time ``seconds``. With ``when`` the state ``address`` has become
     active for the ``times``-th time. With ``during`` an operation has begun for the ``times``-th
     time, and still runs. With ``asked`` a fitting task has opened for the ``times``-th time. In
-    these three cases the act comes ``seconds`` (simulated) later.
+    these three cases the act comes ``seconds`` (simulated) later. ``turn`` counts the ticks from
+    this moment on, because several ticks may have the same simulated time.
     """
 
     kind: str
     seconds: float = 0.0
     address: str = ""
     times: int = 1
+    turn: int = 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)

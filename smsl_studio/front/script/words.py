@@ -29,10 +29,10 @@ from smsl_studio.monitor.disturbance import KINDS as DISTURBANCES
 
 Json = Any
 Check = Callable[[Blueprint, Json], Json]
-LONGEST = 1000
+LONGEST, NAME = 1000, 1 << 16
 LARGEST = 1e9
-"""The largest length of a text in characters, and the limit of simulated seconds and costs. 1e9
-seconds are 30 years, and still exact in microseconds."""
+"""The largest lengths of a text and of what may contain names, in characters, and the limit of
+simulated seconds and costs. 1e9 seconds are 30 years, and still exact in microseconds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class ScriptWord:
 def operation(blueprint: Blueprint, value: Json) -> str:
     """Return the full address of exactly one operation. UsageError for several, AddressError for
     none."""
-    found = operations_at(blueprint, [text(blueprint, value)])
+    found = operations_at(blueprint, [_name(value)])
     if len(found) != 1:
         raise UsageError(
             f"{value!r} stands for {len(found)} operations", advice="Write SB/State/Operation."
@@ -78,14 +78,18 @@ def operation(blueprint: Blueprint, value: Json) -> str:
 
 def state(blueprint: Blueprint, value: Json) -> str:
     """Return the full address of a state. AddressError or UsageError as in ``state_at``."""
-    return str(state_at(blueprint, text(blueprint, value)))
+    return str(state_at(blueprint, _name(value)))
 
 
 def text(_: Blueprint, value: Json) -> str:
     """Return a text that is not empty and fits one line. UsageError for any other value."""
+    return _name(value, LONGEST)
+
+
+def _name(value: Json, longest: int = NAME) -> str:
     if not isinstance(value, str) or not value.strip():
         raise UsageError(f"{_shown(value)} is no text", advice='Write it in quotes: "...".')
-    if not value.isprintable() or len(value) > LONGEST:
+    if not value.isprintable() or len(value) > longest:
         raise UsageError(f"{_shown(value)} cannot be printed in a line")
     return value
 
@@ -112,7 +116,7 @@ def scalar(_: Blueprint, value: Json) -> Json:
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise UsageError(f"{_shown(value)} is neither a text nor a number")
     if isinstance(value, str):
-        return text(_, value) if value else value
+        return _name(value) if value else value
     if not abs(value) < LARGEST:
         raise UsageError(f"{_shown(value)} is too large")
     return value
@@ -121,7 +125,7 @@ def scalar(_: Blueprint, value: Json) -> Json:
 def sensed(blueprint: Blueprint, value: Json) -> str:
     """Return the name of a sensor, or a fact ``SB/digit`` that exists. UsageError for an unknown
     fact."""
-    fact = split_fact(text(blueprint, value))
+    fact = split_fact(_name(value))
     if fact is not None:
         branch = blueprint.branches.get(fact[0])
         if branch is None or not branch.table or fact[1] >= branch.num_facts:
@@ -187,6 +191,19 @@ WORDS: Mapping[str, ScriptWord] = MappingProxyType(
     {**dict(_words()), "level": ScriptWord({"of": text, "level": text})}
 )
 """Every word of ``do``. ``level`` is set before the start; all others come during the run."""
+
+
+def said_as(command: Command) -> tuple[str, Mapping[str, Json]]:
+    """Return the word of a script for a command, and the arguments that a script can give."""
+    for name, word in WORDS.items():
+        says = word.says.items()
+        if word.row is command.row and all(command.said.get(key) == one for key, one in says):
+            return name, {
+                key: str(value) if isinstance(value, Address) else value
+                for key, value in command.said.items()
+                if key not in word.says and word.check_of(key) and value not in (None, "")
+            }
+    raise UsageError(f"a script has no word for {command.word}")
 
 
 def checked(check: Check, blueprint: Blueprint, value: Json) -> Json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from smsl_studio.blueprint.check import CheckResult, Reading, state_check
+from smsl_studio.blueprint.check import CheckResult, FactKey, Reading, state_check
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.freshness import age_of_nothing, limit_of, slow_words
@@ -22,6 +22,8 @@ class FactRow:
     senses the fact. A row with ``group`` is the heading of an SB. ``chip`` is the look of the
     believed value on the canvas (on, off, value). ``sub`` says that a sub-SB expands it. ``age``
     and ``limit`` are seconds: the age of its reading, and the largest valid age, which bars show.
+    ``key`` is the fact, None for a heading. ``expected`` is the value that the running operation
+    will bring, and empty if it does not change the fact.
     """
 
     name: str
@@ -34,6 +36,8 @@ class FactRow:
     chip: str = ""
     sub: bool = False
     limit: float | None = None
+    key: FactKey | None = None
+    expected: str = ""
 
 
 def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
@@ -57,21 +61,21 @@ def fact_rows(
         if len(blueprint) > 1:
             rows.append(FactRow(branch.name, state, "", None, "group", "", group=True))
         for digit, believed in enumerate(branch.facts(state)):
-            name = branch.fact_name(digit)
+            name, key = branch.fact_name(digit), (branch.name, digit)
             if digit in branch.subs:
                 sub = branch.subs[digit]
                 words = f"follows {sub}, {status.configuration.get(sub, '')}"
-                rows.append(FactRow(name, believed, "", None, "believed", words))
+                rows.append(FactRow(name, believed, "", None, "believed", words, key=key))
                 continue
             reading = status.scene.get(branch.name, digit)
             if lost and reading is not None:
-                rows.append(FactRow(name, believed, None, None, "unknown", LOST))
+                rows.append(FactRow(name, believed, None, None, "unknown", LOST, key=key))
                 continue
-            key = (branch.name, digit)
             limit = None
             if reading is not None:
                 limit = limit_of(status.sources, key, reading.value, reading.age)
-            rows.append(_fact_row(name, believed, reading, expected.get(key), limit))
+            row = _fact_row(name, believed, reading, expected.get(key), limit)
+            rows.append(replace(row, key=key, expected=expected.get(key, "")))
     return tuple(rows)
 
 

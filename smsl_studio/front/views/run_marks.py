@@ -8,6 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.guard_standings import held_back, standings
+from smsl_studio.front.views.states import short_name
 from smsl_studio.picture.marks import Marks
 from smsl_studio.runlog.history import Story
 
@@ -24,7 +25,7 @@ def run_marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: 
     return Marks(
         active=active,
         running=(running, progress(blueprint, status, story)) if running else None,
-        running_words=_running_words(blueprint, status, story) if running else "",
+        running_words=time_words(blueprint, status, story) if running else "",
         visited=story.visited(branch) - {active or ""},
         trail=story.trail(branch),
         planned=planned,
@@ -69,7 +70,22 @@ def _running_in(branch: str, status: DispatchStatus) -> Address | None:
     return None
 
 
-def _running_words(blueprint: Blueprint, status: DispatchStatus, story: Story) -> str:
+def operation_words(blueprint: Blueprint, status: DispatchStatus) -> str:
+    """Return what runs now, from where to where; else what is next on the route."""
+    running = status.running
+    if running is None:
+        following = next(iter(status.route), None)
+        return f"Next: {following.operation}" if following is not None else ""
+    branch = blueprint[running.branch]
+    target = branch.table[running.state][running.operation]
+    return (
+        f"{running.operation}, from {short_name(branch, running.state)}"
+        f" to {short_name(branch, target)}"
+    )
+
+
+def time_words(blueprint: Blueprint, status: DispatchStatus, story: Story) -> str:
+    """Return how long the operation has been running, and for how long it will, as far as known."""
     if status.running is None or status.running_since is None:
         return ""
     elapsed = f"{status.time - status.running_since:.1f}"

@@ -18,11 +18,12 @@ class Inbox:
     """The commands for one run, in the order of arrival.
 
     Any thread may put a command; the run's thread obeys. ``closed`` says that the window ends the
-    run. ``stopped`` says that a stop was sent.
+    run. ``stopped`` says that a stop was sent. ``called_off`` is set when something is
+    interrupted.
     """
 
     def __init__(self) -> None:
-        self.closed = self.stopped = False
+        self.closed = self.stopped = self.called_off = False
         self.until = float("inf")
         """The time (``time.monotonic``) at which computing the status must end."""
         self._calls: queue.SimpleQueue[Call | None] = queue.SimpleQueue()
@@ -71,12 +72,14 @@ class Inbox:
         that can be started again.
         """
         if self.closed:
+            self.called_off = True
             raise Stopped
         while not self._calls.empty():
             call = self._calls.get()
             if call is not None:
                 call(dispatcher)
                 self._obeyed = True
-        said = dispatcher.commanded
+        said = [command.word for command in dispatcher.waiting]
         if "stop" in said or (is_restartable() and (said or monotonic() > self.until)):
+            self.called_off = True
             raise Stopped

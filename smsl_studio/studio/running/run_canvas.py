@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -26,6 +27,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital, counted
 from smsl_studio.studio.document.places import Position
 from smsl_studio.studio.running.frames import laid_over, tool, tools_over, words_over
+from smsl_studio.studio.running.operation_time import ShownTime
 from smsl_studio.studio.running.shown import DrawnPlaces, ShownRun
 
 TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
@@ -70,6 +72,7 @@ class RunCanvas(QWidget):
         states."""
         self._branch = ""
         self._banner = self._refusal = ""
+        self._time: ShownTime | None = None
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
         self.canvas.overlays.breadcrumb.hide()
@@ -143,6 +146,19 @@ class RunCanvas(QWidget):
             marks = run_marks(blueprint, self._branch, status, self._run.story)
         else:
             marks = Marks()
+        self._mark(marks)
+
+    def show_time(self, shown: ShownTime | None) -> None:
+        """Show how far an operation has got that takes no time of its own."""
+        self._time = shown
+        if self.isVisible():
+            self._mark(self.canvas.marks)
+
+    def _mark(self, marks: Marks) -> None:
+        shown = self._time
+        if shown is not None and marks.running is not None and marks.running[0] == shown.address:
+            running = (shown.address, shown.share)
+            marks = replace(marks, running=running, running_words=shown.words)
         if marks != self.canvas.marks:
             self.canvas.set_marks(marks)
 

@@ -7,23 +7,22 @@ keeps the blueprint with which it was started, whatever is drawn meanwhile.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from datetime import datetime
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
-from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
-from smsl_studio.front.supervisors import supervisor_of
+from smsl_studio.front.script.script import Act
+from smsl_studio.front.script.transcript import script_text
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote
@@ -34,27 +33,14 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.runlog.playback import RunObserver
+from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
+from smsl_studio.studio.running.run_choice import RunChoice, log_of
 from smsl_studio.studio.running.runner import Runner
 from smsl_studio.world.protocol import Shape
 
 PLANNING = "the route is being planned"
 FRAME = 33
 """Milliseconds between two readings of the run's news."""
-
-
-@dataclass(frozen=True)
-class RunChoice:
-    """What a person chose to run. ``start`` and ``goal`` are addresses; empty means the default.
-
-    ``levels`` are those that were set for this run (see ``blueprint.levels``).
-    """
-
-    world: str
-    start: str = ""
-    goal: str = ""
-    seed: int = 0
-    by_hand: bool = False
-    levels: Mapping[str, str] = field(default_factory=dict)
 
 
 def nobody_named() -> str:
@@ -74,6 +60,8 @@ class RunSession(QObject, Commands):
 
     changed = Signal()
     """The status or the story has changed."""
+    progressed = Signal()
+    """The result of ``shown_time`` changed."""
     events_told = Signal(object)
     """tuple[Event]: new events of the run, in order."""
     opened = Signal()
@@ -99,6 +87,8 @@ class RunSession(QObject, Commands):
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
         self._exists = False
+        self._shown: ShownTime | None = None
+        self._asked: RunRequest | None = None
         self._steps_first = False
         self._goes_on = False
         self.recordings: Path | None = None
@@ -169,6 +159,22 @@ class RunSession(QObject, Commands):
         return self._runner.latency if self._runner is not None and self._exists else None
 
     @property
+    def shown_time(self) -> ShownTime | None:
+        """The time for which the running operation is shown; None if it takes its own time."""
+        return self._runner.shown_time if self._runner is not None and self._exists else None
+
+    @property
+    def script(self) -> str:
+        """What people did by hand in this run, as the text of a script; empty for nothing."""
+        lines, asked = self.lines, self._asked
+        return script_text(asked, lines) if lines and asked is not None else ""
+
+    @property
+    def lines(self) -> tuple[Mapping[str, Any], ...]:
+        """The same as the values of its lines."""
+        return self._runner.lines if self._runner is not None else ()
+
+    @property
     def world_process(self) -> int | None:
         """The process id of the world; None if it runs in no process of its own."""
         host = self._dispatcher.host if self._dispatcher is not None else None
@@ -201,24 +207,33 @@ class RunSession(QObject, Commands):
         self.close()
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
         self.status, self.shapes, self.sensors = None, (), ()
-        self._told = RunObserver(choice.by_hand)
+        self._told = RunObserver()
         self.record, folder, who = None, self.recordings, self.who()
-        request = _request(blueprint, choice)
+        request = self._asked = choice.request(blueprint)
 
         def record() -> RunLog | None:
             """The log of this run; None if it is not recorded."""
-            log = _log(request, loaded, folder, who) if folder is not None else None
+            log = log_of(request, loaded, folder, who) if folder is not None else None
             self.record = log.path if log is not None else None
             return log
 
         spare = self.spare
-        runner = Runner(lambda: open_request(request, loaded, spare), speed, self, record)
+        runner = Runner(
+            lambda: open_request(request, loaded, spare),
+            speed,
+            self,
+            record,
+            time=OperationTime(blueprint),
+        )
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
         self._runner = runner
         self._steps_first, self._goes_on = stepping, False
         self._set_exists(True)
+        if choice.by_hand:
+            # As a command, so that the record and a script of this run say it, too.
+            runner.command(COMMANDS["set_automatic"].command(automatic=False, by=self.who()))
         if stepping:
             runner.command(COMMANDS["step"].command(by=self.who()))
         runner.start()
@@ -242,6 +257,21 @@ class RunSession(QObject, Commands):
         """The state of the sensors that are elsewhere; None if there are none."""
         opened = self._dispatcher.opened if self._dispatcher is not None else None
         return opened.remote.view() if opened and opened.remote else None
+
+    @property
+    def planned(self) -> tuple[Act, ...]:
+        """The acts that wait for their moments."""
+        return self._runner.planned if self._runner is not None else ()
+
+    def plan(self, act: Act) -> None:
+        """Have an act of a script carried out the next time that its moment comes."""
+        if self._runner is not None and self._exists:
+            self._runner.plan(act)
+
+    def drop_plans(self) -> None:
+        """Forget the acts that wait for their moments."""
+        if self._runner is not None:
+            self._runner.drop_plans()
 
     def close(self) -> None:
         """End the run and its world, if there is one."""
@@ -283,6 +313,10 @@ class RunSession(QObject, Commands):
         news = self._runner.take() if self._runner is not None else None
         if news is not None:
             self._tell(*news)
+        shown = self.shown_time
+        if shown != self._shown:
+            self._shown = shown
+            self.progressed.emit()
 
     def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
         self.status = status
@@ -317,24 +351,3 @@ class RunSession(QObject, Commands):
         if exists != self._exists:
             self._exists = exists
             self.exists_changed.emit(exists)
-
-
-def _request(blueprint: Blueprint, choice: RunChoice) -> RunRequest:
-    """The request for the run that a person chose, with a person present to answer."""
-    return RunRequest(
-        blueprint,
-        choice.world,
-        starts=(choice.start,) if choice.start else (),
-        goals=(choice.goal,) if choice.goal else (),
-        seed=choice.seed,
-        levels=choice.levels,
-        by_hand=choice.by_hand,
-        attended=True,
-    )
-
-
-def _log(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
-    """Start the log of a run; raises SaveError if it cannot be written."""
-    agent = supervisor_of(Levels(request.blueprint, request.levels))
-    path = new_recording(folder, request.blueprint.file, datetime.now())
-    return start_log(replace(request, log=path, supervisor=agent, person=who), loaded)

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import monotonic
+from typing import Any
 
 from PySide6.QtCore import QObject, QThread, Signal
 
@@ -21,11 +22,14 @@ from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.front.recorder import Recorder
 from smsl_studio.front.script.player import ScriptPlayer
+from smsl_studio.front.script.script import Act, Script
+from smsl_studio.front.script.transcript import Transcript
 from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.stop import Stopped, heed, heeding, is_restartable
 from smsl_studio.studio.running.inbox import Inbox
+from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
@@ -53,6 +57,7 @@ class Runner(QThread):
 
     ``make`` (returns the dispatcher) and ``record`` (starts the log) are called in this thread. If
     ``record`` raises SaveError, the run is refused. ``acting`` is a script that commands the run.
+    ``time`` says for how long operations are shown that take no time of their own.
     """
 
     opened = Signal(object)
@@ -69,9 +74,13 @@ class Runner(QThread):
         parent: QObject | None = None,
         record: Callable[[], RunLog | None] = _no_log,
         acting: ScriptPlayer | None = None,
+        time: OperationTime | None = None,
     ) -> None:
         super().__init__(parent)
-        self._make, self._record, self._acting = make, record, acting
+        self._make, self._record = make, record
+        self._acting = acting or ScriptPlayer(Script(), stays=True)
+        self._transcript = Transcript()
+        self._time = time or OperationTime(None)
         self._speed = speed
         self._inbox = Inbox()
         self._look = LOOK
@@ -80,6 +89,29 @@ class Runner(QThread):
         self._news: News | None = None
         self.latency = 0.0
         """The wall seconds of the slowest recent tick."""
+
+    @property
+    def shown_time(self) -> ShownTime | None:
+        """The time for which the running operation is shown; None if it takes its own time."""
+        return self._time.shown
+
+    @property
+    def lines(self) -> tuple[Mapping[str, Any], ...]:
+        """What was commanded so far, as the lines of a script."""
+        return self._transcript.lines
+
+    @property
+    def planned(self) -> tuple[Act, ...]:
+        """The acts that wait for their moments."""
+        return self._acting.left
+
+    def plan(self, act: Act) -> None:
+        """Have an act carried out the next time that its moment comes."""
+        self._inbox.put(lambda _: self._acting.plan(act))
+
+    def drop_plans(self) -> None:
+        """Forget the acts that wait for their moments."""
+        self._inbox.put(lambda _: self._acting.drop_all())
 
     def command(self, command: Command) -> None:
         """Send a command to the run; it takes effect before the next tick.
@@ -142,7 +174,9 @@ class Runner(QThread):
                 dispatcher = self._dispatcher = self._make()
                 heed()
                 recording.log = self._record()
-                self._tell(recording, self._heeded(dispatcher.open()))
+                events = self._heeded(dispatcher.open())
+                self._tell(recording, events)
+                self._transcript.hear(events)
             self.opened.emit(dispatcher)
             self._loop(dispatcher, recording, heard)
         except Stopped:
@@ -181,18 +215,19 @@ class Runner(QThread):
                     self._report(heard, told)
                     heard.clear()
                 reported = monotonic()
-            obeyed = self._inbox.obey(dispatcher, _patience(dispatcher, pace))
+            left = min(self._time.left(dispatcher, min(self._speed, most)), FRAME / 2)
+            obeyed = self._inbox.obey(dispatcher, left or _patience(dispatcher, pace))
             if still and not obeyed:
                 # No tick asks the world now, but its process may still die.
                 recording.tell(self._heeded(dispatcher.watch()))
                 continue
-            if obeyed or pace.speed != min(self._speed, most):
+            if obeyed or left or pace.speed != min(self._speed, most):
                 pace = _Pace(dispatcher.time, min(self._speed, most))
+            if self._time.left(dispatcher, min(self._speed, most)) > 0:
+                continue
             if not self._inbox.closed and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
-                if self._acting is not None:
-                    self._acting.before(dispatcher)
-                self._tell(recording, self._heeded(self._ticked(dispatcher, told)))
+                self._tick(dispatcher, recording, told)
                 slowest = max(slowest, monotonic() - began)
         if not isinstance(recording.last, RunFinished):
             recording.end("stopped", LET_GO, dispatcher)
@@ -206,6 +241,18 @@ class Runner(QThread):
         longer = status.planning and still
         self._look = min(2 * self._look, LONGEST_LOOK) if longer else LOOK
         return status
+
+    def _tick(
+        self, dispatcher: Dispatcher, recording: Recorder, told: DispatchStatus | None
+    ) -> None:
+        """Make one tick with the commands that are due, and write down what people did in it."""
+        self._acting.before(dispatcher)
+        self._transcript.before(dispatcher)
+        self._inbox.called_off = False
+        events = self._heeded(self._ticked(dispatcher, told))
+        self._tell(recording, events)
+        self._transcript.after(dispatcher, events, whole=not self._inbox.called_off)
+        self._time.follow(dispatcher)
 
     def _ticked(self, dispatcher: Dispatcher, told: DispatchStatus | None) -> tuple[Event, ...]:
         """Make one tick. If it plans for long, report that to the window."""
@@ -224,12 +271,11 @@ class Runner(QThread):
 
     def _tell(self, recording: Recorder, events: tuple[Event, ...]) -> None:
         recording.tell(events)
-        if self._acting is not None:
-            self._acting.hear(events)
+        self._acting.hear(events)
 
     def _says(self, dispatcher: Dispatcher) -> bool:
         """Whether the script has a command for a run that is paused."""
-        return self._acting is not None and self._acting.has_something(dispatcher)
+        return self._acting.has_something(dispatcher)
 
     def _heeded(self, events: tuple[Event, ...]) -> tuple[Event, ...]:
         """The events of a tick, without the failure that closing a run causes in its world."""

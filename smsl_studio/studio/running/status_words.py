@@ -5,6 +5,7 @@ from __future__ import annotations
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.runner import FASTEST
+from smsl_studio.world.engines import TABLE
 
 Words = tuple[tuple[str, ...], tuple[str, ...]]
 
@@ -18,7 +19,7 @@ def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
     if status is not None:
         left.append(f"Simulated {status.time:.1f} s")
     if run.exists:
-        left.append(_pace(speed))
+        left.append(_pace(speed, choice.world == TABLE))
         left.append(f"Frozen copy, drawing {'has moved on' if moved_on else 'unchanged'}")
     if run.sentence:
         left.append(capital(run.sentence))
@@ -32,7 +33,9 @@ def _is_recording(run: RunSession) -> bool:
     return run.exists and run.record is not None
 
 
-def _pace(speed: float) -> str:
+def _pace(speed: float, table: bool) -> str:
     if speed == FASTEST:
         return "As fast as it goes"
+    if table:
+        return f"Operations shown at {speed:g} ×"
     return "Paced at real time" if speed == 1.0 else f"Paced at {speed:g} × real time"

@@ -20,6 +20,7 @@ KINDS = {
     ".yaml": "YAML (*.yaml *.yml)",
 }
 OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL}"
+SCRIPTS = "Scripts (*.jsonl)"
 
 FINISH, UNDO, STAY = "Finish the save", "Undo it", "Stay"
 ROLES = {
@@ -59,6 +60,16 @@ class Dialogs:
             return path
         # The dialog checked the name as it was typed, so the name with the suffix is checked here.
         path = path.with_suffix(next((s for s, words in KINDS.items() if words == chosen), first))
+        return path if not path.exists() or self._may_replace(path) else None
+
+    def script_to_save(self, suggested: Path) -> Path | None:
+        """Ask where to save a script; None if the person cancels."""
+        kinds = ";;".join((SCRIPTS, ALL))
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save script", str(suggested), kinds)
+        path = Path(name)
+        if not name or path.suffix:
+            return path if name else None
+        path = path.with_suffix(".jsonl")
         return path if not path.exists() or self._may_replace(path) else None
 
     def _may_replace(self, path: Path) -> bool:

@@ -6,15 +6,14 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.errors import UsageError
+from smsl_studio.front.views.fault_choices import EXAMPLE, parameters_of
 from smsl_studio.studio.base.controls import Combo, Elided, Field, label
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
 
-Parameter = float | str
 WORDS = "Let something go wrong in the world"
 NONE_HERE = "This world has no faults to inject"
 NO_RUN = "Faults can be injected while a run is there"
-EXAMPLE = "such as peg=c seconds=6"
 
 
 class FaultBar(QWidget):
@@ -93,26 +92,3 @@ class FaultBar(QWidget):
             return
         self.refuse("")
         self.wanted.emit(self.fault.currentData(), parameters)
-
-
-def parameters_of(text: str) -> dict[str, Parameter]:
-    """The parameters in a text such as ``peg=c seconds=6``, separated by spaces or commas.
-
-    Raises UsageError if a part is not name=value.
-    """
-    found: dict[str, Parameter] = {}
-    for part in text.replace(",", " ").split():
-        name, sign, value = part.partition("=")
-        if not name.isidentifier() or not sign or not value:
-            raise UsageError(f"{part} is no name=value, {EXAMPLE}")
-        found[name] = _value(value)
-    return found
-
-
-def _value(text: str) -> Parameter:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text

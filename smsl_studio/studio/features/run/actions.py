@@ -1,13 +1,33 @@
-"""The actions of a run: play, step, pause, stop, monitor, plugins."""
+"""The actions of a run: play, step, pause, stop, fault, script, monitor, plugins."""
 
 from __future__ import annotations
+
+from typing import Protocol
 
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, Shell
 from smsl_studio.studio.running.run_actions import RunActions
 
 
-def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
+class Trials(Protocol):
+    """What the actions may ask about trying things by hand."""
+
+    def can_inject(self) -> bool:
+        """Whether a fault can be injected now."""
+
+    def inject_fault(self) -> None:
+        """Open the dialog for a fault."""
+
+    def has_script(self) -> bool:
+        """Whether something was done by hand in the run that is shown."""
+
+    def save_script(self) -> None:
+        """Save what was done by hand as a script."""
+
+
+def run_actions(
+    run: RunActions, trials: Trials, windows: AllWindows, shell: Shell
+) -> tuple[Action, ...]:
     """The rows for the Run menu, and the monitor for the View menu."""
 
     def play() -> None:
@@ -38,6 +58,12 @@ def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Act
                tip="Every sensor, fact, node and state check of the run"),
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
                tip="A controlled stop, from anywhere"),
+        Action("inject_fault", "Inject a fault…", trials.inject_fault, "Run", "warning",
+               ("Ctrl+Shift+I",), trials.can_inject, section=3,
+               tip="Let something go wrong in the world, now or at a chosen moment"),
+        Action("save_script", "Save as script…", trials.save_script, "Run", "save", (),
+               trials.has_script, section=3,
+               tip="Save what was done by hand in this run, so that it can be done again"),
         Action("reload_plugins", "Look for plugins again", windows.look_for_plugins, "Run", "", (),
                section=4, tip="Read edited and added plugins; a run always has them as they are"),
     )  # fmt: skip

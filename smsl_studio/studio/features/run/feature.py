@@ -11,6 +11,7 @@ from PySide6.QtCore import QEventLoop, QTimer
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Control, Feature, Page, Shell, whole
 from smsl_studio.studio.base.late_part import LatePart
+from smsl_studio.studio.base.run_keys import lend_run_keys
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.run.actions import run_actions
 from smsl_studio.studio.running.run_actions import RunActions
@@ -19,6 +20,7 @@ from smsl_studio.studio.running.window_parts import WindowParts
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
     from smsl_studio.library.loaded import Loaded
+    from smsl_studio.studio.features.run.fault_dialog import FaultDialog
     from smsl_studio.studio.features.run.pane import RunPane
     from smsl_studio.studio.features.run.spare_world import SpareWorld, Wanted
 
@@ -40,6 +42,8 @@ class RunFeature(Feature):
         self.asked: RunActions = self
         self.shown_elsewhere: Callable[[], bool] = lambda: False
         """Tells whether another feature shows a page in which a run can begin."""
+        self.faults: FaultDialog | None = None
+        """The dialog for a fault, after it was opened for the first time."""
         self.part = LatePart(self._make)
         self.pages = {"run": self._page}
 
@@ -64,6 +68,8 @@ class RunFeature(Feature):
         session, files, window = self._parts.session, self._parts.files, self._parts.window
         pane = RunPane(session, self._tokens, window)
         pane.hide()
+        pane.scene.fault_wanted.connect(self.inject_fault)
+        pane.scene.script_wanted.connect(self.save_script)
         pane.recordings = lambda: self._parts.settings.wanted_recordings
         warming = self._warming = SpareWorld(self._next, window)
         warming.spare = pane.run.spare = self._spare
@@ -78,7 +84,7 @@ class RunFeature(Feature):
 
     def actions(self) -> tuple[Action, ...]:
         """The rows about a run."""
-        return run_actions(self.asked, self._shell.program, self._shell)
+        return run_actions(self.asked, self, self._shell.program, self._shell)
 
     # What the actions of a run ask for.
 
@@ -98,6 +104,33 @@ class RunFeature(Feature):
     def show_monitor(self) -> None:
         """Show the monitor page."""
         self.pane.show_monitor()
+
+    def can_inject(self) -> bool:
+        """Whether there is a run, so that a fault can be injected."""
+        return self.part.made is not None and self.part.made.run.exists
+
+    def inject_fault(self) -> None:
+        """Open the dialog for a fault, or bring it to the front."""
+        from smsl_studio.studio.features.run.fault_dialog import FaultDialog
+
+        if self.faults is None:
+            self.faults = FaultDialog(self.pane.run, self._parts.window)
+            lend_run_keys(self.faults, self._parts.window)
+        self.faults.show()
+        self.faults.raise_()
+        self.faults.activateWindow()
+
+    def has_script(self) -> bool:
+        """Whether something was done by hand in the run that is shown."""
+        return self.part.made is not None and bool(self.part.made.run.lines)
+
+    def save_script(self) -> None:
+        """Save what was done by hand as a script."""
+        from smsl_studio.studio.features.run.script_file import save_script
+
+        path = self._parts.files.path
+        folder = path.parent if path is not None else Path.home()
+        save_script(self.pane.run, folder, self._parts.toast, self._parts.window)
 
     # What the shell needs.
 
@@ -156,6 +189,8 @@ class RunFeature(Feature):
         pane = self.part.made
         if pane is None:
             return
+        if self.faults is not None:
+            self.faults.close()
         run = pane.run
         if run.exists and run.phase != "stopped":
             wait = QEventLoop(pane)

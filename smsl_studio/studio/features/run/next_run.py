@@ -9,7 +9,8 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.running.next_levels import NextLevels
-from smsl_studio.studio.running.run_session import RunChoice, RunSession
+from smsl_studio.studio.running.run_choice import RunChoice
+from smsl_studio.studio.running.run_session import RunSession
 
 Wanted = tuple[Blueprint, str, int, Loaded]
 

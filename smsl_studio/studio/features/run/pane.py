@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
@@ -23,23 +22,14 @@ from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.run.camera import VIEWS
 from smsl_studio.studio.features.run.event_list import EventList
 from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
 from smsl_studio.studio.features.run.transport import Transport
-from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.facts_table import FactsTable
-from smsl_studio.studio.running.frames import (
-    head,
-    laid_over,
-    panel,
-    split,
-    tool,
-    tools_over,
-    words_over,
-)
+from smsl_studio.studio.running.frames import head, panel, split, tool
 from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession
@@ -83,7 +73,8 @@ class RunPane(QWidget):
         self.transport = Transport(tokens, self)
         self.transport.hide()
         self.canvas = RunCanvas(session, self.run, tokens)
-        self.world = WorldView(tokens)
+        self.scene = WorldPane(self.run, tokens)
+        self.world = self.scene.view
         self.facts = FactsTable(tokens)
         self.check = StateCheckView(tokens)
         self.possible = PossiblePanel(self.run, tokens)
@@ -177,13 +168,11 @@ class RunPane(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
-        for part in (self.transport, self.canvas, self.world, self.facts, self.check):
+        for part in (self.transport, self.canvas, self.scene, self.facts, self.check):
             part.set_tokens(tokens)
         self.possible.set_tokens(tokens)
         self.timeline.set_tokens(tokens)
         self.monitor_button.setIcon(icon("signal", tokens))
-        self._views.setIcon(icon("camera", tokens))
-        self._home.setIcon(icon("fit", tokens))
         self._refresh()
 
     @property
@@ -212,7 +201,7 @@ class RunPane(QWidget):
             return
         choice = self.next.choice
         self.events.clear()
-        self.world.clear()
+        self.scene.clear()
         self.canvas.show_refusal("")
         self.run.recordings = self.recordings()
         speed = self.transport.speed.currentData()
@@ -256,23 +245,7 @@ class RunPane(QWidget):
         self._lists.add("Possible now", self.possible, cost)
         self._lists.add("Events", self.events)
         below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (45, 55))
-        return split(Qt.Orientation.Vertical, (self._world(), below), (300, 325), (1, 1))
-
-    def _world(self) -> QWidget:
-        self._views = tool("Front right", "camera", "Where to look from", self._tokens)
-        self._views.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self._views)
-        for name in VIEWS:
-            menu.addAction(name, partial(self._look, name))
-        self._views.setMenu(menu)
-        self._home = tool("", "fit", "Back to the chosen view", self._tokens)
-        self._home.clicked.connect(self.world.come_back)
-        self._world_name = label("", "second")
-        words = words_over(label("World", "heading"), self._world_name)
-        words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._world_tools = tools_over(self._views, self._home)
-        self._world_tools.hide()
-        return laid_over(self.world, words, self._world_tools)
+        return split(Qt.Orientation.Vertical, (self.scene, below), (300, 325), (1, 1))
 
     def _connect(self) -> None:
         transport = self.transport
@@ -283,6 +256,7 @@ class RunPane(QWidget):
         transport.speed_changed.connect(self.run.set_speed)
         transport.by_hand_changed.connect(lambda on: self.run.set_automatic(not on))
         self.run.changed.connect(self._refresh)
+        self.run.progressed.connect(lambda: self.canvas.show_time(self.run.shown_time))
         self.run.opened.connect(self._show_world)
         self.run.events_told.connect(self._tell)
         self.run.exists_changed.connect(self.run_exists)
@@ -317,9 +291,7 @@ class RunPane(QWidget):
     def show_drawing(self) -> None:
         """Drop the results of a run that is over, and show the drawing."""
         self.events.clear()
-        self.world.clear()
-        self._world_name.setText("")
-        self._world_tools.hide()
+        self.scene.clear()
         self.run.forget()
         self.named.emit()
 
@@ -347,6 +319,7 @@ class RunPane(QWidget):
         lost = run.phase == "failed"
         facts = fact_rows(blueprint, status, lost)
         self.facts.show_rows(facts if run.exists else as_they_were(facts))
+        self.scene.show_facts(facts)
         rows = possible_rows(blueprint, status) if run.exists else ()
         choosable = run.exists and status.phase in CHOOSABLE
         self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")
@@ -378,22 +351,13 @@ class RunPane(QWidget):
                 self.canvas.say("; ".join(map(capital, event.reasons)))
 
     def _show_world(self) -> None:
-        name = self.run.choice.world if self.run.choice else ""
-        self._world_name.setText(f"{name}, from poses" if self.run.shapes else name)
-        self._world_tools.setVisible(bool(self.run.shapes))
         self._facts_rate.setText(rate_words(self.run.sensors))
-        self.world.load(self.run.shapes, name)
-        self._draw_world()
+        self.scene.load()
 
     def _draw_world(self) -> None:
-        if self.world.isVisible():
-            self.world.show_poses(self.run.poses(), self.run.words())
+        self.scene.draw()
         if not self.run.exists:
             self._frames.stop()
-
-    def _look(self, name: str) -> None:
-        self._views.setText(name)
-        self.world.set_view(name)
 
     def _say_refused(self, error: StudioError) -> None:
         self._frames.stop()

@@ -160,7 +160,9 @@ class Transport(QWidget):
     def _speed(self) -> Combo:
         speed = Combo()
         speed.setFixedWidth(64)
-        speed.setToolTip("Simulated seconds for each second")
+        speed.setToolTip(
+            "Simulated seconds for each second; without physics, how fast operations are shown"
+        )
         speed.setAccessibleName("Speed")
         for words, factor in SPEEDS.items():
             speed.addItem(words, factor)

@@ -1,0 +1,178 @@
+"""The world of a run: its picture, or its facts as tiles if there is nothing to draw."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QMenu,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.front.views.fact_rows import FactRow
+from smsl_studio.front.views.fact_tiles import fact_tiles
+from smsl_studio.front.views.run_marks import operation_words, progress, time_words
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.features.run.camera import VIEWS
+from smsl_studio.studio.features.run.operation_bar import OperationBar
+from smsl_studio.studio.features.run.tiles import TilesView
+from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.studio.running.frames import MIDDLE, laid_over, tool, tools_over, words_over
+from smsl_studio.studio.running.run_session import RunSession
+
+FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
+SCRIPT = "Save what was done by hand as a script"
+
+
+class WorldPane(QWidget):
+    """Shows the world of ``run``.
+
+    ``view`` is its picture. ``tiles`` and ``bar`` stand in its place if the world has no shapes or
+    there are no graphics. Above it are the buttons for a fault and for the script of what was done
+    by hand.
+    """
+
+    fault_wanted = Signal()
+    """The person wants to inject a fault."""
+    script_wanted = Signal()
+    """The person wants to save what was done by hand as a script."""
+
+    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._run = run
+        self._loaded = False
+        self.view = WorldView(tokens)
+        self.tiles, self.bar = TilesView(tokens), OperationBar(tokens)
+        self._name = label("", "second")
+        self._looks = tool("Front right", "camera", "Where to look from", tokens)
+        self._looks.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self._looks)
+        for name in VIEWS:
+            menu.addAction(name, partial(self._look, name))
+        self._looks.setMenu(menu)
+        self._home = tool("", "fit", "Back to the chosen view", tokens)
+        self._home.clicked.connect(self.view.come_back)
+        self.fault = tool("Fault…", "warning", FAULT, tokens)
+        self.fault.clicked.connect(self.fault_wanted)
+        self.script = tool("Script…", "save", SCRIPT, tokens)
+        self.script.clicked.connect(self.script_wanted)
+        self._tools = tools_over(self._looks, self._home)
+        self._tools.hide()
+        self._trials = tools_over(self.fault, self.script)
+        self._build()
+        run.progressed.connect(self.show_time)
+
+    def _build(self) -> None:
+        plain = QWidget()
+        plain.setProperty("role", "panel")
+        column = QVBoxLayout(plain)
+        column.setContentsMargins(12, 2 * MIDDLE, 4, 0)
+        column.setSpacing(0)
+        column.addWidget(self.tiles, 1)
+        column.addWidget(self.bar)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.view)
+        self._pages.addWidget(plain)
+        words = words_over(label("World", "heading"), self._name)
+        words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        tools = QWidget()
+        across = QHBoxLayout(tools)
+        across.setContentsMargins(0, 0, 0, 0)
+        across.setSpacing(0)
+        across.addWidget(self._trials)
+        across.addWidget(self._tools)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(laid_over(self._pages, words, tools))
+        self.show_trials()
+
+    @property
+    def shows_tiles(self) -> bool:
+        """Whether the facts stand in the place of the picture."""
+        return self._pages.currentIndex() == 1
+
+    def load(self) -> None:
+        """Show the world of the run, which is open now."""
+        run, self._loaded = self._run, True
+        name = run.choice.world if run.choice else ""
+        self.view.load(run.shapes, name)
+        if not run.shapes:
+            self._name.setText(name)
+        elif self.view.has_picture:
+            self._name.setText(f"{name}, from poses")
+        else:
+            self._name.setText(f"{name}. {self.view.sentence}")
+        self._tools.setVisible(self.view.has_picture)
+        self.draw()
+
+    def clear(self) -> None:
+        """Show that there is no run."""
+        self._loaded = False
+        self.view.clear()
+        self._name.setText("")
+        self._tools.hide()
+        self._trials.hide()
+        self._pages.setCurrentIndex(0)
+
+    def show_trials(self) -> None:
+        """Show which of the trials by hand are possible now."""
+        run, acts = self._run, len(self._run.lines)
+        self._trials.setVisible(run.exists or bool(acts))
+        self.fault.setEnabled(run.exists)
+        self.script.setEnabled(bool(acts))
+        words = f"Script {acts}…" if acts else "Script…"
+        if self.script.text().strip() != words:
+            self.script.setText(words)
+            self.script.setAccessibleName(f"{counted(acts, 'act')} by hand. {SCRIPT}")
+
+    def draw(self) -> None:
+        """Draw the newest poses."""
+        if self.view.isVisible():
+            self.view.show_poses(self._run.poses(), self._run.words())
+
+    def show_facts(self, rows: tuple[FactRow, ...]) -> None:
+        """Show the facts of the run, if the world has no picture."""
+        self.show_trials()
+        blueprint, status = self._run.blueprint, self._run.status
+        if blueprint is None or status is None or self.view.has_picture or not self._loaded:
+            self._pages.setCurrentIndex(0)
+            return
+        self._pages.setCurrentIndex(1)
+        self.tiles.show_tiles(fact_tiles(blueprint, rows))
+        self.show_time()
+
+    def show_time(self) -> None:
+        """Show what runs, and how far it is."""
+        run, shown = self._run, self._run.shown_time
+        blueprint, status = run.blueprint, run.status
+        if blueprint is None or status is None or not self.shows_tiles:
+            return
+        share, time = (
+            progress(blueprint, status, run.story),
+            time_words(blueprint, status, run.story),
+        )
+        if shown is not None and shown.address == status.running:
+            share, time = shown.share, shown.words
+        self.tiles.show_share(share or 0.0)
+        self.bar.show_operation(operation_words(blueprint, status), time, share)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        for part in (self.view, self.tiles, self.bar):
+            part.set_tokens(tokens)
+        self._looks.setIcon(icon("camera", tokens))
+        self._home.setIcon(icon("fit", tokens))
+        self.fault.setIcon(icon("warning", tokens))
+        self.script.setIcon(icon("save", tokens))
+
+    def _look(self, name: str) -> None:
+        self._looks.setText(name)
+        self.view.set_view(name)

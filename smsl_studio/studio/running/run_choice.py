@@ -1,0 +1,53 @@
+"""What a person chose to run, its request, and its log."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from datetime import datetime
+from pathlib import Path
+
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.recorder import new_recording, start_log
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.supervisors import supervisor_of
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.runlog.log import RunLog
+
+
+@dataclass(frozen=True)
+class RunChoice:
+    """What a person chose to run. ``start`` and ``goal`` are addresses; empty means the default.
+
+    ``levels`` are those that were set for this run (see ``blueprint.levels``).
+    """
+
+    world: str
+    start: str = ""
+    goal: str = ""
+    seed: int = 0
+    by_hand: bool = False
+    levels: Mapping[str, str] = field(default_factory=dict)
+
+    def request(self, blueprint: Blueprint) -> RunRequest:
+        """The request for this run, with a person present to answer.
+
+        A run by hand begins with the command of the person, so that the record tells it.
+        """
+        return RunRequest(
+            blueprint,
+            self.world,
+            starts=(self.start,) if self.start else (),
+            goals=(self.goal,) if self.goal else (),
+            seed=self.seed,
+            levels=self.levels,
+            attended=True,
+        )
+
+
+def log_of(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
+    """Start the log of a run; raises SaveError if it cannot be written."""
+    agent = supervisor_of(Levels(request.blueprint, request.levels))
+    path = new_recording(folder, request.blueprint.file, datetime.now())
+    return start_log(replace(request, log=path, supervisor=agent, person=who), loaded)

@@ -1,0 +1,223 @@
+"""Faults by a dialog, and a script of what was done by hand."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog
+
+from smsl_studio import front
+from smsl_studio.front.script.lines import read_script
+from smsl_studio.runlog.events import Commanded, Disturbed, FaultInjected, Held
+from smsl_studio.studio.features.run.fault_dialog import FaultDialog
+from smsl_studio.studio.running import operation_time
+from tests.stories.at_run import AtRun
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key = Qt.Key
+SET = "A fact changes, until an operation writes it"
+HANOI, HFSM = SAMPLES / "hanoi-corrected.json", SAMPLES / "hfsm.json"
+
+
+def _dialog(run: AtRun) -> FaultDialog:
+    """Open the dialog with its key."""
+    run.person.press(Key.Key_I, (Qt.KeyboardModifier.ControlModifier,
+                                 Qt.KeyboardModifier.ShiftModifier))  # fmt: skip
+    found = run.person.window.features.run.faults
+    assert found is not None
+    run.person.until(found.isVisible)
+    return found
+
+
+def _choose(person: Person, dialog: FaultDialog, **words: str) -> None:
+    for name, text in words.items():
+        combo = getattr(dialog, name)
+        if combo.currentText() != text:
+            person.choose(combo, text)
+
+
+def _line(dialog: FaultDialog) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(dialog.script.text())
+    return found
+
+
+def _paused(sit: Sit, monkeypatch: pytest.MonkeyPatch, path: Path = HANOI) -> AtRun:
+    """A run that is paused in the middle of its first operation."""
+    run = AtRun(sit(path))
+    monkeypatch.setattr(operation_time, "USUAL", 1e6)
+    run.choose("table")
+    run.person.press(Key.Key_F5)
+    run.until_runs()
+    run.person.press(Key.Key_F6)
+    run.until_phase("Paused")
+    monkeypatch.setattr(operation_time, "USUAL", 0.0)
+    run.as_fast_as_it_goes()
+    return run
+
+
+def _same_again(run: AtRun, script: Path, blueprint: Path = HANOI, **asked: Any) -> None:
+    """The script without a window makes the same run."""
+    read = front.read(blueprint)
+    again = front.run(read, script=read_script(script, read), **asked)
+    told = [event.line() for event in run.events]
+    assert [event.line() for event in again.events][: len(told)] == told
+
+
+def _save(run: AtRun, monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    run.person.click(run.pane.scene.script)
+    assert path.exists()
+
+
+def test_a_fact_changes_now_and_the_run_holds(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    _choose(run.person, dialog, fault=SET, fact="Fact 3", value="b", moment="Now")
+    assert _line(dialog) == {"at": 0.0, "do": "inject", "fault": "set", "fact": "SB1/2",
+                             "value": "b", "by": run.pane.run.who()}  # fmt: skip
+    assert dialog.undone.text().startswith("Op_1c writes every fact of SB1 when it ends")
+    run.person.click(dialog.inject)
+    run.person.until(lambda: dialog.said.text() == "Injected at 0.00 s: set.")
+    _choose(run.person, dialog, fault="A fact is read wrongly", fact="Fact 3", value="b")
+    assert not dialog.undone.text()
+    assert _line(dialog) == {"at": 0.0, "do": "disturb", "target": "SB1/2", "kind": "stuck",
+                             "value": "b", "by": run.pane.run.who()}  # fmt: skip
+    run.person.click(dialog.inject)
+    run.person.until(lambda: dialog.said.text() == "Disturbed at 0.00 s: SB1/2 stuck.")
+    run.person.click(dialog.close_button)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Fault hold")
+    _save(run, monkeypatch, tmp_path / "by-hand.jsonl")
+    _same_again(run, tmp_path / "by-hand.jsonl")
+
+
+def test_a_fault_waits_for_the_end_of_an_operation_or_for_its_middle(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    _choose(run.person, dialog, fault="The operation says that it failed",
+            moment="While an operation runs", operation="Op_3c from bba")  # fmt: skip
+    assert _line(dialog)["during"] == "SB1/State_bba/Op_3c"
+    assert dialog.fact.isHidden()
+    run.person.click(dialog.inject)
+    _choose(run.person, dialog, fault="A fact is read wrongly", fact="Fact 1", value="a",
+            moment="After an operation", operation="Op_2b from caa")  # fmt: skip
+    assert _line(dialog)["when"] == "SB1/State_cba"
+    run.person.click(dialog.inject)
+    run.person.until(lambda: dialog.waiting.text() == "2 faults waiting for a moment")
+    run.person.press(Key.Key_F5)
+    run.until_phase("Fault hold")
+    assert [event for event in run.events if isinstance(event, Disturbed)]
+    run.person.until(lambda: dialog.waiting.text() == "1 fault waiting for a moment")
+    _choose(run.person, dialog, fault="A fact is read rightly again", fact="Fact 1", moment="Now")
+    assert dialog.value.isHidden()
+    run.person.click(dialog.inject)
+    run.person.until(lambda: "none" in dialog.said.text())
+    dialog.close()
+    run.person.press(Key.Key_F5)
+    run.person.until(lambda: sum(isinstance(one, Held) for one in run.events) == 2)
+    run.pane.run.adopt()
+    run.person.until(lambda: any(isinstance(one, FaultInjected) for one in run.events))
+    run.person.until(lambda: sum(isinstance(one, Held) for one in run.events) == 3)
+    ended = [e.as_json() for e in run.events if e.event == "operation_ended"]
+    assert [one["address"] for one in ended if one["outcome"] == "failed"] == [
+        "SB1/State_bba/Op_3c"
+    ]
+    _save(run, monkeypatch, tmp_path / "by-hand.jsonl")
+    _same_again(run, tmp_path / "by-hand.jsonl")
+
+
+def test_the_fault_of_a_script_file_and_of_the_dialog_are_the_same(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = AtRun(sit(HANOI))
+    run.choose("table")
+    run.as_fast_as_it_goes()
+    run.person.press(Key.Key_F10)
+    run.until_done(1)
+    dialog = _dialog(run)
+    _choose(run.person, dialog, fault="The operation ends in another state",
+            state="State_aba", moment="While an operation runs")  # fmt: skip
+    assert dialog.operation.currentText() == "Op_2b from caa, next"
+    line = _line(dialog)
+    run.person.click(dialog.inject)
+    dialog.close()
+    run.person.press(Key.Key_F5)
+    run.until_phase("Fault hold")
+    steps = [{"do": "step"}, {"at": 0.05, "do": "resume"}]
+    (tmp_path / "script.jsonl").write_text("\n".join(map(json.dumps, [*steps, line])))
+    read = front.read(HANOI)
+    again = front.run(read, script=read_script(tmp_path / "script.jsonl", read))
+    ours = [e.line() for e in run.events if not isinstance(e, Commanded)]
+    theirs = [e.line() for e in again.events if not isinstance(e, Commanded)]
+    assert theirs[: len(ours)] == ours
+
+
+def test_what_waits_can_be_taken_back(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    assert dialog.back.isHidden()
+    _choose(run.person, dialog, moment="After an operation")
+    run.person.click(dialog.inject)
+    run.person.until(dialog.back.isVisible)
+    run.person.click(dialog.back)
+    run.person.until(lambda: not dialog.waiting.text())
+    dialog.close()
+    run.person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    assert not [event for event in run.events if isinstance(event, FaultInjected)]
+
+
+def test_without_a_run_the_dialog_says_so_and_offers_nothing(sit: Sit) -> None:
+    run = AtRun(sit(HANOI))
+    run.choose("table")
+    actions = run.person.window.actions_table
+    assert not actions["inject_fault"].isEnabled()
+    assert not actions["save_script"].isEnabled()
+    run.as_fast_as_it_goes()
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Ready")
+    dialog = _dialog(run)
+    assert dialog.inject.isEnabled()
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    assert dialog.inject.isEnabled()
+    run.pane.run.end()
+    run.person.until(lambda: not run.pane.run.exists)
+    assert not dialog.inject.isEnabled()
+    assert dialog.refusal.text() == "A fault can be injected while a run is there"
+
+
+def test_a_run_by_hand_is_saved_and_done_again(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = AtRun(sit(HFSM))
+    run.choose("table")
+    run.as_fast_as_it_goes()
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Ready")
+    run.click_arrow("SB1/State000/Operation000")
+    run.until_done(1)
+    run.click_in_list("Operation100B")
+    run.until_done(3)
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    run.pane.run.end()
+    run.person.until(lambda: not run.pane.run.exists)
+    assert run.pane.scene.script.text().strip() == "Script 5…"
+    path = tmp_path / "by-hand"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    run.person.window.actions_table["save_script"].trigger()
+    _same_again(run, path.with_suffix(".jsonl"), HFSM)
+    first = json.loads(path.with_suffix(".jsonl").read_text().splitlines()[0])
+    assert first["_run"].startswith("smsl-studio run hfsm.json --world table")
