@@ -126,7 +126,7 @@ def test_a_fault_waits_for_the_end_of_an_operation_or_for_its_middle(
     run.person.until(lambda: sum(isinstance(one, Held) for one in run.events) == 2)
     run.pane.run.adopt()
     run.person.until(lambda: any(isinstance(one, FaultInjected) for one in run.events))
-    run.person.until(lambda: sum(isinstance(one, Held) for one in run.events) == 3)
+    run.until_phase("Goal reached")
     ended = [e.as_json() for e in run.events if e.event == "operation_ended"]
     assert [one["address"] for one in ended if one["outcome"] == "failed"] == [
         "SB1/State_bba/Op_3c"

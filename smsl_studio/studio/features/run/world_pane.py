@@ -111,6 +111,13 @@ class WorldPane(QWidget):
         else:
             self._name.setText(f"{name}. {self.view.sentence}")
         self._tools.setVisible(self.view.has_picture)
+        # Over a picture the buttons are small, so that they hide little of it.
+        style = Qt.ToolButtonStyle
+        small = (
+            style.ToolButtonIconOnly if self.view.has_picture else style.ToolButtonTextBesideIcon
+        )
+        for button in (self.fault, self.script):
+            button.setToolButtonStyle(small)
         self.draw()
 
     def clear(self) -> None:
