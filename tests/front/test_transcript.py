@@ -16,7 +16,8 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request, run_request
 from smsl_studio.front.script.lines import script_of
-from smsl_studio.front.script.transcript import Transcript, script_text
+from smsl_studio.front.script.transcript import Transcript
+from smsl_studio.front.script_text import script_text
 from smsl_studio.runlog.events import Event
 from smsl_studio.shipped import samples_dir
 

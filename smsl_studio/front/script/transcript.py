@@ -6,16 +6,12 @@ the same events.
 
 from __future__ import annotations
 
-import json
-import shlex
 from collections.abc import Iterable, Mapping
 from math import floor
-from pathlib import Path
 from typing import Any
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.supervision.row import Command
-from smsl_studio.front.request import RunRequest
 from smsl_studio.front.script.moments import Moments
 from smsl_studio.front.script.script import AT, DURING
 from smsl_studio.front.script.words import said_as
@@ -88,25 +84,6 @@ class Transcript:
         about = {} if task is None else {"kind": task.kind, "address": task.address}
         about = {key: value for key, value in about.items() if value}
         return {"do": word, **about, **given, "by": command.by}
-
-
-def script_text(request: RunRequest, lines: Iterable[Mapping[str, Json]]) -> str:
-    """Return the text of a script with these lines, for a run that is asked for like this one.
-
-    The first line is no act: it says how the script is run.
-    """
-    levels = ({"do": "level", "of": of, "level": one} for of, one in request.levels.items())
-    every = ({"_run": run_words(request)}, *levels, *lines)
-    return "".join(f"{json.dumps(line, ensure_ascii=False)}\n" for line in every)
-
-
-def run_words(request: RunRequest, script: str = "SCRIPT") -> str:
-    """Return the command line that runs this request again, with a script of this name."""
-    words = ["smsl-studio", "run", Path(request.blueprint.file).name, "--world", request.world]
-    for option, states in (("--start", request.starts), ("--goal", request.goals)):
-        for state in states:
-            words += [option, str(state)]
-    return shlex.join([*words, "--seed", str(request.seed), "--script", script])
 
 
 def _rounded(seconds: float) -> float:

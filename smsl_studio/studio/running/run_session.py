@@ -22,7 +22,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
 from smsl_studio.front.script.script import Act
-from smsl_studio.front.script.transcript import script_text
+from smsl_studio.front.script_text import script_text
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote
