@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 from annotated_types import Ge, Gt, Le, Lt, MaxLen
 
 from smsl_studio.blueprint.continuum import LEVELS
+from smsl_studio.blueprint.edge_layout import FAR
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
@@ -116,9 +117,6 @@ class Hazard(_Note):
 PLAIN = OperationNote()
 """The note of an operation without annotations."""
 
-FAR = 1e7
-"""The limit of a position in both directions (pixels)."""
-
 LONGEST = 10_000
 """The largest number of characters of a text that is only drawn."""
 
@@ -166,17 +164,6 @@ def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...],
     odd = (key for key in raw if key not in found)
     words = ", ".join(LEVELS)
     return found, tuple((("_levels", key), f"a level is one of {words}") for key in odd)
-
-
-def point_of(at: Json) -> tuple[float, float] | None:
-    """Return a position ``[x, y]`` of ``_layout`` (pixels). None if it is not valid or too far
-    away.
-    """
-    if not isinstance(at, list) or len(at) != 2:
-        return None
-    if not all(type(value) in (int, float) and abs(value) < FAR for value in at):
-        return None
-    return float(at[0]), float(at[1])
 
 
 def validated(

@@ -11,6 +11,7 @@ from operator import is_not
 from typing import cast
 
 from smsl_studio.blueprint.drawn import LAYOUT, NOTES, written_groups
+from smsl_studio.blueprint.edge_layout import IN_LAYOUT, Fault, edge_layouts_of, point_of
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.notes import Notes
 
@@ -50,14 +51,14 @@ def _notes(before: StateBranch, after: StateBranch) -> Notes | None:
         return notes
     if not isinstance(table, dict):
         return None
+    edges, faults = notes.edges, list[Fault]()
+    if table.get(IN_LAYOUT) is not former.get(IN_LAYOUT):
+        edges = edge_layouts_of(table.get(IN_LAYOUT, {}), faults)
     layout = dict(zip(table, map(notes.layout.get, table), strict=True))
     moved = list(compress(table, map(is_not, table.values(), map(former.get, table))))
-    if moved:
-        from smsl_studio.blueprint.annotations import point_of
-
-        layout.update((name, point_of(table[name])) for name in moved)
+    layout.update((name, point_of(table[name])) for name in moved)
     if None in layout.values():  # what is drawn besides the states has no place
         layout = {name: at for name, at in layout.items() if not name.startswith("_")}
-        if None in layout.values():
-            return None
-    return replace(notes, layout=cast("dict[str, tuple[float, float]]", layout))
+    if faults or None in layout.values():
+        return None
+    return replace(notes, layout=cast("dict[str, tuple[float, float]]", layout), edges=edges)

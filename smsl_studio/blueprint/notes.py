@@ -11,6 +11,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import note_key
+from smsl_studio.blueprint.edge_layout import IN_LAYOUT, Edge, EdgeLayout, edge_layouts_of, point_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
@@ -29,6 +30,8 @@ class Notes:
     states: Mapping[str, StateNote] = field(default_factory=dict)
     operations: Mapping[str, OperationNote] = field(default_factory=dict)
     layout: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    edges: Mapping[Edge, EdgeLayout] = field(default_factory=dict)
+    """The lines of operations that are drawn by hand."""
     faults: tuple[tuple[tuple[str, ...], str], ...] = ()
     written: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
@@ -51,7 +54,6 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
         FactNote,
         OperationNote,
         StateNote,
-        point_of,
         validated,
         with_words,
     )
@@ -86,15 +88,18 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
         if operation is not None:
             operations[name], written[name] = operation, words
     layout: dict[str, tuple[float, float]] = {}
+    edges: Mapping[Edge, EdgeLayout] = {}
     for name, at in table("_layout").items():
+        if name == IN_LAYOUT:
+            edges = edge_layouts_of(at, faults)
         if name.startswith("_"):
-            continue  # what is drawn besides the states, see ``drawn``
+            continue  # what is drawn besides the places of states, see ``drawn``
         point = point_of(at)
         if point is not None:
             layout[name] = point
         else:
             faults.append((("_layout", name), "a position is [x, y]"))
-    return Notes(facts, states, operations, layout, tuple(faults), written)
+    return Notes(facts, states, operations, layout, edges, tuple(faults), written)
 
 
 NO_NOTES = Notes()

@@ -20,6 +20,7 @@ from smsl_studio.blueprint.annotations import (
     StateNote,
 )
 from smsl_studio.blueprint.continuum import LEVELS
+from smsl_studio.blueprint.edge_layout import IN_LAYOUT, MOST_BENDS
 from smsl_studio.smsl.document.limits import MAX_NAME
 
 Json = Any
@@ -149,6 +150,29 @@ STATE = {
     "additionalProperties": {"type": "string", "description": "The state it leads to."},
 }
 POINT = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+LINES = {
+    "type": "object",
+    "description": "How the lines of operations are drawn, by State/Operation.",
+    "additionalProperties": {
+        "type": "object",
+        "properties": {
+            "bends": {
+                "type": "array",
+                "items": POINT,
+                "maxItems": MOST_BENDS,
+                "description": "The points that the line leads through, from its source on.",
+            },
+            "label": {
+                "type": "array",
+                "items": {"type": "number"},
+                "minItems": 3,
+                "maxItems": 3,
+                "description": "A share of the line's length, and from there x and y.",
+            },
+        },
+        "additionalProperties": False,
+    },
+}
 
 
 def schema() -> Json:
@@ -212,7 +236,10 @@ def _branch() -> Json:
             "_layout": {
                 "type": "object",
                 "description": "Where each state is drawn.",
-                "properties": {"_groups": _table("Group", "Groups of states, by any key.")},
+                "properties": {
+                    "_groups": _table("Group", "Groups of states, by any key."),
+                    IN_LAYOUT: LINES,
+                },
                 "patternProperties": {"^_": True},
                 "additionalProperties": POINT,
             },

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from smsl_studio.blueprint.address import note_key
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
@@ -78,6 +79,10 @@ def _branch(chance: random.Random, files: int) -> dict[str, Json]:
         branch["_operations"] = {chance.choice(NAMES).replace("/", "~1"): {"cost": 2}}
     if states and chance.random() < 0.5:
         branch["_layout"] = {state: [chance.randrange(999), 0.5] for state in states}
+        edges = [note_key(name, state) for state in states for name in branch[state]]
+        if edges and chance.random() < 0.3:
+            line = {"bends": [[chance.randrange(99), 1]], "label": [0.5, 0, -9.5]}
+            branch["_layout"]["_operations"] = {chance.choice(edges): line}
     if states and chance.random() < 0.4:
         note = {"text": "n", "at": [1, 2], "state": chance.choice([*states, "gone"])}
         branch["_notes"] = {"1": note, "odd": chance.choice([None, {"text": "free", "at": [3, 4]}])}
@@ -89,7 +94,8 @@ def _branch(chance: random.Random, files: int) -> dict[str, Json]:
 def stand(blueprint: Blueprint) -> str:
     """Everything that must be the same again: texts, digests, layout, order."""
     states = [
-        [one.name, list(one.notes.layout.items()), str(one.drawn), one.shape, one.alphabet,
+        [one.name, list(one.notes.layout.items()), repr(one.notes.edges), str(one.drawn),
+         one.shape, one.alphabet,
          [one.facts(name) for name in one.table]]
         for one in blueprint
     ]  # fmt: skip

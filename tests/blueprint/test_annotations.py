@@ -39,6 +39,28 @@ def test_an_edge_can_set_back_what_its_name_says() -> None:
     assert noted.operation_note("S1", "o").repeatable
 
 
+ODD_LINES: tuple[Any, ...] = (
+    [[1, 2]],
+    {"bend": [[1, 2]]},
+    {"bends": {}},
+    {"bends": [1, 2]},
+    {"bends": [[1, 2, 3]]},
+    {"bends": [[1, True]]},
+    {"bends": [[1, "2"]]},
+    {"bends": [[1e300, 2]]},
+    {"bends": [[float("nan"), 2]]},
+    {"bends": [[1, 2]] * 41},
+    {"label": 0.5},
+    {"label": [0.5, 1]},
+    {"label": [1.01, 1, 1]},
+    {"label": [-0.1, 1, 1]},
+    {"label": [0.5, 1, 2001]},
+    {"label": [0.5, float("inf"), 1]},
+    {"label": [0.5, None, 1]},
+)
+"""Lines of operations that do not fit."""
+
+
 @pytest.mark.parametrize(
     ("fields", "path"),
     [
@@ -53,6 +75,18 @@ def test_an_edge_can_set_back_what_its_name_says() -> None:
         ({"_layout": {"S0": [1]}}, ("_layout", "S0")),
         ({"_layout": {"S0": [1, True]}}, ("_layout", "S0")),
         ({"_layout": {"S0": [1, 1e300]}}, ("_layout", "S0")),
+        ({"_layout": {"_operations": [1, 2]}}, ("_layout", "_operations")),
+        *(
+            ({"_layout": {"_operations": {"S0/o": odd}}}, ("_layout", "_operations", "S0/o"))
+            for odd in ODD_LINES
+        ),
+        *(
+            (
+                {"_layout": {"_operations": {key: {"bends": [[1, 2]]}}}},
+                ("_layout", "_operations", key),
+            )
+            for key in ("o", "", "S0/", "S0/o/o")
+        ),
     ],
 )
 def test_what_does_not_fit_is_left_out_and_reported(

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Difference
 from smsl_studio.blueprint.comparison.file_level import compare_fields, compare_order
 from smsl_studio.blueprint.comparison.headers import compare_header
+from smsl_studio.blueprint.comparison.layout import moved_states, redrawn_operations
 from smsl_studio.blueprint.comparison.notes import compare_notes
 from smsl_studio.blueprint.comparison.pairs import renamed_branches, renamed_states
 from smsl_studio.blueprint.comparison.sides import BranchSides, Sides
@@ -24,7 +27,8 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
     renamed = renamed_branches(before.branches, after.branches)
     sides = Sides(before, after, renamed)
     moved: list[Address] = []
-    states: dict[str, dict[str, str]] = {}
+    redrawn: list[Address] = []
+    states: dict[str, Mapping[str, str]] = {}
     compare_fields(sides)
     old_names = {new: old for old, new in renamed.items()}
     names = [renamed.get(name, name) for name in before.branches]
@@ -32,7 +36,10 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
         old = old_names.get(name, name)
         one, other = before.branches.get(old), after.branches.get(name)
         if one is not None and other is not None:
-            states[old] = _compare_branch(sides, one, other, moved)
+            pair = BranchSides(sides, one, other, renamed_states(one, other))
+            states[old] = _compare_branch(pair)
+            moved.extend(moved_states(pair))
+            redrawn.extend(redrawn_operations(pair))
         elif one is not None:
             sides.changes.append(_whole(one, ChangeKind.REMOVED))
         elif other is not None:
@@ -40,16 +47,14 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
     compare_order(sides)
     changes = tuple(one for one in sides.changes if one.what != "field")
     fields = tuple(one for one in sides.changes if one.what == "field")
-    return Difference(before, after, changes, tuple(moved), renamed, states, fields)
+    layout = tuple(moved), tuple(redrawn)
+    return Difference(before, after, changes, *layout, renamed, states, fields)
 
 
-def _compare_branch(
-    sides: Sides, before: StateBranch, after: StateBranch, moved: list[Address]
-) -> dict[str, str]:
-    renamed = renamed_states(before, after)
+def _compare_branch(pair: BranchSides) -> Mapping[str, str]:
+    before, after = pair.before, pair.after
     if before is after:
-        return renamed
-    pair = BranchSides(sides, before, after, renamed)
+        return pair.states
     if before.name != after.name:
         words = f"The State Branch {before.name} is now called {after.name}."
         pair.add(
@@ -68,8 +73,7 @@ def _compare_branch(
     compare_header(pair)
     compare_states(pair)
     compare_notes(pair)
-    moved.extend(_moved(pair))
-    return renamed
+    return pair.states
 
 
 def _whole(branch: StateBranch, kind: ChangeKind) -> Change:
@@ -83,19 +87,3 @@ def _whole(branch: StateBranch, kind: ChangeKind) -> Change:
 
 def _count(number: int, word: str) -> str:
     return f"{number} {word}{'' if number == 1 else 's'}"
-
-
-def _moved(pair: BranchSides) -> list[Address]:
-    old, new = (
-        side.notes.layout if "_layout" in side.fields else {} for side in (pair.before, pair.after)
-    )
-    if old == new:
-        return []
-    before, after = pair.before.table, pair.after.table
-    here = {pair.state(name): at for name, at in old.items() if name in before}
-    stays = {pair.state(name) for name in before}
-    return [
-        pair.address_after(name)
-        for name in merged(list(here), list(new))
-        if here.get(name) != new.get(name) and name in after and name in stays
-    ]

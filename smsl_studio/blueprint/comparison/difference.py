@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
@@ -75,7 +76,8 @@ class Change:
 class Difference:
     """All changes between two blueprints, in the order of the files.
 
-    ``moved`` are the states (on the later side) with moved boxes. ``states`` has, for each SB on
+    ``moved`` are the states (on the later side) with moved boxes, ``redrawn`` the operations with
+    other bends, or with their label elsewhere. ``states`` has, for each SB on
     both sides, the new names of its renamed states. ``branches`` has the new names of renamed SBs.
     ``fields`` are the ``_`` fields without a meaning that differ, such as ``_comment``. Like the
     layout, they are no changes.
@@ -85,14 +87,15 @@ class Difference:
     after: Blueprint
     changes: tuple[Change, ...] = ()
     moved: tuple[Address, ...] = ()
-    branches: dict[str, str] = field(default_factory=dict)
-    states: dict[str, dict[str, str]] = field(default_factory=dict)
+    redrawn: tuple[Address, ...] = ()
+    branches: Mapping[str, str] = field(default_factory=dict)
+    states: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     fields: tuple[Change, ...] = ()
 
     @property
     def same(self) -> bool:
         """Whether nothing differs, not even layout and fields without meaning."""
-        return not (self.changes or self.moved or self.fields)
+        return not (self.changes or self.moved or self.redrawn or self.fields)
 
     @property
     def same_meaning(self) -> bool:
@@ -101,8 +104,8 @@ class Difference:
 
     @property
     def layout_only(self) -> bool:
-        """Whether only boxes were moved."""
-        return bool(self.moved) and not (self.changes or self.fields)
+        """Whether only boxes were moved and lines redrawn."""
+        return bool(self.moved or self.redrawn) and not (self.changes or self.fields)
 
     def count(self, kind: ChangeKind) -> int:
         """Return the number of changes of one kind."""
@@ -121,17 +124,26 @@ class Difference:
         """The difference in one sentence."""
         if self.same:
             return "No difference."
-        boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
         if self.layout_only:
-            return f"Layout only: {boxes} moved."
+            return f"Layout only: {self._layout_differs}."
         if self.same_meaning:
-            layout = f"; {boxes} moved" if self.moved else ""
+            layout = f"; {self._layout_differs}" if self.moved or self.redrawn else ""
             return f"Same meaning: only {self._fields_differ}{layout}."
         parts = [f"{self.count(kind)} {kind.value}" for kind in ChangeKind if self.count(kind)]
         boxes = f"; {len(self.moved)} moved in the layout" if self.moved else ""
+        boxes += f"; {len(self.redrawn)} redrawn" if self.redrawn else ""
         fields = f"; beside the meaning {self._fields_differ}" if self.fields else ""
         total = len(self.changes)
         return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}{fields}."
+
+    @property
+    def _layout_differs(self) -> str:
+        """How many states were moved and operations redrawn."""
+        moved, redrawn = len(self.moved), len(self.redrawn)
+        states = "1 state was" if moved == 1 else f"{moved} states were"
+        lines = "1 operation was" if redrawn == 1 else f"{redrawn} operations were"
+        told = [f"{states} moved"] * bool(moved) + [f"{lines} redrawn"] * bool(redrawn)
+        return ", ".join(told)
 
     @property
     def _fields_differ(self) -> str:
@@ -152,6 +164,7 @@ class Difference:
             "same_meaning": self.same_meaning,
             "layout_only": self.layout_only,
             "moved": len(self.moved),
+            "redrawn": len(self.redrawn),
             "changes": [self._with_places(change) for change in self.changes],
             "fields": [self._with_places(change) for change in self.fields],
         }

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.additions import add_branch as add_branch
     from smsl_studio.blueprint.editing.additions import add_operation as add_operation
     from smsl_studio.blueprint.editing.additions import add_state as add_state
+    from smsl_studio.blueprint.editing.bends import place_label as place_label
+    from smsl_studio.blueprint.editing.bends import set_bends as set_bends
+    from smsl_studio.blueprint.editing.bends import straighten as straighten
     from smsl_studio.blueprint.editing.deletion import delete as delete
     from smsl_studio.blueprint.editing.digits import add_fact as add_fact
     from smsl_studio.blueprint.editing.digits import delete_fact as delete_fact
@@ -72,6 +75,7 @@ _HOMES = {
     "move_fact": "digits",
     "paste": "pasted_text",
     "paste_states": "pasted_table",
+    "place_label": "bends",
     "put_groups": "drawn",
     "put_notes": "drawn",
     "rename": "renames",
@@ -79,6 +83,7 @@ _HOMES = {
     "rename_value": "fact_values",
     "reorder": "moves",
     "retarget": "moves",
+    "set_bends": "bends",
     "set_hazards": "notes",
     "set_header": "headers",
     "set_imports": "imports",
@@ -86,6 +91,7 @@ _HOMES = {
     "set_levels": "levels",
     "set_note": "notes",
     "set_value": "fact_values",
+    "straighten": "bends",
 }
 """Every edit with its module. Random sequences of edits in the tests take each of them."""
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from smsl_studio.blueprint.editing.bends import edges_forgotten
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named, free_name
-from smsl_studio.blueprint.editing.notes import point
+from smsl_studio.blueprint.editing.positions import point
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, did_you_mean
@@ -54,6 +55,7 @@ def add_operation(
     free_name(name, found.table[state], "an operation")
     draft = Draft(blueprint)
     draft.at(branch, state)[name] = target
+    edges_forgotten(draft, branch, [(state, name)])  # of a former operation
     return draft.done()
 
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable
 
 from smsl_studio.blueprint.address import Address, note_key, split_fact
 from smsl_studio.blueprint.editing.additions import recount
+from smsl_studio.blueprint.editing.bends import edges_forgotten
 from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.editing.drawn import states_gone
 from smsl_studio.blueprint.editing.headers import drop_sub
@@ -49,6 +50,7 @@ def _delete_operations(draft: Draft, branch: str, edges: Collection[tuple[str, s
     for table in draft.tables(branch, "_operations"):
         for state, operation in edges:
             table.pop(note_key(operation, state), None)
+    edges_forgotten(draft, branch, edges)
 
 
 def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:

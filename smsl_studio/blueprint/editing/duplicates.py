@@ -25,4 +25,6 @@ def duplicate_state(
     after, (made,) = duplicate(blueprint, [state])
     if made.state != name:
         after = rename(after, made, name)
-    return set_layout(after, state.branch, {name: at}) if at is not None else after
+    if at is None:
+        return after
+    return set_layout(after, state.branch, {name: at}, after[state.branch].notes.layout)

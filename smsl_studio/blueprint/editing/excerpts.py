@@ -11,6 +11,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.drawn import GROUPS, LAYOUT, NOTES
+from smsl_studio.blueprint.edge_layout import IN_LAYOUT
 from smsl_studio.blueprint.editing.deletion import delete
 from smsl_studio.blueprint.editing.draft import existing
 from smsl_studio.blueprint.editing.drawn import part_of
@@ -97,4 +98,13 @@ def _notes(
         notes[NOTES] = hanging
     if groups:
         notes[LAYOUT] = {**notes.get(LAYOUT, {}), GROUPS: groups}
+    lines = _lines(written.get(LAYOUT), named) if states else {}
+    if lines:
+        notes[LAYOUT] = {**notes.get(LAYOUT, {}), IN_LAYOUT: lines}
     return notes
+
+
+def _lines(layout: Json, named: set[str]) -> dict[str, Json]:
+    """Return the entries about the lines of copied operations."""
+    table = layout.get(IN_LAYOUT) if isinstance(layout, dict) else None
+    return {n: v for n, v in table.items() if n in named} if isinstance(table, dict) else {}

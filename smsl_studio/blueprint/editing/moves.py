@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.bends import edges_forgotten
 from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
@@ -14,6 +15,8 @@ from smsl_studio.errors import EditRefused, did_you_mean
 def retarget(blueprint: Blueprint, address: Address | Sequence[Address], target: str) -> Blueprint:
     """Let an operation, or several of one SB, lead to another state of their SB. EditRefused if one
     of them or the state does not exist.
+
+    The bends of its line and the place of its label were made for the former way, so they go.
     """
     addresses = [address] if isinstance(address, Address) else list(address)
     for one in addresses:
@@ -28,7 +31,9 @@ def retarget(blueprint: Blueprint, address: Address | Sequence[Address], target:
             )
     draft = Draft(blueprint)
     for one in addresses:
-        draft.at(one.branch, one.state)[one.operation] = target
+        if blueprint[one.branch].table[one.state][one.operation] != target:
+            draft.at(one.branch, one.state)[one.operation] = target
+            edges_forgotten(draft, one.branch, [(one.state, one.operation)])
     return draft.done()
 
 

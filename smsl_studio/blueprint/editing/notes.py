@@ -8,8 +8,11 @@ from functools import cached_property
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.annotations import FAR, read_hazards
+from smsl_studio.blueprint.annotations import read_hazards
+from smsl_studio.blueprint.edge_layout import Point
+from smsl_studio.blueprint.editing.bends import edges_moved
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named
+from smsl_studio.blueprint.editing.positions import point
 from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.notes import read_notes
@@ -21,9 +24,16 @@ Json = Any
 
 
 def set_layout(
-    blueprint: Blueprint, branch: str, positions: Mapping[str, tuple[float, float]]
+    blueprint: Blueprint,
+    branch: str,
+    positions: Mapping[str, Point],
+    former: Mapping[str, Point] | None = None,
 ) -> Blueprint:
-    """Place states (centres of nodes, pixels at 100 % zoom). Other states stay where they are."""
+    """Place states (centres of nodes, pixels at 100 % zoom). Other states stay where they are.
+
+    ``former`` has the places before, as they were drawn. With it, the bends of an operation go
+    along if both of its states move by the same way.
+    """
     found = branch_of(blueprint, branch)
     if not positions:
         return blueprint
@@ -32,17 +42,9 @@ def set_layout(
     for state, at in positions.items():
         _must_be_state(found, state)
         table[state] = point(at)
+    if former and found.notes.edges:
+        edges_moved(draft, branch, positions, former)
     return draft.done()
-
-
-def point(at: tuple[float, float]) -> list[float]:
-    """Return a position as it is written: in tenths of a pixel, whole numbers without a dot.
-    EditRefused if it is not on the canvas.
-    """
-    if not all(math.isfinite(value) and abs(value) < FAR for value in at):
-        raise EditRefused(f"the position {at} is not on the canvas", advice="Drop it nearer.")
-    rounded = [round(float(value), 1) for value in at]
-    return [int(value) if value == int(value) else value for value in rounded]
 
 
 def set_note(

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from math import ceil, sqrt
 from typing import Any
 
-from smsl_studio.blueprint.annotations import point_of
-from smsl_studio.blueprint.editing.notes import point
+from smsl_studio.blueprint.edge_layout import point_of
+from smsl_studio.blueprint.editing.positions import point
 
 Json = Any
 Point = tuple[float, float]

@@ -7,7 +7,9 @@ from contextlib import suppress
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.edge_layout import IN_LAYOUT, edge_layouts_of, point_of
 from smsl_studio.blueprint.editing.additions import recount
+from smsl_studio.blueprint.editing.bends import put_edge
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.editing.drawn import put_pasted
 from smsl_studio.blueprint.editing.excerpts import MARK, OPERATIONS, STATES, parts_of
@@ -155,9 +157,16 @@ class _Into:
         for state in states:
             if state in notes:
                 draft.table(branch, "_states")[names[state]] = notes[state]
-        taken = self._found.notes.layout.values()
-        for state, place in places.of(states, _map(value, "_layout"), taken):
+        taken, layout = self._found.notes.layout.values(), _map(value, "_layout")
+        placed = dict(places.of(states, layout, taken))
+        for state, place in placed.items():
             draft.table(branch, "_layout")[names[state]] = place
+        for (state, operation), line in edge_layouts_of(layout.get(IN_LAYOUT, {}), []).items():
+            former = point_of(layout.get(state))
+            if former is not None and state in placed and operation in value[state]:
+                x, y = placed[state]
+                moved = line.moved(x - former[0], y - former[1])
+                put_edge(draft, branch, (names[state], operation), moved)
         put_pasted(draft, branch, value, names)
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:

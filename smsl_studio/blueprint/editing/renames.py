@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.blueprint.edge_layout import Edge
+from smsl_studio.blueprint.editing.bends import edges_follow
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
 from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_follow
@@ -143,6 +146,16 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
                 moved[key] = note_key(operation[0], names.get(state, state))
         rename_keys(table, moved)
 
+    def follow(edge: Edge) -> Edge | None:
+        """Return a state and its operation after the renaming."""
+        state, operation = edge
+        if state in former:
+            return None
+        stands = operation in found.table.get(state, {})
+        return (names.get(state, state), operation) if stands else edge
+
+    edges_follow(draft, branch, follow)
+
 
 def rename_operations(
     blueprint: Blueprint, addresses: Iterable[Address], new_name: str
@@ -197,7 +210,14 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
             rename_keys(notes, {note_key(old, state): note_key(new, state) for state in states})
             if unused and not left and note_key(new) not in notes:
                 rename_keys(notes, {note_key(old): note_key(new)})
+        lines: dict[Edge, Edge | None] = {(state, new): None for state in states}
+        lines |= {(state, old): (state, new) for state in states}
+        edges_follow(draft, branch, partial(_renamed, lines))
         levels |= {(branch, state, old): (branch, state, new) for state in states}
         if unused and not left and digit_of(found, old) is None:
             levels[branch, old] = (branch, new)
     levels_follow(draft, lambda key: levels.get(key, key))
+
+
+def _renamed(lines: Mapping[Edge, Edge | None], edge: Edge) -> Edge | None:
+    return lines.get(edge, edge)

@@ -168,6 +168,27 @@ def test_moved_boxes_are_layout_only() -> None:
     assert renamed.moved == ()
 
 
+def test_bends_and_moved_labels_are_layout_only() -> None:
+    before = two_levels()
+    one = next(before["Base"].edges())
+    edge = A("Base", one.source, one.name)
+    bent = edit.set_bends(before, edge, [(1.0, 2.0)])
+    found = compare(before, bent)
+    assert found.layout_only
+    assert not found.same
+    assert found.redrawn == (edge,)
+    assert found.words == "Layout only: 1 operation was redrawn."
+    assert found.as_json()["redrawn"] == 1
+    moved = edit.place_label(edit.set_layout(bent, "Base", {"State00": (5, 5)}), edge, (0.5, 1, 1))
+    assert compare(before, moved).words == (
+        "Layout only: 1 state was moved, 1 operation was redrawn."
+    )
+    assert compare(moved, moved).same
+    renamed = edit.rename(edit.rename(bent, edge, "anew"), A("Base", one.source), "State01")
+    assert compare(bent, renamed).redrawn == ()
+    assert not compare(before, edit.delete(bent, [edge])).redrawn, "it is gone, not redrawn"
+
+
 def test_a_default_that_shifts_is_a_change_and_one_that_is_written_out_is_none() -> None:
     before = of({"S": {"StateA": {"go": "StateB"}, "StateB": {}}})
     written = edit.set_header(before, "S", "INITIAL", "StateA")

@@ -214,6 +214,8 @@ def tallied(found: Difference) -> str:
              for (what, happened), n in counts.items()]  # fmt: skip
     if found.moved:
         parts.append(f"{counted(len(found.moved), 'state')} moved in the layout")
+    if found.redrawn:
+        parts.append(f"{counted(len(found.redrawn), 'operation')} redrawn")
     return f"{', '.join(parts)}."
 
 

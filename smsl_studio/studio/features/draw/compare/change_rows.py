@@ -22,12 +22,15 @@ def rows_of(difference: Difference) -> list[ListRow]:
     if difference.fields:
         rows.append(ListRow("Fields without meaning, which are no change", kind="section"))
     rows.extend(replace(_row(difference, one), pale=True) for one in difference.fields)
-    if difference.moved:
+    if difference.moved or difference.redrawn:
         rows.append(ListRow("Moved in the layout, which is no change of meaning", kind="section"))
     for address in difference.moved[:MOST_MOVED]:
         words = f"The state {address.state} of {address.branch} has another position."
         rows.append(ListRow(words, _moved(difference, address), "fit", pale=True))
-    left = len(difference.moved) - MOST_MOVED
+    for address in difference.redrawn[:MOST_MOVED]:
+        words = f"The line of {address.operation} in {address.state} is drawn in another way."
+        rows.append(ListRow(words, _moved(difference, address), "fit", pale=True))
+    left = sum(max(len(one) - MOST_MOVED, 0) for one in (difference.moved, difference.redrawn))
     if left > 0:
         rows.append(ListRow(f"and {left} more", kind="section"))
     return rows
@@ -60,4 +63,4 @@ def _moved(difference: Difference, address: Address) -> tuple[Address | None, Ad
     )
     renamed = difference.states.get(old_branch, {})
     state = next((old for old, new in renamed.items() if new == address.state), address.state)
-    return Address(old_branch, state), address
+    return Address(old_branch, state, address.operation), address
