@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
@@ -105,7 +106,18 @@ class Figure:
 
     def _geometry(self) -> Geometry:
         style = LineStyle(1.0, self.level is not Level.FULL)
-        return Geometry(self.picture, self.boxes, style, self.label_size)
+        return Geometry(self.picture, self.boxes, style, self.label_size, self.drawn)
+
+    @cached_property
+    def _layouts(self) -> dict[int, EdgeLayout]:
+        return self.picture.edge_layouts()
+
+    @property
+    def drawn(self) -> dict[int, EdgeLayout]:
+        """The operations whose line or label is drawn by hand, as large as this drawing."""
+        if not self._layouts:
+            return self._layouts
+        return {edge: layout.scaled(self.scale) for edge, layout in self._layouts.items()}
 
     def _hidden(self) -> bool:
         edges = range(len(self.picture.operations))
@@ -170,6 +182,8 @@ class Figure:
         if not self.shows_nodes:
             source, target = int(self.picture.source[edge]), int(self.picture.target[edge])
             ends = self.at[[source, target if target >= 0 else source]]
+            if edge in self.drawn and self.drawn[edge].bends:
+                ends = np.vstack([ends, self.drawn[edge].bends])
             (left, top), (right, bottom) = ends.min(axis=0).tolist(), ends.max(axis=0).tolist()
             return ((left, top, right, bottom),)
         label = self.geometry.label(edge)
@@ -219,6 +233,7 @@ class Figure:
             x, y, w, h = self.boxes[initial]
             found.append((x - w - 30.0, y - h, x - w, y - h))
         if not self.shows_nodes:
+            found.extend(self.rects_of(edge)[0] for edge in self.drawn if edge in edges)
             for state, wide in self.named.items():
                 if state in states:
                     x, y = self.at[state]

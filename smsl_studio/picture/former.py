@@ -7,9 +7,10 @@ a whole.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import Between, LineStyle, is_outward
 from smsl_studio.picture.labels import Rect, meet
 from smsl_studio.picture.picture import Picture
@@ -29,6 +30,8 @@ class Routing:
     boxes: Floats
     middle: Point
     style: LineStyle
+    drawn: Mapping[int, EdgeLayout]
+    """The edges whose line or label is drawn by hand."""
     shapes: dict[int, EdgeShape] = field(default_factory=dict)
     labels: dict[int, Rect | None] = field(default_factory=dict)
     sizes: dict[int, tuple[float, float]] = field(default_factory=dict)
@@ -50,7 +53,7 @@ class FormerLines:
         self._former, self._now = former, now
         before, after = former.picture, now.picture
         self._state = [before.index.get(name, -1) for name in after.names]
-        self._edges = _matched(before, after)
+        self._edges = _matched(former, now)
         self._far: list[Rect] = []
         """The places at which something changed, each with a margin."""
         self._same = [
@@ -128,7 +131,8 @@ class FormerLines:
                 kept.add(old)
             else:
                 self.moved([shape.bounds])
-        kept.update(old for old in self._edges if old >= 0 and _is_loop(former.picture, old))
+        loops = (old for old in self._edges if old >= 0 and _is_loop(former.picture, old))
+        kept.update(old for old in loops if old not in former.drawn)
         for old, shape in former.shapes.items():
             if old not in kept:
                 self.moved([shape.bounds, former.labels.get(old)])
@@ -196,23 +200,28 @@ class FormerLines:
             self.moved([before, rect])
 
     def _loop_count(self, state: int) -> int:
-        return len(_loops(self._former.picture, self._state[state]))
+        """Return how many loops of a state were not bent by hand."""
+        drawn, loops = self._former.drawn, _loops(self._former.picture, self._state[state])
+        return sum(edge not in drawn or not drawn[edge].bends for edge in loops)
 
     def _is_quiet(self, rect: Rect) -> bool:
         return not any(meet(rect, far) for far in self._far)
 
 
-def _matched(before: Picture, after: Picture) -> list[int]:
-    """Return the old number of each edge, -1 if its operation, source or target is not the same."""
+def _matched(former: Routing, now: Routing) -> list[int]:
+    """Return the old number of each edge, -1 if its operation, source or target is not the same, or
+    if its line is drawn in another way.
+    """
+    before, after = former.picture, now.picture
     names, sources = after.names, after.source.tolist()
     found = []
-    for operation, source, target in zip(
-        after.operations, sources, after.target.tolist(), strict=True
+    for edge, (operation, source, target) in enumerate(
+        zip(after.operations, sources, after.target.tolist(), strict=True)
     ):
         old = before.numbered(names[source], operation)
-        if old >= 0 and _name(before, int(before.target[old])) != _name(after, target):
-            old = -1
-        found.append(old)
+        led = old >= 0 and _name(before, int(before.target[old])) == _name(after, target)
+        alike = led and former.drawn.get(old) == now.drawn.get(edge)
+        found.append(old if alike else -1)
     return found
 
 

@@ -6,12 +6,13 @@ large pictures each edge is routed when it comes into view.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from smsl_studio.picture import labels, loops
+from smsl_studio.blueprint.edge_layout import EdgeLayout
+from smsl_studio.picture import bends, labels, loops
 from smsl_studio.picture.curves import (
     Between,
     LineStyle,
@@ -42,9 +43,9 @@ LabelSize = Callable[[int], tuple[float, float]]
 class Geometry:
     """The lines and label places of a picture, by edge number.
 
-    ``boxes`` is an (n, 4) array of centres and half sizes. ``former`` is the routing of a small
-    picture before an edit. What the edit does not touch is copied from it, and the result is the
-    same as without it.
+    ``boxes`` is an (n, 4) array of centres and half sizes. ``drawn`` has the edges whose line or
+    label somebody has drawn by hand. ``former`` is the routing of a small picture before an edit.
+    What the edit does not touch is copied from it, and the result is the same as without it.
     """
 
     def __init__(
@@ -53,9 +54,11 @@ class Geometry:
         boxes: Floats,
         style: LineStyle,
         label_size: LabelSize,
+        drawn: Mapping[int, EdgeLayout],
         former: Routing | None = None,
     ) -> None:
         self.picture, self.boxes, self.style = picture, boxes, style
+        self._drawn = drawn
         self._label_size = label_size
         self._shapes: dict[int, EdgeShape] = {}
         self._strands: dict[int, Strand] = {}
@@ -128,6 +131,11 @@ class Geometry:
             self._labels.pop(edge, None)
         return list(concerned)
 
+    def redraw(self, edge: int) -> None:
+        """Drop the line of an edge whose layout has changed."""
+        self._shapes.pop(edge, None)
+        self._labels.pop(edge, None)
+
     def box(self, state: int) -> NodeBox:
         """Return the box of a state, with its rounded corners."""
         found = self._box.get(state)
@@ -159,7 +167,10 @@ class Geometry:
         are drawn here.
         """
         a, b = int(self.picture.source[edge]), int(self.picture.target[edge])
-        if b < 0:
+        by_hand = self._by_hand(edge) if edge in self._drawn else None
+        if by_hand is not None:
+            self._shapes[edge] = by_hand
+        elif b < 0:
             self._shapes[edge] = self._stub(a, edge)
         elif a == b:
             self._route_loops(a)
@@ -171,8 +182,25 @@ class Geometry:
     def _draw(self) -> None:
         """Draw all planned lines together."""
         if self._strands:
-            self._shapes |= shapes_of(self._strands, self.style)
+            self._keep(shapes_of(self._strands, self.style))
             self._strands.clear()
+
+    def _keep(self, shapes: Mapping[int, EdgeShape]) -> None:
+        """Keep lines, but those that are drawn by hand as they are drawn."""
+        for edge in self._drawn.keys() & shapes.keys():
+            by_hand = self._by_hand(edge)
+            if by_hand is not None:
+                shapes = {**shapes, edge: by_hand}
+        self._shapes |= shapes
+
+    def _by_hand(self, edge: int) -> EdgeShape | None:
+        """Return the line of an edge through its bends, None if it has none beside its nodes."""
+        a, b = int(self.picture.source[edge]), int(self.picture.target[edge])
+        points = self._drawn[edge].bends
+        if b < 0 or not points:
+            return None
+        others = np.delete(self.boxes, (a, b), axis=0) if self.small else None
+        return bends.bent(self.box(a), self.box(b), points, self.style.unit, others)
 
     def _pair(self, a: int, b: int) -> Between:
         key = (min(a, b), max(a, b))
@@ -190,13 +218,13 @@ class Geometry:
             return
         held = self._former.pair(pair, source, target) if self._former is not None else None
         if held is not None:
-            shapes, bends = held
-            self._shapes |= shapes
-        elif bends := len(work.bent) < MOST_AROUND and not self._clear(pair, work):
-            self._shapes |= around(pair, source, target, self.style, self.boxes, outward)
+            shapes, leads_around = held
+            self._keep(shapes)
+        elif leads_around := len(work.bent) < MOST_AROUND and not self._clear(pair, work):
+            self._keep(around(pair, source, target, self.style, self.boxes, outward))
         else:
             self._strands |= strands_of(pair, source, target, self.style, outward)
-        if bends:
+        if leads_around:
             work.bent.add((pair.a, pair.b))
 
     def _clear(self, pair: Between, work: Routing) -> bool:
@@ -225,7 +253,8 @@ class Geometry:
     # All edges of a small picture
 
     def _route_small(self, former: Routing | None) -> None:
-        work = self._work = Routing(self.picture, self.boxes, self._middle, self.style)
+        drawn = dict(self._drawn)
+        work = self._work = Routing(self.picture, self.boxes, self._middle, self.style, drawn)
         if former is not None and len(former.bent) < MOST_AROUND:
             held = FormerLines(former, work)
             self._former = held if held.fits else None
@@ -255,7 +284,9 @@ class Geometry:
         ):
             if edge in self._shapes or edge in self._strands:
                 continue
-            if a == b:
+            if edge in self._drawn and (by_hand := self._by_hand(edge)) is not None:
+                self._shapes[edge] = by_hand
+            elif a == b:
                 looping[a] = None
             elif (
                 b >= 0
@@ -277,6 +308,10 @@ class Geometry:
             self._former.lines_known(self._shapes)
         self._lines = labels.LinePieces(self._shapes)
         self._places = labels.LabelPlaces(self.boxes, self.style.unit)
+        bends.keep_clear(self._drawn.values(), self._places)
+        for edge, layout in self._drawn.items():
+            if layout.label is not None and edge in self._shapes:
+                self._place(edge)
         for state in looping:
             self._route_loops(state)
         self._lines = labels.LinePieces(self._shapes)
@@ -286,7 +321,7 @@ class Geometry:
     def _label_order(self, edge: int) -> tuple[int, float, int]:
         """Return the sort key of an edge. Labels with the fewest possible places come first."""
         shape = self._shapes[edge]
-        ways = {"loop": 0, "line": 1, "curve": 2, "stub": 3, "lane": 4}
+        ways = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "stub": 3, "lane": 4}
         return ways[shape.way], round(shape.length), edge
 
     def _place(self, edge: int) -> None:
@@ -303,6 +338,13 @@ class Geometry:
         if places is None:
             places = self._places = self._fresh_places()
         former = self._former
+        at = self._drawn[edge].label if edge in self._drawn else None
+        if at is not None:
+            moved = self._labels[edge] = labels.by_hand(shape, at, size)
+            places.take(moved)
+            if former is not None:
+                former.label_moved(edge, moved)
+            return
         if former is not None and former.has_label(edge, shape, size):
             rect = self._labels[edge] = former.label(edge)
             if rect is not None:
@@ -318,6 +360,7 @@ class Geometry:
         for rect in self._labels.values():
             if rect is not None:
                 places.take(rect)
+        bends.keep_clear(self._drawn.values(), places)
         return places
 
     def _route_loops(self, state: int) -> None:
@@ -325,6 +368,7 @@ class Geometry:
         picture, unit = self.picture, self.style.unit
         at_state = picture.edges_of(state)
         own = [e for e in at_state if picture.source[e] == picture.target[e] == state]
+        own = [e for e in own if e not in self._drawn or self._by_hand(e) is None]
         box = self.box(state)
         places = self._places or self._fresh_places()
         sizes = [self._label_size(e) for e in own]
@@ -338,28 +382,15 @@ class Geometry:
                 if rect is not None:
                     places.take(rect)
             return
-        names = loops.CORNERS
-        if box.y > self._middle[1]:
-            names = ("top right", "bottom right", *names[2:])
-        best: tuple[float, loops.Corner] | None = None
-        for order, name in enumerate(names):
-            corner = loops.corner_of(name, box, len(own), unit)
-            rects = loops.label_boxes(corner, sizes, unit)
-            reach = corner.radius + unit
-            around_ = (corner.x - reach, corner.y - reach, corner.x + reach, corner.y + reach)
-            cost = order * 0.7 + sum(2.0 * n for n in self._lines.covered(-1, [around_]))
-            cost += sum(6.0 for rect in rects if not places.is_free(rect))
-            cost += sum(float(n) for n in self._lines.covered(-1, rects))
-            if best is None or cost < best[0]:
-                best = cost, corner
-        assert best is not None
-        corner = best[1]
+        above = box.y > self._middle[1]
+        corner = loops.best_corner(box, sizes, above, places, self._lines)
         for rank, edge in enumerate(own):
             self._shapes[edge] = loops.arc(corner, box, rank, unit)
-        for edge, size, rect in zip(
-            own, sizes, loops.label_boxes(corner, sizes, unit), strict=True
-        ):
-            free = size[0] > 0.0 and places.is_free(rect)
+        stacked = loops.label_boxes(corner, sizes, unit)
+        for edge, size, beside in zip(own, sizes, stacked, strict=True):
+            at = self._drawn[edge].label if edge in self._drawn else None
+            rect = beside if at is None else labels.by_hand(self._shapes[edge], at, size)
+            free = size[0] > 0.0 and (at is not None or places.is_free(rect))
             self._labels[edge] = rect if free else None
             if free:
                 places.take(rect)

@@ -11,6 +11,7 @@ from functools import partial
 
 import numpy as np
 
+from smsl_studio.blueprint.edge_layout import LabelPlace
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
@@ -184,9 +185,9 @@ def _candidates(
         if beside:
             found.append((cost, partial(_beside, shape, along, size, unit)))
         found.append((cost + (1.5 if beside else 0.0), partial(on_line, along)))
-        if shape.way == "curve":
+        if shape.way in ("curve", "bent"):
             found.append((cost + 2.2, partial(outside, shape, along, size, unit)))
-    if shape.way in ("line", "curve"):
+    if shape.way in ("line", "curve", "bent"):
         # A label that hardly fits stands in the middle of the line without its arrowhead.
         found.append((0.3, partial(on_line, (shape.length - 8.0 * unit) / 2)))
     found.sort(key=lambda candidate: candidate[0])
@@ -200,6 +201,13 @@ def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float
     half = size[0] / 2 - 3.0 * unit
     reach = min(half / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
     return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
+
+
+def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:
+    """Return the rectangle of a label that somebody has moved."""
+    share, dx, dy = at
+    x, y = shape.at(shape.length * share)
+    return _centred((x + dx, y + dy), size)
 
 
 def outside(

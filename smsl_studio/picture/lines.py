@@ -78,15 +78,14 @@ def _head(shape: EdgeShape, size: float) -> list[Point]:
 
 
 def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> Iterator[str]:
-    picture, at = figure.picture, figure.at
+    picture, at, drawn = figure.picture, figure.at, figure.drawn
     pieces = []
     for edge in edges:
         a, b = int(picture.source[edge]), int(picture.target[edge])
-        if b >= 0 and a != b:
-            start, end = at[a].tolist(), at[b].tolist()
-            pieces.append(
-                f"M{number(start[0])} {number(start[1])}L{number(end[0])} {number(end[1])}"
-            )
+        bends = drawn[edge].bends if edge in drawn else ()
+        if b >= 0 and (a != b or bends):
+            corners = (at[a].tolist(), *bends, at[b].tolist())
+            pieces.append("M" + "L".join(f"{number(x)} {number(y)}" for x, y in corners))
     colour = inks(sign, colours).line if sign else colours["edge"]
     wide = "2.4" if sign else "0.8"
     for first in range(0, len(pieces), MOST_PIECES):

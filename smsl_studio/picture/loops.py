@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from smsl_studio.picture.labels import LabelPlaces, LinePieces
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 
 INNER, STEP = 8.0, 5.0
@@ -47,6 +48,34 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
     y = box.y + (box.h + 5 * unit) * (-1 if up else 1)
     label_x = x + (radius + 7 * unit) * (-1 if left else 1)
     return Corner(name, x, y, radius, label_x, y + 8 * unit * (-1 if up else 1), left, up)
+
+
+def best_corner(
+    box: NodeBox,
+    sizes: list[tuple[float, float]],
+    above: bool,
+    places: LabelPlaces,
+    lines: LinePieces,
+) -> Corner:
+    """Return the corner at which a node's loops and their labels cover least. ``sizes`` has the
+    size of each label. ``above`` says that corners at the top come first.
+    """
+    unit, names = places.unit, CORNERS
+    if above:
+        names = ("top right", "bottom right", *names[2:])
+    best: tuple[float, Corner] | None = None
+    for order, name in enumerate(names):
+        corner = corner_of(name, box, len(sizes), unit)
+        rects = label_boxes(corner, sizes, unit)
+        reach = corner.radius + unit
+        around = (corner.x - reach, corner.y - reach, corner.x + reach, corner.y + reach)
+        cost = order * 0.7 + sum(2.0 * n for n in lines.covered(-1, [around]))
+        cost += sum(6.0 for rect in rects if not places.is_free(rect))
+        cost += sum(float(n) for n in lines.covered(-1, rects))
+        if best is None or cost < best[0]:
+            best = cost, corner
+    assert best is not None
+    return best[1]
 
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:

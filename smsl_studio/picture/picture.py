@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.picture.crowd import MOST_CAREFUL
@@ -176,6 +177,12 @@ class Picture:
         if address.branch != self.branch.name or address.operation:
             return -1
         return self.index.get(address.state, -1)
+
+    def edge_layouts(self) -> dict[int, EdgeLayout]:
+        """Return the edges whose line or label somebody has drawn by hand, with their layout."""
+        drawn = self.branch.notes.edges.items()
+        found = {self.numbered(*edge): layout for edge, layout in drawn}
+        return {edge: layout for edge, layout in found.items() if edge >= 0}
 
     def label(self, edge: int) -> str:
         """Return an edge's label: the operation's name without the prefix that all operations

@@ -18,9 +18,9 @@ class EdgeShape:
     """The line of an edge, from the border of its source to the tip of its arrowhead.
 
     ``points`` is an (n, 2) array, n >= 2 (scene units). ``way`` is its kind: ``line``, ``curve``,
-    ``lane``, ``loop`` or ``stub``. ``side`` is where the label of a steep line may stand: -1 left
-    of the line's direction, 1 right of it, 0 on it. ``out`` is the side away from parallel lines: 1
-    right, -1 left.
+    ``lane``, ``loop``, ``stub``, or ``bent`` (by hand). ``side`` is where the label of a steep line
+    may stand: -1 left of the line's direction, 1 right of it, 0 on it. ``out`` is the side away
+    from parallel lines: 1 right, -1 left.
     """
 
     points: Floats
@@ -101,12 +101,23 @@ class EdgeShape:
 
     def distance(self, x: float, y: float) -> float:
         """Return the distance of a point from the line."""
+        return float(self._near(x, y)[0].min())
+
+    def along(self, x: float, y: float) -> float:
+        """Return the length along the line at which it is nearest to a point."""
+        away, share = self._near(x, y)
+        piece = int(away.argmin())
+        low, high = self.lengths[piece : piece + 2]
+        return float(low + (high - low) * share[piece])
+
+    def _near(self, x: float, y: float) -> tuple[Floats, Floats]:
+        """Return for each piece its distance from a point, and at which share of it that is."""
         start, step = self.points[:-1], self.points[1:] - self.points[:-1]
         size = (step**2).sum(axis=1)
         size[size == 0.0] = 1.0
         share = np.clip((((x, y) - start) * step).sum(axis=1) / size, 0.0, 1.0)
         near = start + step * share[:, None]
-        return float(np.hypot(near[:, 0] - x, near[:, 1] - y).min())
+        return np.hypot(near[:, 0] - x, near[:, 1] - y), share
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,7 +35,8 @@ def geometry_of(
     def label_size(edge: int) -> tuple[float, float]:
         return (len(picture.label(edge)) * 6.0 + 8.0) * style.unit, 15.0 * style.unit
 
-    return Geometry(picture, np.hstack([at, half.reshape(-1, 2)]), style, label_size, former)
+    boxes, drawn = np.hstack([at, half.reshape(-1, 2)]), picture.edge_layouts()
+    return Geometry(picture, boxes, style, label_size, drawn, former)
 
 
 def assert_alike(one: Geometry, whole: Geometry) -> None:
@@ -53,7 +54,21 @@ def edited(blueprint: Blueprint, branch: str, dice: random.Random, places: Place
     operation = dice.choice(list(table[state]) or [""])
     at = Address(branch, state, operation)
     what = dice.choice(
-        ["name", "operation", "add", "connect", "loop", "lead", "cut", "gone", "move"]
+        [
+            "name",
+            "operation",
+            "add",
+            "connect",
+            "loop",
+            "lead",
+            "cut",
+            "gone",
+            "move",
+            "bend",
+            "bend",
+            "straight",
+            "label",
+        ]
     )
     spot = (dice.randrange(-9, 30) * 40.0, dice.randrange(-9, 20) * 30.0)
     if what == "name":
@@ -76,6 +91,14 @@ def edited(blueprint: Blueprint, branch: str, dice: random.Random, places: Place
         return editing.delete(blueprint, [at])
     if what == "gone" and len(table) > 2:
         return editing.delete(blueprint, [Address(branch, state)])
+    if what == "bend" and operation:
+        ways = ((spot[0] + 60.0 * at, spot[1] - 40.0 * at) for at in range(dice.randrange(1, 4)))
+        return editing.set_bends(blueprint, at, [*ways])
+    if what == "straight" and operation:
+        return editing.set_bends(blueprint, at, ())
+    if what == "label" and operation:
+        aside = (dice.random(), dice.randrange(-60, 60), dice.randrange(-60, 60))
+        return editing.place_label(blueprint, at, dice.choice([aside, aside, None]))
     places[state] = spot
     return editing.set_layout(blueprint, branch, {state: spot})
 
