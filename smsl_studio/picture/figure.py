@@ -106,14 +106,14 @@ class Figure:
 
     def _geometry(self) -> Geometry:
         style = LineStyle(1.0, self.level is not Level.FULL)
-        return Geometry(self.picture, self.boxes, style, self.label_size, self.drawn)
+        return Geometry(self.picture, self.boxes, style, self.label_size, self.lines)
 
     @cached_property
     def _layouts(self) -> dict[int, EdgeLayout]:
         return self.picture.edge_layouts()
 
     @property
-    def drawn(self) -> dict[int, EdgeLayout]:
+    def lines(self) -> dict[int, EdgeLayout]:
         """The operations whose line or label is drawn by hand, as large as this drawing."""
         if not self._layouts:
             return self._layouts
@@ -182,8 +182,8 @@ class Figure:
         if not self.shows_nodes:
             source, target = int(self.picture.source[edge]), int(self.picture.target[edge])
             ends = self.at[[source, target if target >= 0 else source]]
-            if edge in self.drawn and self.drawn[edge].bends:
-                ends = np.vstack([ends, self.drawn[edge].bends])
+            if edge in self.lines and self.lines[edge].bends:
+                ends = np.vstack([ends, self.lines[edge].bends])
             (left, top), (right, bottom) = ends.min(axis=0).tolist(), ends.max(axis=0).tolist()
             return ((left, top, right, bottom),)
         label = self.geometry.label(edge)
@@ -233,7 +233,7 @@ class Figure:
             x, y, w, h = self.boxes[initial]
             found.append((x - w - 30.0, y - h, x - w, y - h))
         if not self.shows_nodes:
-            found.extend(self.rects_of(edge)[0] for edge in self.drawn if edge in edges)
+            found.extend(self.rects_of(edge)[0] for edge in self.lines if edge in edges)
             for state, wide in self.named.items():
                 if state in states:
                     x, y = self.at[state]

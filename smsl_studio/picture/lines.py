@@ -78,7 +78,7 @@ def _head(shape: EdgeShape, size: float) -> list[Point]:
 
 
 def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> Iterator[str]:
-    picture, at, drawn = figure.picture, figure.at, figure.drawn
+    picture, at, drawn = figure.picture, figure.at, figure.lines
     pieces = []
     for edge in edges:
         a, b = int(picture.source[edge]), int(picture.target[edge])

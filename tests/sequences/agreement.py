@@ -62,6 +62,8 @@ def _canvas(window: Window) -> Iterator[str]:
         yield "the canvas draws another blueprint"
     if rounded(canvas.positions) != rounded(session.places.shown(branch)):
         yield "states are drawn elsewhere than the session says"
+    if canvas.sheet.lines != canvas.sheet.picture.edge_layouts():
+        yield "lines are drawn otherwise than the blueprint says"
     if window.editor.field is not None:
         yield "a field is open"
     if window.features.draw.notes.field is not None:

@@ -66,7 +66,7 @@ class Sequence:
             (2, self._reopen), (3, self._mode), (2, self._tab), (1, self._fact), (1, self._branch),
             (2, self._run), (1, self._stop), (2, self._sibling), (2, self._copy),
             (2, self._template), (2, self._draw_note), (1, self._draw_group),
-            (3, self._set_value), (2, self._paste_table),
+            (3, self._set_value), (2, self._paste_table), (3, self._bend),
         ]  # fmt: skip
         weights = [weight for weight, _ in verbs]
         _, verb = self.chance.choices(verbs, weights)[0]
@@ -307,6 +307,21 @@ class Sequence:
         # What is dragged goes along with what else is selected.
         self.session.select(())
         return self._edit(lambda: self.seat.drag(state, by), state)
+
+    def _bend(self) -> list[str]:
+        table = self._table
+        edges = [(state, name) for state in table for name in table[state]]
+        if not edges:
+            return []
+        edge = self.chance.choice(edges)
+        verb = self.chance.choice(["add_bend", "add_bend", "next_bend", "clear_bends"])
+        self._note(f"{verb} {'/'.join(edge)}")
+
+        def do() -> None:
+            self.session.select((Address(self.session.branch, *edge),))
+            self.seat.act(verb)
+
+        return self._edit(do)
 
     def _delete(self) -> list[str]:
         self._note(f"delete {[*map(str, self.session.selection)]}")

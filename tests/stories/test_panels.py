@@ -476,7 +476,8 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
     assert words("SB1/State100/Operation100A") == [
-        "Rename", "Cut", "Copy", "Duplicate", "Delete", "Insert template",
+        "Rename", "Cut", "Copy", "Duplicate", "Delete", "Add bend", "Clear bends", "Reset label",
+        "Insert template",
     ]  # fmt: skip
     state = person.blueprint.resolve("SB1/State100")
     shown = window.session, window.editor, window.actions_table, window.clipping

@@ -12,7 +12,8 @@ from typing import Any
 from smsl_studio.blueprint.annotations import DrawnNote, Group, validated
 from smsl_studio.blueprint.drawn import GROUPS, LAYOUT, NOTES
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
-from smsl_studio.blueprint.editing.notes import plain_value, point
+from smsl_studio.blueprint.editing.notes import plain_value
+from smsl_studio.blueprint.editing.positions import point
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused, did_you_mean
 

@@ -6,6 +6,7 @@ are remembered here, so that an edit never moves a state that nobody moved.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import compress, filterfalse
 from operator import ne
 
@@ -47,22 +48,33 @@ class Places:
         """The places of all states for another view, without remembering new ones."""
         return place_states(branch, self._placed.get(branch.name))
 
+    def moved(
+        self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
+    ) -> Blueprint:
+        """The blueprint with states of an SB at other places. Bends between states that move by the
+        same way go along."""
+        bent = bool(blueprint[branch].notes.edges)
+        former = self.of(blueprint[branch]) if bent else None
+        return editing.set_layout(blueprint, branch, positions, former)
+
     def completed(self, before: Blueprint, after: Blueprint) -> Blueprint:
         """``after`` with written places, for every SB that a newly opened file would show
         differently.
 
         That is so if an edit placed some states by hand, or changed the shape on which the layout
-        depends. Then the places of all states of the SB are written.
+        depends. Then the places of all states of the SB are written. They are also written if an
+        operation is bent, because its bends belong to these places.
         """
         self._follow_branch(before, after)
         for name, branch in after.branches.items():
             former, layout = before.branches.get(name), branch.notes.layout
             missing = branch.table.keys() - layout.keys()
-            if not missing or (former is not None and _laid_out_alike(former, branch)):
+            bent = _is_bent(former, branch)
+            if not missing or (former is not None and not bent and _laid_out_alike(former, branch)):
                 continue
             kept = former is not None and set(layout.values()) <= set(former.notes.layout.values())
             places = self.of(branch)
-            if (layout and not kept) or not is_placed(branch, places):
+            if bent or (layout and not kept) or not is_placed(branch, places):
                 rest = {state: places[state] for state in branch.table if state in missing}
                 after = editing.set_layout(after, name, rest)
         return after
@@ -90,6 +102,16 @@ class Places:
         if before in self._placed and after not in self._placed:
             self._placed[after] = dict(self._placed[before])
             self._order[after] = self._order[before]
+
+
+def _is_bent(before: StateBranch | None, after: StateBranch) -> bool:
+    """Whether an edit gave an operation other bends."""
+    drawn = after.notes.edges
+    had = before.notes.edges if before is not None else {}
+    return drawn is not had and any(
+        layout.bends and (edge not in had or had[edge].bends != layout.bends)
+        for edge, layout in drawn.items()
+    )
 
 
 def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:

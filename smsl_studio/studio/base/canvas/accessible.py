@@ -44,6 +44,8 @@ def words_for(canvas: Stage, address: Address) -> str:
             words.append("running")
         if look.finding:
             words.append(FINDING.get(look.finding, "finding"))
+        bends = len(sheet.lines[edge].bends) if edge in sheet.lines else 0
+        words += [f"{bends} bend{'' if bends == 1 else 's'}"] * bool(bends)
         how = sheet.looks.guard(edge)
         needs = needs_words(sheet.picture.guards(edge))
         words += [said for said in (needs, WORDS.get(how, "")) if said]

@@ -6,7 +6,8 @@ are painted in batches from numpy buffers. At a readable zoom edges are painted 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -16,6 +17,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
+from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.sheet import Numbers, Sheet
 from smsl_studio.studio.base.paint import batch
@@ -100,14 +102,20 @@ class EdgePainter:
         """
         tokens = sheet.ink.tokens
         source, target = sheet.picture.source[edges], sheet.picture.target[edges]
+        bends = {e: layout.bends for e, layout in sheet.lines.items() if layout.bends}
         keep = (target >= 0) & (source != target)
+        if bends:
+            keep |= (target >= 0) & np.isin(edges, list(bends))
         source, target = source[keep], target[keep]
         colour = tokens.dim if sheet.looks.marks.dimmed else tokens.edge
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._smooth)
         painter.setPen(_cosmetic(QPen(colour, 1.0)))
         a, b = sheet.at[source], sheet.at[target]
+        if bends:
+            # The last piece of a bent line is drawn as the other lines are.
+            batch.draw_lines(painter, _first_pieces(edges[keep], a, bends))
         if sheet.level is Level.DOT:
-            once = sheet.picture.drawn_once[edges][keep]
+            once = sheet.picture.drawn_once[edges][keep] | bool(bends)
             batch.draw_lines(painter, np.hstack([a[once], b[once]]))
             return
         step = b - a
@@ -133,6 +141,16 @@ class EdgePainter:
                 ]
             ),
         )
+
+
+def _first_pieces(edges: Numbers, starts: Floats, bends: Mapping[int, Sequence[Point]]) -> Floats:
+    """The pieces of bent lines up to their last bends, (n, 4); ``starts`` moves to these bends."""
+    pieces: list[tuple[float, ...]] = []
+    for row in np.nonzero(np.isin(edges, list(bends)))[0].tolist():
+        corners = [tuple(starts[row].tolist()), *bends[int(edges[row])]]
+        pieces += [(*a, *b) for a, b in pairwise(corners)]
+        starts[row] = corners[-1]
+    return np.array(pieces).reshape(-1, 4)
 
 
 class FarNodePainter:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
 from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
@@ -35,6 +36,8 @@ class BranchView(DrawnStage):
     """(source, target or None, point): add an operation; without a target also add a state."""
     retarget_wanted = Signal(object, object)
     """(operation, new target state): the user dragged the arrowhead there."""
+    line_wanted = Signal(object, object, bool)
+    """(operation, EdgeLayout, whether this goes on with the same key): draw its line so."""
     rename_wanted = Signal(object)
     """Address: edit the name of this element in place."""
     moved = Signal(object)
@@ -83,6 +86,16 @@ class BranchView(DrawnStage):
     def top_room(self) -> int:
         """The height at the top that floating widgets cover (pixels)."""
         return TOP
+
+    def redraw_edge(self, edge: int, layout: EdgeLayout) -> None:
+        """Show the line of an edge in another way during a drag."""
+        sheet = self.sheet
+        if sheet is None:
+            return
+        labels, before = self.lit_layer.shown(), self._dirty([], [edge])
+        sheet.redraw(edge, layout)
+        self._repaint(before.united(self._dirty([], [edge])))
+        self.update_lit(labels)
 
     def zoom_to(self, zoom: float) -> None:
         """Zoom about the middle of the view; 1.0 is 100 %."""

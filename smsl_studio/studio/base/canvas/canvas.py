@@ -86,6 +86,7 @@ class Canvas(BranchView):
         if not keep_view:
             self.look_at_opening()
         self.overlays.show_branch(blueprint, branch)
+        self.hand.show_grip()
         self.hand.look_again()
         self._describe()
 

@@ -89,7 +89,7 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
 
 
 def _centres(sheet: Sheet) -> QRectF:
-    low, high = sheet.at.min(axis=0), sheet.at.max(axis=0)
+    low, high = sheet.extent()
     return QRectF(QPointF(*low), QPointF(*high)).united(sheet.drawn.extent())
 
 

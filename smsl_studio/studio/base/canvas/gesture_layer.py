@@ -1,4 +1,4 @@
-"""The layer that shows a gesture: selection band, drawn line, sketch, guides, handle, and grip."""
+"""The layer that shows a gesture: band, drawn line, sketch, guides, handle, grip and bends."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.picture.guides import Guide
+from smsl_studio.studio.base.canvas.line_marks import LineMarks, paint_line_marks
 from smsl_studio.studio.base.canvas.sketch import Sketch, paint_sketch
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, faded, pen
 
@@ -43,6 +44,7 @@ class GestureLayer(QGraphicsItem):
         self.grip: QPointF | None = None
         self.guides: tuple[Guide, ...] = ()
         self.sketch: Sketch | None = None
+        self.line: LineMarks | None = None
         self.setZValue(40.0)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
@@ -53,14 +55,14 @@ class GestureLayer(QGraphicsItem):
             self._rect = rect
 
     def clear(self) -> None:
-        """Remove band, line, sketch, guides, handle and grip."""
-        for name in ("band", "drawn", "sketch", "handle", "grip"):
+        """Remove everything."""
+        for name in ("band", "drawn", "sketch", "handle", "grip", "line"):
             self.put(name, None)
         self.put("guides", ())
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle`` or ``grip``, and repaint only
-        what it covers."""
+        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``grip`` or ``line``, and
+        repaint only what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -80,6 +82,8 @@ class GestureLayer(QGraphicsItem):
             rect = rect.united(QRectF(line.p1(), line.p2()).adjusted(0.0, 0.0, pixel, pixel))
         if self.sketch is not None:
             rect = rect.united(self.sketch.area)
+        if self.line is not None:
+            rect = rect.united(self.line.area(pixel))
         pad = 16.0 * pixel
         if self.drawn is not None:
             pad = 80.0 * max(pixel, 1.0)
@@ -92,7 +96,7 @@ class GestureLayer(QGraphicsItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint guides, band, line, sketch, handle and grip, if they are set."""
+        """Paint guides, band, line, sketch, handle, bends and grip, if they are set."""
         ink = self.ink
         if ink is None:
             return
@@ -111,6 +115,8 @@ class GestureLayer(QGraphicsItem):
             paint_sketch(painter, self.sketch, ink, pixel)
         if self.handle is not None:
             _paint_plus(painter, self.handle, ink, pixel)
+        if self.line is not None:
+            paint_line_marks(painter, self.line, ink, pixel)
         if self.grip is not None:
             painter.setPen(pen(ink.tokens.acc, 2.0 * pixel))
             painter.setBrush(ink.tokens.surf)

@@ -154,7 +154,7 @@ class DragStates:
         picture = sheet.picture
         states = dict.fromkeys([state, *(i for a in chosen if (i := picture.node(a)) >= 0)])
         self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
-        self._others = _centres_in_view(canvas, sheet, list(states))
+        self._others = centres_in_view(canvas, sheet, list(states))
 
     def move(self, event: QMouseEvent) -> None:
         """Move the states. The one under the pointer snaps, except with Alt.
@@ -338,7 +338,7 @@ def selection_after(
     return (address,)
 
 
-def _centres_in_view(canvas: BranchView, sheet: Sheet, without: list[int]) -> Floats:
+def centres_in_view(canvas: BranchView, sheet: Sheet, without: list[int]) -> Floats:
     """The centres of all states in view except these, (n, 2)."""
     seen = canvas.seen
     found = sheet.states_in(seen.left(), seen.top(), seen.right(), seen.bottom())

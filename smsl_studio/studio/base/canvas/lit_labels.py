@@ -134,6 +134,8 @@ def _says_more(look: EdgeLook) -> bool:
 
 def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:
     look, shape, text = sheet.edge_look(edge), sheet.geometry.shape(edge), sheet.text(edge)
+    if edge in sheet.lines and sheet.lines[edge].label is not None and look.running is None:
+        return LitLabel(edge, text, sheet.geometry.label(edge) or sheet.geometry.fallback(edge))
     if look.finding:
         w, h = boxed_width(text, sheet.ink) * sheet.unit, 18.0 * sheet.unit
         rect = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)

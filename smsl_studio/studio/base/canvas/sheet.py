@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.former import Routing
 from smsl_studio.picture.geometry import Geometry
@@ -60,6 +61,8 @@ class Sheet:
         """``former`` is the sheet of the same SB before an edit; its routing is reused."""
         self.picture, self.ink = picture, ink
         self.at: Floats = self._places(positions)
+        self.lines: dict[int, EdgeLayout] = picture.edge_layouts()
+        """The edges whose line or label is drawn by hand."""
         self.looks = Looks(picture, marks)
         self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
         self.version = 0
@@ -106,10 +109,19 @@ class Sheet:
         self.unit = unit_at(zoom, self.level)
 
     def move(self, places: Mapping[int, Position]) -> list[int]:
-        """Move states during a drag (scene points by number); returns the edges that changed."""
+        """Move states during a drag (scene points by number); returns the edges that changed.
+
+        If both states of an edge move by the same way, its bends go along.
+        """
         self.version += 1
         present = self.compact, _in_steps(self.unit)
         self._geometry = {k: g for k, g in self._geometry.items() if k == present or not k[0]}
+        for edge, layout in self.lines.items():
+            ends = int(self.picture.source[edge]), int(self.picture.target[edge])
+            if layout.bends and all(end in places for end in ends):
+                (x, y), other = (np.array(places[end]) - self.at[end] for end in ends)
+                if abs(other[0] - x) < 0.1 and abs(other[1] - y) < 0.1:
+                    self.lines[edge] = layout.moved(float(x), float(y))
         for state, place in places.items():
             self.at[state] = place
         edges: dict[int, None] = {}
@@ -120,10 +132,20 @@ class Sheet:
         return list(edges)
 
     def stand(self, positions: Mapping[str, Position]) -> None:
-        """Put all states where they belong, after a move or its undo."""
+        """Put all states and lines where they belong, after a move or its undo."""
         at = self._places(positions)
         moved = np.nonzero((at != self.at).any(axis=1))[0].tolist()
         self.move({state: tuple(at[state].tolist()) for state in moved})
+        self.lines = self.picture.edge_layouts()
+
+    def redraw(self, edge: int, layout: EdgeLayout) -> None:
+        """Draw a line in another way during a drag."""
+        self.version += 1
+        self.lines[edge] = layout
+        if not layout:
+            del self.lines[edge]
+        for geometry in self._geometry.values():
+            geometry.redraw(edge)
 
     def _places(self, positions: Mapping[str, Position]) -> Floats:
         """Positions by number."""
@@ -183,6 +205,12 @@ class Sheet:
             size = np.column_stack([widths, np.full(len(widths), self.height)])
         return size / 2 * self.unit
 
+    def extent(self) -> tuple[Floats, Floats]:
+        """The least and the greatest (x, y) of the states' centres and of all bends."""
+        bends = [layout.bends for layout in self.lines.values() if layout.bends]
+        points = np.vstack([self.at, *map(np.array, bends)]) if bends else self.at
+        return points.min(axis=0), points.max(axis=0)
+
     def states_in(self, left: float, top: float, right: float, bottom: float) -> list[int]:
         """The states whose nodes touch a rectangle (scene units)."""
         half = self.halves()
@@ -233,6 +261,7 @@ class Sheet:
                 self._boxes(unit),
                 LineStyle(unit, self.compact),
                 lambda edge: self._label_size(edge, unit),
+                self.lines,
                 self._former.pop(key, None),
             )
         return found
@@ -275,7 +304,7 @@ class Sheet:
         return w * unit, h * unit
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
-        """The numbers of edges whose straight line, with room for bends, touches a rectangle."""
+        """The numbers of edges whose line, roughly, touches a rectangle."""
         if not len(self.picture.source):
             return np.zeros(0, dtype=np.intp)
         low, high = self._reaches()
@@ -290,13 +319,15 @@ class Sheet:
         return np.nonzero(inside)[0]
 
     def _reaches(self) -> tuple[Floats, Floats]:
-        """The least and the greatest (x, y) of each edge's straight line, each (2, n), in scene
-        units."""
+        """The least and the greatest (x, y) of each edge's straight line and its bends, each
+        (2, n), in scene units."""
         version, reaches = self._kept_reaches
         if version != self.version:
             source, target = self.picture.source, self.picture.target
             a, b = self.at[source].T, self.at[np.where(target < 0, source, target)].T
             reaches = np.minimum(a, b), np.maximum(a, b)
+            for edge, layout in self.lines.items():
+                _widen(reaches, edge, layout)
             self._kept_reaches = self.version, reaches
         return reaches
 
@@ -350,3 +381,15 @@ class Sheet:
 def _in_steps(unit: float) -> float:
     """The unit rounded to steps of 4 %, so that a zoom does not need new lines in every frame."""
     return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)
+
+
+def _widen(reaches: tuple[Floats, Floats], edge: int, layout: EdgeLayout) -> None:
+    """Let an edge reach to its bends, and as far as its label was moved."""
+    low, high = reaches
+    for x, y in layout.bends:
+        low[:, edge] = np.minimum(low[:, edge], (x, y))
+        high[:, edge] = np.maximum(high[:, edge], (x, y))
+    if layout.label is not None:
+        aside = max(map(abs, layout.label[1:]))
+        low[:, edge] -= aside
+        high[:, edge] += aside

@@ -287,7 +287,7 @@ class Stage(QGraphicsView):
         """Make scene and layers much larger than the drawing, so that the user can pan freely."""
         rect = QRectF(-600.0, -400.0, 1200.0, 800.0)
         if self._sheet is not None and len(self._sheet.at):
-            low, high = self._sheet.at.min(axis=0), self._sheet.at.max(axis=0)
+            low, high = self._sheet.extent()
             rect = rect.united(QRectF(QPointF(*low), QPointF(*high)))
             rect = rect.united(self._sheet.drawn.extent())
         zoom = self.zoom

@@ -25,6 +25,7 @@ from smsl_studio.studio.base.canvas.gestures import (
     selection_after,
 )
 from smsl_studio.studio.base.canvas.handles import handles, nearest
+from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.chips import fact_words
 from smsl_studio.studio.base.paint.node_paint import chip_places
@@ -46,6 +47,7 @@ class Hand:
         self._canvas, self._overlays = canvas, overlays
         self._gesture: Gesture | None = None
         self._space = False
+        self.line = LineHandles(canvas)
 
     @property
     def busy(self) -> bool:
@@ -86,9 +88,11 @@ class Hand:
         assert sheet is not None
         at = canvas.mapToScene(event.position().toPoint())
         if canvas.editing:
-            edge = self._grip_edge()
-            if edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
-                return Retarget(canvas, self, event, edge)
+            if self.line.edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
+                return Retarget(canvas, self, event, self.line.edge)
+            on_line = self.line.press(event, at)
+            if on_line is not None:
+                return on_line
             handle = canvas.gestures.handle
             if handle is not None and self._near(at, handle, HANDLE_RADIUS + 1.0):
                 return Connect(canvas, self, event, sheet.looks.hovered_state, handle)
@@ -108,7 +112,7 @@ class Hand:
             if not canvas.editing:
                 canvas.edge_clicked.emit(address)
             self.show_grip()
-            return None
+            return self.line.press_line(event, at)
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
 
     def _is_picked(self, event: QMouseEvent) -> bool:
@@ -182,6 +186,8 @@ class Hand:
             if canvas.editing:
                 canvas.add_state_wanted.emit(at)
             return
+        if self.line.double_click(at):
+            return
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
             sub = self.sub_at(state, at)
@@ -252,14 +258,17 @@ class Hand:
         self._set_hover(state, edge)
         if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
             handle = nearest(sheet, state, point)
-            # A handle near the grip would cover it and take its clicks.
+            # A handle near the grip or a bend would cover it and take its clicks.
             hidden = self._near(handle, canvas.gestures.grip, CLEAR)
+            hidden = hidden or self.line.bend_at(point) >= 0
             canvas.gestures.put("handle", None if hidden else handle)
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
         self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
         if drawn is not None:
             canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
+        if self.line.bend_at(point) >= 0:
+            canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
         self._cursor()
 
     def _kept_hover(self, point: QPointF) -> int:
@@ -335,18 +344,11 @@ class Hand:
         if self._canvas.viewport().toolTip() != tip:
             self._canvas.viewport().setToolTip(tip_text(tip))
 
-    def _grip_edge(self) -> int:
-        sheet = self._canvas.sheet
-        selection = self._canvas.marks.selection
-        if sheet is None or len(selection) != 1 or not selection[0].operation:
-            return -1
-        return sheet.picture.edge(selection[0])
-
     def show_grip(self) -> None:
-        """Show the grip at the arrowhead if exactly one operation is selected."""
+        """Show the grip at the arrowhead, and the bends, if exactly one operation is selected."""
         canvas, sheet = self._canvas, self._canvas.sheet
-        edge = self._grip_edge()
-        place = None
+        edge, place = self.line.edge, None
+        self.line.show()
         if sheet is not None and edge >= 0 and canvas.editing:
             place = QPointF(*sheet.geometry.shape(edge).tip)
         if place != canvas.gestures.grip:
@@ -382,7 +384,7 @@ class Hand:
         if isinstance(tool, ConnectTool) and event.key() in keys.ENTER and tool.take_selected():
             self._leave_tool(tool)
             return True
-        return keys.press(self._canvas, event)
+        return self.line.key(event) or keys.press(self._canvas, event)
 
     def key_release(self, event: QKeyEvent) -> bool:
         """Take the release of Space; returns whether the key was used."""

@@ -31,6 +31,7 @@ from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
 from smsl_studio.studio.document.journal.entry import JournalEntry
 from smsl_studio.studio.document.notices import step_notice
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
+from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
@@ -80,6 +81,8 @@ CANVAS_KEYS = (
     ("Connect", "Drag from a state's handle"),
     ("Move the selected states", "Arrows; with Shift by one pixel"),
     ("Drag without snapping to grid and states", "Alt"),
+    ("Bend the selected operation, move its label", "Drag its line, its label"),
+    ("Remove a bend", "Double click on its handle"),
     ("Select the next state", "Ctrl and an arrow; with Shift it is added"),
     ("Select several", "Drag over empty canvas, Shift and click"),
     ("Edit a selected note, or the title of a selected group", "Enter or F2"),
@@ -142,6 +145,7 @@ class DrawFeature(Feature):
             *file_actions(files, session, shell.program, shell),
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, self.search.open, shell),
+            *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
             *view_actions(self.drawing, shell.sides, shell.program, shell),
             *blueprint_actions(
                 self.drawing,
@@ -194,6 +198,7 @@ class DrawFeature(Feature):
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
         self.drawing.ways.told.connect(self._tell_ways)
         self.properties.ways_wanted.connect(actions["show_ways"].trigger)
+        self.properties.line.verb_wanted.connect(lambda name: actions[name].trigger())
         self.fix_card.fix_wanted.connect(self.findings.fix)
         for panel in (self.outline, self.facts):
             panel.fact_wanted.connect(self.going.show_fact)
@@ -230,6 +235,7 @@ class DrawFeature(Feature):
         """Take over the text that is being typed in the source, and arrow keys that wait."""
         self.source.settle()
         self.editor.nudge.settle()
+        self.editor.bends.settle()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

@@ -31,7 +31,7 @@ def geometry_of(
     def label_size(edge: int) -> tuple[float, float]:
         return (len(picture.label(edge)) * 6.0 + 8.0) * style.unit, 15.0 * style.unit
 
-    return Geometry(picture, boxes, style, label_size)
+    return Geometry(picture, boxes, style, label_size, {})
 
 
 def shown(geometry: Geometry) -> dict[int, tuple[float, float, float, float]]:

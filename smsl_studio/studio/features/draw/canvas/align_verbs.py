@@ -7,7 +7,6 @@ from functools import partial
 import numpy as np
 from PySide6.QtWidgets import QMenu
 
-from smsl_studio.blueprint import editing
 from smsl_studio.picture.alignment import (
     ARRANGEMENTS,
     SIDES,
@@ -76,7 +75,8 @@ class AlignVerbs:
             return
         branch = self._session.branch
         words = f"{WORDS[name][0]}: {counted(len(boxes), 'state')}"
-        self._session.edit(words, lambda bp: editing.set_layout(bp, branch, changed))
+        moved = self._session.places.moved
+        self._session.edit(words, lambda bp: moved(bp, branch, changed))
 
     def _selected(self) -> list[str]:
         branch = self._session.branch

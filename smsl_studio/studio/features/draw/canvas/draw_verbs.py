@@ -120,18 +120,24 @@ class DrawVerbs:
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
     def tidy(self) -> None:
-        """Compute the layout of the SB anew, as one step.
+        """Compute the layout of the SB anew, as one step. Bends and moved labels go.
 
         If it would change nothing, only say so.
         """
         branch, shown = self._branch, self.canvas.positions
         places = place_anew(branch)
-        if all(_together(at, shown.get(name)) for name, at in places.items()):
+        tidy = all(_together(at, shown.get(name)) for name, at in places.items())
+        if tidy and not branch.notes.edges:
             self.canvas.say("The drawing is tidy already.")
             self.canvas.fit()
-        elif self._edit(
-            f"Tidy {branch.name}", lambda bp: editing.set_layout(bp, branch.name, places)
-        ):
+            return
+
+        def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with all states placed anew, and its lines without bends."""
+            straight = editing.straighten(blueprint, branch.name)
+            return editing.set_layout(straight, branch.name, places)
+
+        if self._edit(f"Tidy {branch.name}", change):
             self.canvas.fit()
 
     def enter(self) -> None:

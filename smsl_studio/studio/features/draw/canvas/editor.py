@@ -17,6 +17,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.document.rename_scopes import rename_scopes
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.bend_verbs import Bends
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.free_places import (
@@ -63,7 +64,7 @@ class CanvasEditor(QObject):
         canvas.quick_add_wanted.connect(self.quick_add.go_on)
         canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
-        self.nudge = Nudge(session, canvas)
+        self.nudge, self.bends = Nudge(session, canvas), Bends(session, canvas)
         canvas.state_pick = self._pick
         canvas.extended = lambda: session.extended
         self._show(session.branch)
@@ -258,9 +259,9 @@ class CanvasEditor(QObject):
 
     def move(self, places: Mapping[str, Position]) -> None:
         """Store the positions to which states were dragged (in scene units), as one step."""
-        branch = self.session.branch
+        branch, moved = self.session.branch, self.session.places.moved
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
-        reason = self.edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
+        reason = self.edit(f"Move {what}", lambda bp: moved(bp, branch, places))
         if reason:
             self._show_again(branch)
             self.canvas.say(reason)

@@ -7,7 +7,6 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer
 
-from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.words import counted
@@ -65,6 +64,7 @@ class Nudge(QObject):
             self._run += 1
         self._moved = way[0]
         words = f"Move {names[0] if len(names) == 1 else counted(len(names), 'state')}"
-        self._session.edit(words, lambda bp: editing.set_layout(bp, branch, places), self._run)
+        moved = self._session.places.moved
+        self._session.edit(words, lambda bp: moved(bp, branch, places), self._run)
         self._canvas.reveal(Address(branch, names[-1]))
         self._last = self.clock()

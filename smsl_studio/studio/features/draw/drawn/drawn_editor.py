@@ -228,8 +228,8 @@ class DrawnEditor(QObject):
         else:
             places, group = self._canvas.positions, self.drawn.groups[key.key]
             moved = {s: (places[s][0] + dx, places[s][1] + dy) for s in group.states}
-            words = f"Move {counted(len(moved), 'state')}"
-            self._edit(words, lambda bp: editing.set_layout(bp, branch, moved), self._run)
+            words, put = f"Move {counted(len(moved), 'state')}", self._session.places.moved
+            self._edit(words, lambda bp: put(bp, branch, moved), self._run)
         self._nudged, self._last = key, self.clock()
 
     def hang(self, key: str, state: str) -> None:

@@ -18,6 +18,7 @@ from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.hazard_form import HazardForm
 from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
+from smsl_studio.studio.features.draw.panels.line_form import LineForm
 from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
 from smsl_studio.studio.features.draw.panels.state_form import StateForm
 
@@ -42,13 +43,14 @@ class Properties(QScrollArea):
         self.fact = FactForm(session, tokens)
         self.state = StateForm(session, tokens)
         self.operation = OperationForm(session, tokens)
+        self.line = LineForm()
         self.several = _Several(session)
         # It shows itself; without a parent it would be a window for a moment.
         self.header = HeaderForm(session, tokens, inner)
         self.hazards = HazardForm(session, tokens)
         self.file = FileForm(session, tokens)
         self._rule = rule()
-        above = (self.fact, self.state, self.operation, self.several, self._rule)
+        above = (self.fact, self.state, self.operation, self.line, self.several, self._rule)
         for widget in (*above, self.header, rule(), self.hazards, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
@@ -107,11 +109,13 @@ class Properties(QScrollArea):
             self.state.show_states(blueprint, states)
         if edges and not states:
             self.operation.show_operations(blueprint, edges)
+            self.line.show_operations(blueprint, edges)
         if len(selection) > 1:
             self.several.show_selection(states, edges)
         self.fact.setVisible(fact is not None)
         self.state.setVisible(bool(states) and not edges)
-        self.operation.setVisible(bool(edges) and not states)
+        for form in (self.operation, self.line):
+            form.setVisible(bool(edges) and not states)
         self.several.setVisible(len(selection) > 1)
         self._rule.setVisible(bool(selection) or fact is not None)
 
