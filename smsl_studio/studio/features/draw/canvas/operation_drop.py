@@ -31,6 +31,8 @@ class OperationDrop:
         self._whole = "{" not in name
         self._branch = self._session.blueprint.branches.get(self._session.branch)
         self._suggestions = Suggestions(self._branch) if self._branch is not None else None
+        self._places: dict[str, tuple[float, float]] = {}
+        """The free places beside states. A drag asks for them at every move of the pointer."""
 
     def at(self, point: QPointF) -> Intent:
         """What a drop at a scene point would do."""
@@ -63,7 +65,9 @@ class OperationDrop:
         target = self._suggestions.target_for(source, self._name) if self._whole else ""
         if target and target != source:
             return self.between(source, target)
-        return self._to_new(source, free_place(self._canvas, source))
+        if source not in self._places:
+            self._places[source] = free_place(self._canvas, source)
+        return self._to_new(source, self._places[source])
 
     def between(self, source: str, target: str) -> Intent:
         """Lead it from one state to another."""

@@ -65,6 +65,8 @@ class TemplateDrop:
     def __init__(self, editor: CanvasEditor, kind: str) -> None:
         self._editor, self._session, self._canvas = editor, editor.session, editor.canvas
         self._kind = kind
+        self._known: dict[tuple[Address, int], Intent] = {}
+        """A drag asks at every move of the pointer, and a sketch takes an edit."""
 
     def at(self, point: QPointF) -> Intent:
         """What a drop at a scene point would do."""
@@ -80,10 +82,14 @@ class TemplateDrop:
 
     def on(self, address: Address, digit: int = -1) -> Intent:
         """What it would do to a state (at a fact of it), an operation, or the SB."""
-        try:
-            return self._found(address, digit)
-        except EditRefused as error:
-            return Intent(f"{capital(error.sentence)} {error.advice}")
+        found = self._known.get((address, digit))
+        if found is None:
+            try:
+                found = self._found(address, digit)
+            except EditRefused as error:
+                found = Intent(f"{capital(error.sentence)} {error.advice}")
+            self._known[address, digit] = found
+        return found
 
     def _found(self, address: Address, digit: int) -> Intent:
         if self._session.branch not in self._session.blueprint.branches:
