@@ -82,7 +82,8 @@ TAKE = TourStep(5, "Step in",
     "is asked once more.", ("confirm", "take_over"))  # fmt: skip
 END = TourStep(0, "That was the whole way",
     "You found a misprint, corrected it, ran the procedure, stopped it and decided as its "
-    "supervisor. F5 goes on with this run. F1 explains what has the focus.")  # fmt: skip
+    "supervisor. If the arm was stopped with a disk in the air, the run holds when it goes on, "
+    "and says why. Stop and End run end it. F1 explains what has the focus.")  # fmt: skip
 
 STEPS = (DRAW_AGAIN, FIND, FIX, LOST, RUN, AGAIN, OPEN, STOP, LOOK, RESET, ANEW, STEER, TAKE, END)
 
