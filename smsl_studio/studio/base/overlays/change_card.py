@@ -75,6 +75,7 @@ class ChangeCard(QFrame):
         self.rest = label("", "hint")
         self._value_words = label("", "small")
         self.value = Field()
+        self.value.setAccessibleName(plain_text(name))
         self.value.setFixedWidth(64)
         self.agree, self.cancel = QPushButton("Agree"), QPushButton("Cancel")
         self.agree.setProperty("role", "primary")
