@@ -43,6 +43,8 @@ PARTS = {
     "FixCard": _panel("Findings"),
     "ChangeBar": _window("files", "Other programs"),
     "WorldView": _panel("World"),
+    "TilesView": _window("a-run-without-physics"),
+    "FaultDialog": _window("a-run-without-physics", "Faults"),
     "PossiblePanel": _panel("Possible now"),
     "HoldCard": HelpPlace("supervision.md", "when-it-cannot-go-on"),
     "FactsTable": HelpPlace("monitoring.md", "from-sample-to-fact"),
