@@ -207,6 +207,8 @@ def test_it_can_be_left_and_the_window_stays_as_it_is(sit: Sit, how: str) -> Non
     assert not any(isValid(part) and part.isVisible() for part in (callout, ring))
     if how in ("escape", "leave"):
         assert person.steps() == ["Rename to Op_1b"], "the copy stays open"
+    # Nothing is to be asked about.
+    person.window.session.history.setClean()
     person.window.actions_table["first_steps"].trigger()
     until_step(person, "Find the misprint")
 
