@@ -66,8 +66,7 @@ class Stage(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
-        # Qt caches the background (all that has no highlight), scrolls it, and repaints only what
-        # was invalidated.
+        # Qt keeps and scrolls what has no highlight, and repaints only what was invalidated.
         self.setCacheMode(QGraphicsView.CacheModeFlag.CacheBackground)
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
@@ -393,6 +392,9 @@ class Stage(QGraphicsView):
     def scrollContentsBy(self, dx: int, dy: int) -> None:
         """Scroll, give items to the nodes that came into view, and emit ``view_moved``."""
         super().scrollContentsBy(dx, dy)
+        if not self.devicePixelRatioF().is_integer():
+            # At a scale such as 1.5 Qt scrolls by whole pixels, and strips of the old view stay.
+            self._repaint()
         if self._ready:
             self.refresh_pool()
             self.view_moved.emit()

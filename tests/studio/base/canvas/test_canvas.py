@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 import random
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +22,7 @@ from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.picture.marks import Marks
+from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.base.canvas.node_item import NodeItem
 from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.shell import accessible_factory
@@ -26,6 +31,7 @@ from tests.bombs.test_work import read
 from tests.stories.at_canvas import Drawer, sample
 
 ROOMY = Spacing()
+ROOT = Path(__file__).resolve().parents[4]
 
 
 @pytest.fixture
@@ -369,6 +375,25 @@ def test_edits_leave_nothing_stale_on_the_screen(hanoi3: Drawer, seed: int) -> N
         step()
         seen = on_screen(hanoi3)
         assert alike(painted_anew(hanoi3), seen), step
+
+
+@pytest.mark.parametrize("scale", ["1.25", "1.5", "2"])
+def test_a_pan_leaves_nothing_behind_at_any_scale_of_the_screen(scale: str) -> None:
+    done = subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "tests.studio.base.canvas.scrolled",
+            str(samples_dir() / "hfsm.json"),
+        ],
+        env={**os.environ, "QT_SCALE_FACTOR": scale},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout.splitlines()[-1]) <= 3
 
 
 def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
