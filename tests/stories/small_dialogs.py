@@ -51,8 +51,9 @@ def leave_work_behind(windows: Windows, file: str, name: str) -> None:
 
 def by_action(windows: Windows, window: Window) -> Iterator[tuple[str, QDialog]]:
     """The dialogs that a command of the window opens."""
-    for action in ("shortcuts", "about", "monitor", "levels", "persons", "compare_saved",
-                   "export_picture", "print", "help_pages"):  # fmt: skip
+    # The help comes first: over a dialog that blocks it would belong to that dialog.
+    for action in ("help_pages", "shortcuts", "about", "monitor", "levels", "persons",
+                   "compare_saved", "export_picture", "print"):  # fmt: skip
         known = set(window.findChildren(QDialog))
         window.actions_table[action].trigger()
         yield action, next(one for one in window.findChildren(QDialog) if one not in known)

@@ -147,7 +147,7 @@ def test_a_value_that_makes_two_states_alike_is_refused(door: Person) -> None:
 
 def test_the_keyboard_alone_changes_a_fact(door: Person) -> None:
     door.select("SB1/State_1b")
-    door.press(Key.Key_V)
+    door.press(Key.Key_D)
     menu = opened(door)
     assert rows(menu) == ["0  Door", "1  Fact 2"]
     for key in (Key.Key_Down, Key.Key_Down, Key.Key_Right):
@@ -222,7 +222,7 @@ def test_several_states_show_what_they_share_and_change_together(door: Person) -
 
 def test_without_facts_or_states_the_key_does_nothing(sit: Sit, tmp_path: Path) -> None:
     person = sit(HANOI)
-    person.press(Key.Key_V)
+    person.press(Key.Key_D)
     assert QApplication.activePopupWidget() is None
     assert not person.window.actions_table["set_value"].isEnabled()
     person.select("SB1/State_aaa")

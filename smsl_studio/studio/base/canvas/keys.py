@@ -84,7 +84,7 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
         canvas.quick_add_wanted.emit()
     elif key == Key.Key_C:
         canvas.verb_wanted.emit("connect")
-    elif key == Key.Key_V:
+    elif key == Key.Key_D:
         canvas.verb_wanted.emit("set_value")
     else:
         return False

@@ -176,7 +176,7 @@ def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Ac
                pointer=("state", "operation")),
         Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
                lambda: drawn() and drawing.has_states(), scope="canvas", section=1),
-        Action("set_value", "Change a fact…", drawing.values.open_facts, "Edit", "", ("V",),
+        Action("set_value", "Change a fact…", drawing.values.open_facts, "Edit", "", ("D",),
                lambda: drawn() and drawing.values.can_open(), scope="canvas", section=1,
                tip="Give a fact of the selected states another value; the names follow",
                pointer=("state",)),
