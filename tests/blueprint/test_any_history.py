@@ -10,5 +10,5 @@ from tests.blueprint.histories import history
 
 @pytest.mark.parametrize("part", range(10))
 def test_undo_and_redo_are_exact_and_an_edit_touches_only_its_element(part: int) -> None:
-    edits = sum(history(seed).edits for seed in range(part * 50, part * 50 + 50))
-    assert edits > 120
+    edits = sum(history(seed).edits for seed in range(part * 60, part * 60 + 60))
+    assert edits > 150

@@ -256,3 +256,13 @@ def test_a_flicker_shorter_than_the_settling_time_is_waited_for() -> None:
         host.facts["A", 1] = "1"
         story.run()
         assert story.end.reason == reason
+
+
+def test_by_hand_a_step_that_awaits_the_goals_check_gives_way_to_a_request() -> None:
+    story = on_table(FLAT, automatic=False).ask("one", "two")
+    story.dispatcher.disturb("A/1", "delay", seconds=10.0)
+    story.tick(2)
+    story.dispatcher.step()
+    assert story.tick().phase == "running"
+    story.ask("back")
+    assert (story.reasons, story.started[-1]) == ([], "A/State11/back")

@@ -31,7 +31,7 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
         reasons = (f"{driver.carrier.step.asked} is being carried out",)
     elif not driver.starting.over:
         reasons = ("the run has not begun yet",)
-    elif driver.phase == "running":
+    elif driver.phase == "running" and not driver.state.by_hand:
         reasons = ("the run is automatic, pause it first",)
     elif driver.desk.keeps:
         reasons = ("people are being asked where the procedure stands",)
