@@ -7,7 +7,22 @@ import pytest
 from tests.oracle.judged import judged
 
 SHARE = 50
-FOUND = (4336, 5619, 6803, 7654, 10905, 10930, 13570, 14176, 18772, 19400, 19646, 19667, 23328, 29998)
+FOUND = (
+    4336,
+    5619,
+    6803,
+    7654,
+    10905,
+    10930,
+    13570,
+    14176,
+    18772,
+    19400,
+    19646,
+    19667,
+    23328,
+    29998,
+)
 """Later runs of the bench in which the dispatcher or the oracle was wrong once."""
 
 

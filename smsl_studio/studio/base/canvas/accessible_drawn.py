@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 
 
-class DrawnAccessible(QAccessibleInterface):
+class DrawnAccessible(LeafAccessible):
     """A note, read as "Note: Ask the clinic, R. Stein, 12 Nov 2026, on State_1", or a group."""
 
     def __init__(
         self, parent: QAccessibleInterface, canvas: Callable[[], Canvas | None], key: DrawnKey
     ) -> None:
         """``canvas`` gives the canvas while it exists."""
-        super().__init__()
-        self._parent, self._held, self.key = parent, canvas, key
+        super().__init__(parent)
+        self._held, self.key = canvas, key
 
     @property
     def _canvas(self) -> Canvas | None:
@@ -36,34 +36,6 @@ class DrawnAccessible(QAccessibleInterface):
         """Whether the canvas still shows it."""
         return self._canvas is not None
 
-    def object(self) -> Any:
-        """None: it is no Qt object."""
-        return None
-
-    def window(self) -> Any:
-        """The window that the canvas lies in."""
-        return self._parent.window()
-
-    def parent(self) -> QAccessibleInterface:
-        """The interface of the canvas."""
-        return self._parent
-
-    def childCount(self) -> int:
-        """0: it has no children."""
-        return 0
-
-    def child(self, index: int) -> Any:
-        """None: it has no children."""
-        return None
-
-    def indexOfChild(self, child: QAccessibleInterface) -> int:
-        """-1: it has no children."""
-        return -1
-
-    def childAt(self, x: int, y: int) -> Any:
-        """None: it has no children."""
-        return None
-
     def text(self, kind: QAccessible.Text) -> str:
         """What is read out; empty for other kinds of text."""
         canvas = self._canvas
@@ -71,9 +43,6 @@ class DrawnAccessible(QAccessibleInterface):
             return ""
         words = canvas.sheet.drawn.words(self.key)
         return plain_text(f"{words}, selected" if self.key == canvas.drawn.chosen else words)
-
-    def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Ignored: the words follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
         """Where it lies on the screen (pixels), a group with its title only; empty if it is
@@ -83,10 +52,7 @@ class DrawnAccessible(QAccessibleInterface):
             return QRect()
         drawn = canvas.sheet.drawn
         rect = drawn.rect(self.key) if self.key.kind == "note" else drawn.title_rect(self.key)
-        if rect is None:
-            return QRect()
-        shown = canvas.mapFromScene(rect).boundingRect()
-        return QRect(canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())
+        return canvas.screen_rect(rect) if rect is not None else QRect()
 
     def role(self) -> QAccessible.Role:
         """A note or a group."""

@@ -20,6 +20,7 @@ from shiboken6 import isValid
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.accessible import state_words, words_for
 from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
+from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.sheet import Sheet
@@ -248,58 +249,27 @@ class StateAccessible(QAccessibleInterface):
         return found
 
 
-class OperationAccessible(QAccessibleInterface):
+class OperationAccessible(LeafAccessible):
     """One operation, read as "Op_1b, State_aaa to State_baa"."""
 
     def __init__(self, parent: StateAccessible, address: Address) -> None:
-        super().__init__()
-        self._parent, self.address = parent, address
+        super().__init__(parent)
+        self._state, self.address = parent, address
 
     @property
     def canvas(self) -> Canvas:
         """The canvas that shows it."""
-        return self._parent.canvas
+        return self._state.canvas
 
     def isValid(self) -> bool:
         """Whether the operation still leaves its state."""
-        return self._parent.isValid() and self.address in self._parent.operations
-
-    def object(self) -> Any:
-        """None: an operation is no Qt object."""
-        return None
-
-    def window(self) -> Any:
-        """The window that the canvas lies in."""
-        return self._parent.window()
-
-    def parent(self) -> QAccessibleInterface:
-        """The interface of the state that the operation leaves."""
-        return self._parent
-
-    def childCount(self) -> int:
-        """0: an operation has no children."""
-        return 0
-
-    def child(self, index: int) -> Any:
-        """None: an operation has no children."""
-        return None
-
-    def indexOfChild(self, child: QAccessibleInterface) -> int:
-        """-1: an operation has no children."""
-        return -1
-
-    def childAt(self, x: int, y: int) -> Any:
-        """None: an operation has no children."""
-        return None
+        return self._state.isValid() and self.address in self._state.operations
 
     def text(self, kind: QAccessible.Text) -> str:
         """The name of the operation as it is read out; empty for other kinds of text."""
         if kind == QAccessible.Text.Name and self.isValid():
             return words_for(self.canvas, self.address)
         return ""
-
-    def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Ignored: names follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
         """The rectangle of the label on the screen (pixels); empty if the operation is gone."""
@@ -322,7 +292,4 @@ class OperationAccessible(QAccessibleInterface):
 def _on_screen(canvas: Canvas, address: Address) -> QRect:
     """The rectangle of a state's node or an operation's label on the screen; empty for neither."""
     rect = canvas.rect_of(address)
-    if rect is None:
-        return QRect()
-    shown = canvas.mapFromScene(rect).boundingRect()
-    return QRect(canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())
+    return canvas.screen_rect(rect) if rect is not None else QRect()

@@ -190,7 +190,11 @@ class BranchView(DrawnStage):
         target = int(sheet.picture.target[edge]) if edge >= 0 else -1
         if target >= 0:
             found |= self.rect_of(sheet.address_of_state(target)) or found
-        shown = self.mapFromScene(found).boundingRect()
+        return self.screen_rect(found)
+
+    def screen_rect(self, rect: QRectF) -> QRect:
+        """The place of a scene rectangle on the screen (global pixels)."""
+        shown = self.mapFromScene(rect).boundingRect()
         return QRect(self.viewport().mapToGlobal(shown.topLeft()), shown.size())
 
     @property
