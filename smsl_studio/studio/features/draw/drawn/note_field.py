@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtCore import QMimeData, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from smsl_studio.blueprint.annotations import LONGEST
 from smsl_studio.studio.base.controls import label
-from smsl_studio.studio.base.overlays.card import PassingCard
-from smsl_studio.studio.base.overlays.name_line import complain, error_label
+from smsl_studio.studio.base.overlays.text_card import TextCard
 from smsl_studio.studio.base.theme import Tokens, text_font
 
 WIDE, HIGH = 236, 104
@@ -52,7 +51,7 @@ class NoteBox(QPlainTextEdit):
             super().insertFromMimeData(source)
 
 
-class NoteField(PassingCard):
+class NoteField(TextCard):
     """Edits the words of one note.
 
     ``commit`` takes the text and returns why it is refused, or the empty text. Ctrl+Enter commits,
@@ -62,38 +61,21 @@ class NoteField(PassingCard):
     def __init__(
         self, parent: QWidget, tokens: Tokens, text: str, commit: Callable[[str], str]
     ) -> None:
-        super().__init__(parent, tokens, 8.0)
-        self._commit, self._before = commit, text
+        super().__init__(parent, tokens, commit)
+        self._before = text
         self.field = NoteBox(self)
         self.field.setPlainText(text)
         self.field.selectAll()
         self.field.setFixedSize(WIDE, HIGH)
-        self.error = error_label(self, tokens)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addWidget(self.field)
-        layout.addWidget(self.error)
-        layout.addWidget(label("Ctrl+Enter keeps it, Esc does not", "hint"))
+        self.hold(self.field)
+        self.column.addWidget(label("Ctrl+Enter keeps it, Esc does not", "hint"))
         self.field.done.connect(self.commit)
         self.field.left.connect(self.close_field)
-        self.field.refused.connect(lambda: self._complain(TOO_LONG))
-        self.field.textChanged.connect(lambda: self._complain(""))
-        self.field.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Commit or close when the field loses the keyboard focus, but not to a menu or another
-        window."""
-        if isinstance(event, QFocusEvent) and event.type() is QEvent.Type.FocusOut:
-            kept = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
-            if event.reason() not in kept and not self._closing:
-                self.settle()
-        return False
+        self.field.refused.connect(lambda: self.complain(TOO_LONG))
+        self.field.textChanged.connect(lambda: self.complain(""))
 
     def settle(self) -> None:
         """Commit a changed text; close the field unless that is refused."""
-        if self._closing:
-            return
         if self.field.toPlainText() == self._before:
             self.close_field()
         else:
@@ -101,14 +83,4 @@ class NoteField(PassingCard):
 
     def commit(self) -> None:
         """Take the text over. If that is refused, show why and keep what was typed."""
-        if self._closing:
-            return
-        reason = self._commit(self.field.toPlainText())
-        if reason:
-            self._complain(reason)
-        else:
-            self.close_field()
-
-    def _complain(self, reason: str) -> None:
-        complain(self.error, reason, WIDE)
-        self.adjustSize()
+        self.take(self.field.toPlainText())
