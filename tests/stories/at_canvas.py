@@ -77,7 +77,7 @@ class Drawer:
 
     def handle_of(self, state: str, side: str = "right") -> QPoint:
         """The handle of a state; it appears when the pointer is at that side."""
-        return self.at(self.canvas.hand.handles(self.sheet.picture.index[state])[side])
+        return self.at(self.canvas.hand.hover.handles(self.sheet.picture.index[state])[side])
 
     # What a hand does
 

@@ -108,7 +108,7 @@ def test_a_fact_of_a_selected_state_is_clicked_on_the_canvas(sit: Sit) -> None:
     state = canvas.sheet.picture.index["State110"]
     x, y = canvas.positions["State110"]
     spots = [(x + dx, y + dy) for dx in range(-50, 51, 4) for dy in range(-24, 26, 4)]
-    facts = {canvas.hand.fact_at(state, QPointF(*spot)): spot for spot in spots}
+    facts = {canvas.hand.hover.fact_at(state, QPointF(*spot)): spot for spot in spots}
     at = person.on_canvas(facts[2])
     person.click_canvas(at)
     assert person.window.properties.state.isVisible(), "the first click selects"

@@ -37,7 +37,7 @@ class Gesture(Protocol):
 
 
 class GestureOwner(Protocol):
-    """What a gesture needs from ``Hand``, which made it."""
+    """What a gesture needs from ``Hover``."""
 
     def fact_at(self, state: int, at: QPointF) -> int:
         """The digit of the fact whose chip is at a scene point; -1 for none."""

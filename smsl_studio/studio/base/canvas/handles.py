@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtWidgets import QGraphicsView
 
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
@@ -35,6 +36,14 @@ def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
         "top": abs(h + dy),
     }
     return handles(sheet, state)[min(away, key=lambda side: away[side])]
+
+
+def is_near(view: QGraphicsView, a: QPointF, b: QPointF | None, pixels: float) -> bool:
+    """Whether two scene points are at most so far apart on the screen."""
+    if b is None:
+        return False
+    step = (a - b) * view.transform().m11()
+    return step.x() ** 2 + step.y() ** 2 <= pixels**2
 
 
 def pending_ends(

@@ -1,4 +1,4 @@
-"""Hand: turns mouse and key events into gestures, and tracks what is under the pointer."""
+"""Hand: turns mouse and key events into gestures."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas import keys
-from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
 from smsl_studio.studio.base.canvas.drawn_gestures import press_drawn
@@ -24,30 +22,27 @@ from smsl_studio.studio.base.canvas.gestures import (
     Retarget,
     selection_after,
 )
-from smsl_studio.studio.base.canvas.handles import handles, nearest
+from smsl_studio.studio.base.canvas.handles import is_near
+from smsl_studio.studio.base.canvas.hover import Hover
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
-from smsl_studio.studio.base.chips import fact_words
-from smsl_studio.studio.base.paint.node_paint import chip_places
-from smsl_studio.studio.base.tips import tip_text
 
-REACH = 15.0
-"""How far outside a node the pointer still counts as on it (pixels), so that it can reach the
-handle."""
 GRIP = 10.0
 """A press within this distance takes the grip (pixels)."""
-CLEAR = 32.0
-"""The smallest distance between the middles of a handle and the grip (pixels)."""
 
 
 class Hand:
-    """The gesture in progress, the hovered state or edge, and whether Space is held."""
+    """The gesture in progress, and whether Space is held.
+
+    ``hover`` is what is under the pointer.
+    """
 
     def __init__(self, canvas: BranchView, overlays: Overlays) -> None:
         self._canvas, self._overlays = canvas, overlays
         self._gesture: Gesture | None = None
         self._space = False
         self.line = LineHandles(canvas)
+        self.hover = Hover(canvas, overlays, self.line)
 
     @property
     def busy(self) -> bool:
@@ -88,19 +83,19 @@ class Hand:
         assert sheet is not None
         at = canvas.mapToScene(event.position().toPoint())
         if canvas.editing:
-            if self.line.edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
-                return Retarget(canvas, self, event, self.line.edge)
+            if self.line.edge >= 0 and is_near(canvas, at, canvas.gestures.grip, GRIP):
+                return Retarget(canvas, self.hover, event, self.line.edge)
             on_line = self.line.press(event, at)
             if on_line is not None:
                 return on_line
             handle = canvas.gestures.handle
-            if handle is not None and self._near(at, handle, HANDLE_RADIUS + 1.0):
-                return Connect(canvas, self, event, sheet.looks.hovered_state, handle)
+            if handle is not None and is_near(canvas, at, handle, HANDLE_RADIUS + 1.0):
+                return Connect(canvas, self.hover, event, sheet.looks.hovered_state, handle)
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
             if not canvas.editing:
                 canvas.node_clicked.emit(sheet.address_of_state(state))
-            return DragStates(canvas, self, event, state)
+            return DragStates(canvas, self.hover, event, state)
         drawn = canvas.drawn_at(at) if canvas.editing else None
         if drawn is not None:
             return press_drawn(canvas, event, drawn)
@@ -127,7 +122,7 @@ class Hand:
         if sheet is not None and (state >= 0 or address is None):
             self._drop_gesture()
             self._canvas.setFocus()
-            self._gesture = ConnectTool(self._canvas, self, state)
+            self._gesture = ConnectTool(self._canvas, self.hover, state)
             self._cursor()
 
     def _drop_gesture(self) -> bool:
@@ -161,7 +156,7 @@ class Hand:
         if self._gesture is not None:
             self._gesture.move(event)
         else:
-            self._hover(event.position())
+            self._look(event.position())
 
     def release(self, event: QMouseEvent) -> None:
         """End the gesture, if there is one. The tool that connects goes on to its next click."""
@@ -171,7 +166,7 @@ class Hand:
         if gesture is not None:
             gesture.release(event)
             self._cursor()
-            self._hover(event.position())
+            self._look(event.position())
 
     def double_click(self, event: QMouseEvent) -> None:
         """Enter a sub-SB, or rename what is below; on empty canvas ask for a new state."""
@@ -190,7 +185,7 @@ class Hand:
             return
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
-            sub = self.sub_at(state, at)
+            sub = self.hover.sub_at(state, at)
             if sub:
                 canvas.enter_wanted.emit(sub)
             elif canvas.editing:
@@ -207,24 +202,6 @@ class Hand:
         else:
             canvas.add_state_wanted.emit(at)
 
-    def sub_at(self, state: int, at: QPointF) -> str:
-        """The sub-SB of the fact whose chip is at a scene point; empty for none."""
-        sheet, digit = self._canvas.sheet, self.fact_at(state, at)
-        return sheet.picture.face(state).chips[digit].sub if sheet and digit >= 0 else ""
-
-    def fact_at(self, state: int, at: QPointF) -> int:
-        """The digit of the fact whose chip is at a scene point; -1 for none."""
-        sheet = self._canvas.sheet
-        if sheet is None or sheet.level is not Level.FULL:
-            return -1
-        face = sheet.picture.face(state)
-        here = QPointF(at.x() - sheet.at[state, 0], at.y() - sheet.at[state, 1])
-        places = chip_places(face, sheet.ink, float(sheet.full_widths[state]))
-        for digit, (_, place) in enumerate(zip(face.chips, places, strict=False)):
-            if place.adjusted(-2, -2, 2, 5).contains(here):
-                return digit
-        return -1
-
     def _select_for_menu(self, event: QMouseEvent) -> None:
         """Select the element of a right click, unless it is selected already."""
         canvas = self._canvas
@@ -236,113 +213,19 @@ class Hand:
         """Update what is hovered: the picture changed below a pointer that did not move."""
         viewport = self._canvas.viewport()
         if self._gesture is None and viewport.underMouse():
-            self._hover(QPointF(viewport.mapFromGlobal(QCursor.pos())))
+            self._look(QPointF(viewport.mapFromGlobal(QCursor.pos())))
 
     def left(self) -> None:
         """The pointer has left the canvas: hover nothing."""
         if self._gesture is None:
-            self._set_hover(-1, -1)
+            self.hover.clear()
 
-    # Hover
-
-    def _hover(self, at: QPointF) -> None:
-        canvas, sheet = self._canvas, self._canvas.sheet
-        if sheet is None:
-            return
-        point = canvas.mapToScene(at.toPoint())
-        state = sheet.state_at(point.x(), point.y())
-        if state < 0 and canvas.editing:
-            state = self._kept_hover(point)
-        drawn = canvas.drawn_at(point) if state < 0 else None
-        edge = -1 if state >= 0 or drawn is not None else sheet.edge_at(point.x(), point.y())
-        self._set_hover(state, edge)
-        if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
-            handle = nearest(sheet, state, point)
-            # A handle near the grip or a bend would cover it and take its clicks.
-            hidden = self._near(handle, canvas.gestures.grip, CLEAR)
-            hidden = hidden or self.line.bend_at(point) >= 0
-            canvas.gestures.put("handle", None if hidden else handle)
-        elif canvas.gestures.handle is not None:
-            canvas.gestures.put("handle", None)
-        self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
-        if drawn is not None:
-            canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
-        if self.line.bend_at(point) >= 0:
-            canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
+    def _look(self, at: QPointF) -> None:
+        """Update what is hovered at a point of the view (pixels), and the pointer."""
+        self.hover.look(at)
         self._cursor()
 
-    def _kept_hover(self, point: QPointF) -> int:
-        """The state beside the pointer, if the pointer is outside it but near its handle.
-
-        -1 for none.
-        """
-        sheet = self._canvas.sheet
-        assert sheet is not None
-        near = sheet.state_at(point.x(), point.y(), REACH)
-        if near < 0:
-            return -1
-        handle = nearest(sheet, near, point)
-        kept = near == sheet.looks.hovered_state
-        return near if kept or self._near(point, handle, HANDLE_RADIUS + 2.0) else -1
-
-    def handles(self, state: int) -> dict[str, QPointF]:
-        """The handles of a state as scene points, by side."""
-        sheet = self._canvas.sheet
-        return handles(sheet, state) if sheet is not None else {}
-
-    def _set_hover(self, state: int, edge: int) -> None:
-        canvas, sheet = self._canvas, self._canvas.sheet
-        if sheet is None:
-            return
-        looks = sheet.looks
-        before = looks.hovered_state, looks.hovered_edge
-        if before == (state, edge):
-            return
-        labels = canvas.lit_layer.shown()
-        looks.hovered_state, looks.hovered_edge = state, edge
-        canvas.update_lit(labels)
-        canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
-        for node in (before[0], state):
-            canvas.update_node(node)
-        if state < 0:
-            canvas.gestures.put("handle", None)
-        address = None
-        if state >= 0:
-            address = sheet.address_of_state(state)
-        elif edge >= 0:
-            address = sheet.picture.address(edge)
-        self._overlays.hover(address)
-        canvas.hover_changed.emit(address)
-
-    def hover_target(self, address: Address | None) -> None:
-        """Highlight the state that would become the target; None removes the highlight."""
-        sheet = self._canvas.sheet
-        if sheet is not None:
-            self._set_hover(sheet.picture.node(address) if address is not None else -1, -1)
-
-    def hush(self) -> None:
-        """Hide the sentence at the pointer."""
-        self._overlays.hush()
-
-    def _tip(self, state: int, edge: int, digit: int) -> None:
-        """Set the tooltip: what the value of a fact means, the full name of a state, or the words
-        of an operation.
-        """
-        sheet = self._canvas.sheet
-        assert sheet is not None
-        tip = ""
-        if digit >= 0:
-            branch, name = sheet.picture.branch, sheet.picture.names[state]
-            tip = fact_words(branch, digit, branch.facts(name)[digit])
-            sub = branch.subs.get(digit)
-            tip += f"\nExpanded by {sub}" if sub else ""
-        elif state >= 0:
-            face = sheet.picture.face(state)
-            tip = face.name if not face.title else f"{face.name}\n{face.title}"
-        elif edge >= 0:
-            tip = edge_tip(self._canvas, edge)
-        if self._canvas.viewport().toolTip() != tip:
-            self._canvas.viewport().setToolTip(tip_text(tip))
+    # What is shown at the selection and the pointer
 
     def show_grip(self) -> None:
         """Show the grip at the arrowhead, and the bends, if exactly one operation is selected."""
@@ -354,12 +237,6 @@ class Hand:
         if place != canvas.gestures.grip:
             canvas.gestures.put("grip", place)
             self.look_again()
-
-    def _near(self, a: QPointF, b: QPointF | None, pixels: float) -> bool:
-        if b is None:
-            return False
-        step = (a - b) * self._canvas.zoom
-        return step.x() ** 2 + step.y() ** 2 <= pixels**2
 
     def _cursor(self) -> None:
         shape = Qt.CursorShape

@@ -73,7 +73,7 @@ class TemplateDrop:
         sheet = self._canvas.sheet
         state = state_below(sheet, point) if sheet is not None else ""
         if sheet is not None and state:
-            digit = self._canvas.hand.fact_at(sheet.picture.index[state], point)
+            digit = self._canvas.hand.hover.fact_at(sheet.picture.index[state], point)
             return self.on(Address(self._session.branch, state), digit)
         edge = sheet.edge_at(point.x(), point.y()) if sheet is not None else -1
         if sheet is not None and edge >= 0:

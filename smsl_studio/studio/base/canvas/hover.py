@@ -1,0 +1,151 @@
+"""Hover: the state or operation under the pointer, with its handle and its tooltip."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas.accessible import edge_tip
+from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
+from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest
+from smsl_studio.studio.base.canvas.line_handles import LineHandles
+from smsl_studio.studio.base.canvas.overlays import Overlays
+from smsl_studio.studio.base.chips import fact_words
+from smsl_studio.studio.base.paint.node_paint import chip_places
+from smsl_studio.studio.base.tips import tip_text
+
+REACH = 15.0
+"""How far outside a node the pointer still counts as on it (pixels), so that it can reach the
+handle."""
+CLEAR = 32.0
+"""The smallest distance between the middles of a handle and the grip (pixels)."""
+
+
+class Hover:
+    """What is under the pointer: highlighted, with the handle of a state, and told by a tooltip."""
+
+    def __init__(self, canvas: BranchView, overlays: Overlays, line: LineHandles) -> None:
+        self._canvas, self._overlays, self._line = canvas, overlays, line
+
+    def look(self, at: QPointF) -> None:
+        """Update what is hovered, with its handle and tooltip, at a point of the view (pixels)."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None:
+            return
+        point = canvas.mapToScene(at.toPoint())
+        state = sheet.state_at(point.x(), point.y())
+        if state < 0 and canvas.editing:
+            state = self._kept_hover(point)
+        drawn = canvas.drawn_at(point) if state < 0 else None
+        edge = -1 if state >= 0 or drawn is not None else sheet.edge_at(point.x(), point.y())
+        self._set_hover(state, edge)
+        if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
+            handle = nearest(sheet, state, point)
+            # A handle near the grip or a bend would cover it and take its clicks.
+            hidden = is_near(canvas, handle, canvas.gestures.grip, CLEAR)
+            hidden = hidden or self._line.bend_at(point) >= 0
+            canvas.gestures.put("handle", None if hidden else handle)
+        elif canvas.gestures.handle is not None:
+            canvas.gestures.put("handle", None)
+        self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
+        if drawn is not None:
+            canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
+        if self._line.bend_at(point) >= 0:
+            canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
+
+    def _kept_hover(self, point: QPointF) -> int:
+        """The state beside the pointer, if the pointer is outside it but near its handle.
+
+        -1 for none.
+        """
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        near = sheet.state_at(point.x(), point.y(), REACH)
+        if near < 0:
+            return -1
+        handle = nearest(sheet, near, point)
+        kept = near == sheet.looks.hovered_state
+        return near if kept or is_near(self._canvas, point, handle, HANDLE_RADIUS + 2.0) else -1
+
+    def handles(self, state: int) -> dict[str, QPointF]:
+        """The handles of a state as scene points, by side."""
+        sheet = self._canvas.sheet
+        return handles(sheet, state) if sheet is not None else {}
+
+    def clear(self) -> None:
+        """Hover nothing."""
+        self._set_hover(-1, -1)
+
+    def _set_hover(self, state: int, edge: int) -> None:
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None:
+            return
+        looks = sheet.looks
+        before = looks.hovered_state, looks.hovered_edge
+        if before == (state, edge):
+            return
+        labels = canvas.lit_layer.shown()
+        looks.hovered_state, looks.hovered_edge = state, edge
+        canvas.update_lit(labels)
+        canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
+        for node in (before[0], state):
+            canvas.update_node(node)
+        if state < 0:
+            canvas.gestures.put("handle", None)
+        address = None
+        if state >= 0:
+            address = sheet.address_of_state(state)
+        elif edge >= 0:
+            address = sheet.picture.address(edge)
+        self._overlays.hover(address)
+        canvas.hover_changed.emit(address)
+
+    def hover_target(self, address: Address | None) -> None:
+        """Highlight the state that would become the target; None removes the highlight."""
+        sheet = self._canvas.sheet
+        if sheet is not None:
+            self._set_hover(sheet.picture.node(address) if address is not None else -1, -1)
+
+    def hush(self) -> None:
+        """Hide the sentence at the pointer."""
+        self._overlays.hush()
+
+    def _tip(self, state: int, edge: int, digit: int) -> None:
+        """Set the tooltip: what the value of a fact means, the full name of a state, or the words
+        of an operation.
+        """
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        tip = ""
+        if digit >= 0:
+            branch, name = sheet.picture.branch, sheet.picture.names[state]
+            tip = fact_words(branch, digit, branch.facts(name)[digit])
+            sub = branch.subs.get(digit)
+            tip += f"\nExpanded by {sub}" if sub else ""
+        elif state >= 0:
+            face = sheet.picture.face(state)
+            tip = face.name if not face.title else f"{face.name}\n{face.title}"
+        elif edge >= 0:
+            tip = edge_tip(self._canvas, edge)
+        if self._canvas.viewport().toolTip() != tip:
+            self._canvas.viewport().setToolTip(tip_text(tip))
+
+    def sub_at(self, state: int, at: QPointF) -> str:
+        """The sub-SB of the fact whose chip is at a scene point; empty for none."""
+        sheet, digit = self._canvas.sheet, self.fact_at(state, at)
+        return sheet.picture.face(state).chips[digit].sub if sheet and digit >= 0 else ""
+
+    def fact_at(self, state: int, at: QPointF) -> int:
+        """The digit of the fact whose chip is at a scene point; -1 for none."""
+        sheet = self._canvas.sheet
+        if sheet is None or sheet.level is not Level.FULL:
+            return -1
+        face = sheet.picture.face(state)
+        here = QPointF(at.x() - sheet.at[state, 0], at.y() - sheet.at[state, 1])
+        places = chip_places(face, sheet.ink, float(sheet.full_widths[state]))
+        for digit, (_, place) in enumerate(zip(face.chips, places, strict=False)):
+            if place.adjusted(-2, -2, 2, 5).contains(here):
+                return digit
+        return -1
