@@ -71,7 +71,7 @@ def test_a_state_to_which_nothing_leads_has_no_sibling_and_that_is_said(hfsm: Dr
 
 def test_a_sibling_of_a_loop_stands_beside_its_state(hfsm: Drawer) -> None:
     state = Address("SB1", "State110")
-    hfsm.editor.connect_states(state, state, hfsm.canvas.mapToScene(QPoint(300, 300)))
+    hfsm.editor.new_operation.ask(state, state, hfsm.canvas.mapToScene(QPoint(300, 300)))
     hfsm.write("Again")
     assert hfsm.selected() == ["State110/Again"]
     hfsm.canvas.setFocus()
@@ -204,7 +204,7 @@ def test_a_click_on_a_state_becomes_the_target_while_the_operation_is_named(hfsm
 
 
 def test_a_fixed_target_is_not_replaced_by_a_click(hfsm: Drawer) -> None:
-    hfsm.editor.connect_states(
+    hfsm.editor.new_operation.ask(
         Address("SB1", "State111"), Address("SB1", "State000"), hfsm.canvas.mapToScene(QPoint(9, 9))
     )
     hfsm.click(hfsm.place("State100"))

@@ -26,10 +26,10 @@ from smsl_studio.studio.features.draw.canvas.free_places import (
     place_near,
 )
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.canvas.new_operation import NewOperation
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
 from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
-from smsl_studio.studio.features.draw.canvas.suggest import Suggestions
 
 Position = tuple[float, float]
 Field = NameField | ConnectCard | CopyCard
@@ -47,14 +47,15 @@ class CanvasEditor(QObject):
         self.session, self.canvas = session, canvas
         self.field: Field | None = None
         self._refusals: list[StudioError] = []
-        self.quick_add = QuickAdd(session, canvas, self.connect_states)
+        self.new_operation = NewOperation(session, canvas, self.edit, self.open_card)
+        self.quick_add = QuickAdd(session, canvas, self.new_operation.ask)
         session.blueprint_changed.connect(self._blueprint_changed)
         session.branch_changed.connect(self._show)
         session.selection_changed.connect(self._selection_changed)
         session.refused.connect(self._refused)
         canvas.selection_wanted.connect(session.select)
         canvas.add_state_wanted.connect(self.add_state_at)
-        canvas.connect_wanted.connect(self.connect_states)
+        canvas.connect_wanted.connect(self.new_operation.ask)
         canvas.retarget_wanted.connect(self.retarget)
         canvas.rename_wanted.connect(self.rename)
         canvas.moved.connect(self.move)
@@ -169,57 +170,6 @@ class CanvasEditor(QObject):
             return reason
 
         self._name("State0", "State", commit, self._field_place(QPointF(*place), 108.0))
-
-    def connect_states(
-        self, source: Address, target: Address | None, at: QPointF, pattern: str = ""
-    ) -> None:
-        """Ask for the name of a new operation. Without a target, a new state is added at the point.
-
-        Operation and state are added as one step. ``at`` is a scene point. ``pattern`` is the name
-        to begin with, or what comes before its first ``{``.
-        """
-        branch, place = source.branch, on_grid(at)
-        shown = self.session.blueprint[branch]
-        suggestions = Suggestions(shown)
-        asked = None if target is not None else fresh_state_name(shown)
-
-        def commit(name: str, typed: str) -> str:
-            """Add the operation and select it. Returns why that was refused, or the empty text."""
-            goal = target.state if target is not None else typed
-            if not goal:
-                return "The operation has no target. Name a state."
-
-            def change(blueprint: Blueprint) -> Blueprint:
-                """The blueprint with the operation; a new target state is added first."""
-                if goal not in blueprint[branch].table:
-                    blueprint = editing.add_state(blueprint, branch, goal, place)
-                return editing.add_operation(blueprint, branch, source.state, name, goal)
-
-            reason = self.edit(f"Connect {source.state} to {goal}", change)
-            if not reason:
-                self.session.select((Address(branch, source.state, name),))
-            return reason
-
-        card = ConnectCard(
-            self.canvas,
-            self.canvas.tokens,
-            suggestions.names(source.state),
-            (suggestions.name_for(source.state, target.state if target else None), asked),
-            commit,
-            None if target else lambda name: suggestions.target_for(source.state, name),
-        )
-
-        def lead_to(state: str) -> None:
-            """Show the target that was clicked, and the name that fits it."""
-            card.suggest(suggestions.name_for(source.state, state))
-            self.canvas.show_pending(source, Address(branch, state), at)
-
-        card.target_picked.connect(lead_to)
-        if pattern:
-            card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
-        self.open_card(card, self._beside(at))
-        # A card that was open before has taken its own line along.
-        self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
 
     def rename(self, address: Address) -> None:
         """Edit the name of a state or operation on the canvas, which scrolls to it."""
@@ -364,10 +314,6 @@ class CanvasEditor(QObject):
         if full:
             at.setY(at.y() - 11.0)
         return at, int(min(max(width + 12.0, 110.0), 300.0))
-
-    def _beside(self, at: QPointF) -> QPointF:
-        """A scene point in pixels of the view."""
-        return QPointF(self.canvas.mapFromScene(at))
 
 
 def _sentence(error: StudioError) -> str:

@@ -101,7 +101,7 @@ class OperationDrop:
         self._canvas.setFocus()
         self._canvas.reveal(source, smooth=False)
         self._canvas.reveal_point(QPointF(*place), smooth=False)
-        self._editor.connect_states(source, target, QPointF(*place), self._name)
+        self._editor.new_operation.ask(source, target, QPointF(*place), self._name)
 
     def _add(self, source: str, target: str) -> None:
         branch, name = self._session.branch, self._name
