@@ -26,6 +26,8 @@ AROUND, BAR, GROUP_RADIUS = 14.0, 24.0, 10.0
 """The room in a group around its states, the height of its title, and the radius of its corners."""
 ARROW = 22.0
 """How far the arrow at the left of INITIAL reaches (pixels)."""
+Members = tuple[NDArray[np.intp], ...]
+"""For each group the numbers of its states."""
 _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
@@ -45,7 +47,7 @@ class DrawnParts:
             [index.get(note.state, -1) for note in self.notes], dtype=np.intp
         )
         """For each note the number of the state that it hangs on, -1 if it is free."""
-        self.members = tuple(
+        self.members: Members = tuple(
             np.array([index[name] for name in group.states], dtype=np.intp) for group in self.groups
         )
         """The numbers of the states in each group."""
@@ -67,12 +69,20 @@ class DrawnParts:
             corner[hung] += at[self.states[hung]]
         return np.hstack([corner, corner + self._size])
 
-    def group_rects(self, boxes: Floats, unit: float = 1.0, bar: float = BAR) -> Floats:
+    def group_rects(
+        self,
+        boxes: Floats,
+        unit: float = 1.0,
+        bar: float = BAR,
+        members: Members | None = None,
+    ) -> Floats:
         """Return where the frames of the groups lie. ``boxes`` has the centre and half the size of
         each node, ``unit`` the scene units in a pixel, ``bar`` the height of titles (pixels).
+
+        ``members`` are other states in the groups than those that are written.
         """
         found = np.zeros((len(self.groups), 4))
-        for number, states in enumerate(self.members):
+        for number, states in enumerate(self.members if members is None else members):
             own = boxes[states]
             low = own[:, :2] - own[:, 2:]
             low[states == self._initial, 0] -= ARROW * unit

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
 from smsl_studio.blueprint.annotations import Group
@@ -212,3 +213,75 @@ def test_without_a_state_there_is_nothing_to_group(person: Person) -> None:
     actions.refresh()
     assert actions["group"].isEnabled()
     assert not actions["ungroup"].isEnabled()
+
+
+def frame(person: Person, key: str) -> QRectF:
+    """The frame of a group, in scene units."""
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    rect = sheet.drawn.rect(DrawnKey("group", key))
+    assert rect is not None
+    return rect
+
+
+def held(person: Person, state: str, to: QPoint) -> None:
+    """Drag a state without letting go."""
+    hands = person.window.canvas.viewport()
+    start = person.place(f"{SB}/{state}")
+    QTest.mousePress(hands, Qt.MouseButton.LeftButton, pos=start)
+    for share in (0.1, 0.5, 1.0):
+        QTest.mouseMove(hands, start + (to - start) * share)
+
+
+def test_a_state_dragged_into_the_frame_belongs_to_the_group(person: Person) -> None:
+    key = group(person, *PAIR)
+    before, text = digests(person.blueprint), person.blueprint.document.text
+    inside = person.on_canvas(frame(person, key).center())
+    word = person.window.canvas.overlays.word
+    held(person, "State111", inside)
+    assert frame(person, key).contains(QPointF(*person.window.canvas.positions["State111"]))
+    assert word.text == "State111 into One fact missing"
+    QTest.mouseRelease(person.window.canvas.viewport(), Qt.MouseButton.LeftButton, pos=inside)
+    assert word.text == ""
+    assert groups(person)[key].states == (*PAIR, "State111")
+    assert person.steps() == ["Group 2 states", "Move State111"]
+    assert digests(person.blueprint) == before
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == text
+
+
+def test_a_state_dragged_out_of_the_frame_leaves_the_group(person: Person) -> None:
+    key = group(person, *PAIR)
+    text, whole = person.blueprint.document.text, frame(person, key)
+    start = person.place(f"{SB}/State110")
+    away = start + QPoint(0, -300)
+    held(person, "State110", away)
+    assert person.window.canvas.overlays.word.text == "State110 out of One fact missing"
+    assert frame(person, key).width() < whole.width()
+    QTest.mouseRelease(person.window.canvas.viewport(), Qt.MouseButton.LeftButton, pos=away)
+    assert groups(person)[key].states == ("State100",)
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == text
+    held(person, "State110", away)
+    person.press(Key.Key_Escape)
+    assert person.blueprint.document.text == text
+    assert frame(person, key) == whole
+
+
+def test_a_state_goes_from_one_group_into_another(person: Person) -> None:
+    one = group(person, *PAIR)
+    two = group(person, "State111", title="Other")
+    inside = person.on_canvas(frame(person, two).center())
+    person.drag(person.place(f"{SB}/State110"), inside)
+    assert groups(person)[one].states == ("State100",)
+    assert groups(person)[two].states == ("State111", "State110")
+
+
+def test_a_group_that_is_dragged_with_all_its_states_stays_one(person: Person) -> None:
+    key = group(person, *PAIR)
+    other = group(person, "State111", title="Other")
+    person.select(*(f"{SB}/{name}" for name in PAIR))
+    inside = person.on_canvas(frame(person, other).center())
+    person.drag(person.place(f"{SB}/State110"), inside)
+    assert groups(person)[key].states == PAIR
+    assert groups(person)[other].states == ("State111",)

@@ -40,8 +40,9 @@ class BranchView(DrawnStage):
     """(operation, EdgeLayout, whether this goes on with the same key): draw its line so."""
     rename_wanted = Signal(object)
     """Address: edit the name of this element in place."""
-    moved = Signal(object)
-    """dict[str, (x, y)]: the user dragged these states to these scene points."""
+    moved = Signal(object, object)
+    """(dict[str, (x, y)], dict[str, tuple[str, ...]]): the user dragged these states to these scene
+    points, and these groups, by their keys, get these states."""
     nudge_wanted = Signal(float, float)
     """(dx, dy) in scene units: move the selected states (arrow keys)."""
     enter_wanted = Signal(str)

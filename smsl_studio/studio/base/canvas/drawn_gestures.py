@@ -95,7 +95,7 @@ class DragGroup:
         places = {names[i]: (float(at[i, 0]), float(at[i, 1])) for i in self._places}
         self._canvas.settle()
         if places != {names[i]: place for i, place in self._places.items()}:
-            self._canvas.moved.emit(places)
+            self._canvas.moved.emit(places, {})
 
     def cancel(self) -> None:
         """Put the states back where they were."""

@@ -41,7 +41,8 @@ class DrawnPainter:
             left, top, right, bottom = (rects[number] / unit).tolist()
             key = DrawnKey("group", parts.group_keys[number])
             rect, title = QRectF(left, top, right - left, bottom - top), parts.groups[number].title
-            paint_group(painter, rect, title, drawn.bar, key == self.chosen, sheet.ink)
+            lit = key == self.chosen or number in drawn.gains
+            paint_group(painter, rect, title, drawn.bar, lit, sheet.ink)
             self._paint_lens(painter, key, rect.topLeft(), sheet, unit)
         painter.restore()
 

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from PySide6.QtCore import QRectF
 
-from smsl_studio.picture.drawn_parts import BAR, DrawnParts, by_words, day_words, lines_of
+from smsl_studio.picture.drawn_parts import BAR, DrawnParts, Members, by_words, day_words, lines_of
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import Floats
@@ -47,6 +47,9 @@ class DrawnSheet:
         self._notes: tuple[object, Floats] = None, np.zeros((0, 4))
         self._groups: tuple[object, Floats] = None, np.zeros((0, 4))
         self._aside: tuple[int, float, float] | None = None
+        self._members: Members | None = None
+        self.gains: frozenset[int] = frozenset()
+        """The numbers of the groups that would get a state that is being dragged."""
 
     def __bool__(self) -> bool:
         return bool(self._sheet.picture.branch.drawn)
@@ -57,7 +60,22 @@ class DrawnSheet:
         branch = self._sheet.picture.branch
         if self._of is not branch.drawn:
             self._of, self._parts = branch.drawn, DrawnParts(branch, self._sheet.picture.index)
+            self._members = None
         return self._parts
+
+    @property
+    def members(self) -> Members:
+        """The states of each group as they are shown, by number."""
+        written = self.parts.members
+        return written if self._members is None else self._members
+
+    def put_members(self, members: Members | None) -> None:
+        """Show other states in the groups, during a drag; None shows those that are written."""
+        written = self.parts.members
+        self._members = members
+        pairs = enumerate(zip(self.members, written, strict=True))
+        self.gains = frozenset(n for n, (now, own) in pairs if len(np.setdiff1d(now, own)))
+        self._groups = None, np.zeros((0, 4))
 
     @property
     def bar(self) -> float:
@@ -84,7 +102,7 @@ class DrawnSheet:
         state = parts, sheet.version, sheet.unit, sheet.level
         if self._groups[0] != state:
             boxes = np.hstack([sheet.at, sheet.halves()])
-            self._groups = state, parts.group_rects(boxes, sheet.unit, self.bar)
+            self._groups = state, parts.group_rects(boxes, sheet.unit, self.bar, self.members)
         return self._groups[1]
 
     def lay_aside(self, number: int, x: float, y: float) -> None:
@@ -151,7 +169,7 @@ class DrawnSheet:
         rects = [self.note_rects[np.isin(parts.states, states)]]
         rects += [
             self.group_rects[number : number + 1]
-            for number, own in enumerate(parts.members)
+            for number, own in enumerate(self.members)
             if np.isin(own, states).any()
         ]
         hung = parts.states[np.isin(parts.states, states)]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Signal
 
+from smsl_studio.picture.drawn_parts import Members
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.stage import POOL, Stage
@@ -50,6 +52,24 @@ class DrawnStage(Stage):
         if self.sheet is not None:
             self.sheet.drawn.lay_back()
         self.update_drawn(key)
+
+    def show_members(self, members: Members | None) -> None:
+        """Show other states in the groups during a drag; None shows those that are written."""
+        sheet = self.sheet
+        if sheet is None or not sheet.drawn:
+            return
+        before = sheet.drawn.members
+        after = sheet.drawn.parts.members if members is None else members
+        changed = [
+            DrawnKey("group", key)
+            for key, old, new in zip(sheet.drawn.parts.group_keys, before, after, strict=True)
+            if not np.array_equal(old, new)
+        ]
+        for key in changed:
+            self.update_drawn(key)
+        sheet.drawn.put_members(members)
+        for key in changed:
+            self.update_drawn(key)
 
     def choose_drawn(self, chosen: DrawnKey | None) -> None:
         """Show a note or a group as selected; None for none."""

@@ -15,6 +15,7 @@ from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import pending_ends
+from smsl_studio.studio.base.canvas.membership import Membership
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 GRID = 8.0
@@ -155,6 +156,7 @@ class DragStates:
         states = dict.fromkeys([state, *(i for a in chosen if (i := picture.node(a)) >= 0)])
         self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
         self._others = centres_in_view(canvas, sheet, list(states))
+        self._groups = Membership(sheet, list(states))
 
     def move(self, event: QMouseEvent) -> None:
         """Move the states. The one under the pointer snaps, except with Alt.
@@ -177,6 +179,13 @@ class DragStates:
             dx, dy = to_x - x, to_y - y
         self._canvas.gestures.put("guides", guides)
         self._canvas.drag_states({i: (px + dx, py + dy) for i, (px, py) in self._places.items()})
+        members = self._groups.now()
+        self._canvas.show_members(members)
+        told = self._groups.words(members)
+        if told:
+            self._canvas.say(told)
+        else:
+            self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
         """Emit the new places after a drag; select the state after a click."""
@@ -191,9 +200,10 @@ class DragStates:
         names = sheet.picture.names
         places = {names[i]: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in self._places}
         before = {names[i]: place for i, place in self._places.items()}
-        self._canvas.settle()
+        groups = self._groups.changes(self._groups.now())
+        self._drop()
         if places != before:
-            self._canvas.moved.emit(places)
+            self._canvas.moved.emit(places, groups)
 
     def _want_fact(self) -> None:
         """Emit ``fact_wanted`` for a click on a fact of the state that alone was selected
@@ -208,7 +218,13 @@ class DragStates:
         self._canvas.gestures.put("guides", ())
         if self._begun:
             self._canvas.drag_states(self._places)
-            self._canvas.settle()
+            self._drop()
+
+    def _drop(self) -> None:
+        """Route again where the states stand now, with the groups as they are written."""
+        self._canvas.show_members(None)
+        self._hand.hush()
+        self._canvas.settle()
 
 
 class Connect:

@@ -76,7 +76,12 @@ def test_nothing_stale_is_left_on_the_screen(drawer: Drawer) -> None:
     drag(drawer.place("State000"), QPoint(30, -90), "drag a state with a note")
     drag(drawer.place("State110"), QPoint(90, -90), "drag a state of a group")
     drag(middle(drawer, GROUP), QPoint(-60, 60), "drag a group")
-    for _ in range(5):
+    inside = drawer.sheet.drawn.rect(GROUP)
+    assert inside is not None
+    into = drawer.at(inside.center()) - drawer.place("State111")
+    drag(drawer.place("State111"), into, "drag a state into a group")
+    drag(drawer.place("State111"), QPoint(0, 260), "drag it out again")
+    for _ in range(7):
         drawer.session.history.undo()
         check("undo")
     drawer.canvas.zoom_to(0.4)

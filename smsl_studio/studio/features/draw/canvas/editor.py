@@ -207,11 +207,21 @@ class CanvasEditor(QObject):
         if reason:
             self.canvas.say(reason)
 
-    def move(self, places: Mapping[str, Position]) -> None:
-        """Store the positions to which states were dragged (in scene units), as one step."""
+    def move(
+        self, places: Mapping[str, Position], groups: Mapping[str, Sequence[str]] | None = None
+    ) -> None:
+        """Store where states were dragged (scene units), and the states of the groups that gain or
+        lose some by that, as one step."""
         branch, moved = self.session.branch, self.session.places.moved
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
-        reason = self.edit(f"Move {what}", lambda bp: moved(bp, branch, places))
+        members = {key: {"states": states} for key, states in (groups or {}).items()}
+
+        def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with the states at their new places."""
+            after = moved(blueprint, branch, places)
+            return editing.put_groups(after, branch, members) if members else after
+
+        reason = self.edit(f"Move {what}", change)
         if reason:
             self._show_again(branch)
             self.canvas.say(reason)
