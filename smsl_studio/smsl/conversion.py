@@ -25,9 +25,16 @@ def convert(document: Document, form: str, file: str) -> Converted:
 
     ConvertError, with the reason, if the other form cannot express a part of it.
     """
+    if form != document.form:
+        _must_be_single(document, form)
+    return converted(document, form, file)
+
+
+def converted(document: Document, form: str, file: str) -> Converted:
+    """Like ``convert``, but of a key that is written twice only the last value is written, which
+    counts."""
     if form == document.form:
         return Converted(replace(document, file=file))
-    _must_be_single(document, form)
     said = form_named(document.form).comments_in(document)
     doors = form_named(form)
     written = doors.parse(doors.write(document.values, said), file)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from pathlib import PurePath
+from pathlib import Path, PurePath
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.revision import with_document
-from smsl_studio.errors import EditRefused, ReadError
+from smsl_studio.blueprint.revision import revised, with_document
+from smsl_studio.errors import ConvertError, EditRefused, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.save_as import stepped
 
 
 @dataclass(frozen=True)
@@ -74,10 +75,21 @@ def texts_of(blueprint: Blueprint, broken: Broken | None) -> dict[str, str]:
 def under_name(
     blueprint: Blueprint, broken: Broken | None, file: str
 ) -> tuple[Blueprint, Broken | None]:
-    """The same blueprint and broken text, after the blueprint's own file got the name ``file``."""
+    """The same blueprint and broken text, after the blueprint's own file was saved as ``file``.
+
+    The new name may stand for another form and another folder (see ``stepped``). A text that the
+    form cannot express is shown as a broken one, so nothing of it is lost.
+    """
     if blueprint.file == file:
         return blueprint, broken
-    moved = replace(blueprint, document=replace(blueprint.document, file=file))
+    former = blueprint.document
+    try:
+        document = stepped(former, Path(file))
+    except ConvertError as error:
+        moved = revised(blueprint, {former: replace(former, file=file)})
+        fault = ReadError(error.sentence, error.place, error.advice)
+        return moved, broken or Broken(file, former.text, fault)
+    moved = revised(blueprint, {former: document})
     if broken is None or broken.file != blueprint.file:
         return moved, broken
     again = read_text(moved, file, broken.text)

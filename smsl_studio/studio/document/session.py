@@ -265,7 +265,8 @@ class Session(QObject):
         before = self._blueprint
         # Under the same name nothing changed, so an inspection in progress stays valid.
         if before.file != blueprint.file:
-            self._replace(blueprint, under_name(before, self._broken, blueprint.file)[1])
+            broken = self._broken and under_name(before, self._broken, blueprint.file)[1]
+            self._replace(blueprint, broken)
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select the elements at these addresses. Addresses without an element are left out."""
@@ -330,7 +331,7 @@ class Session(QObject):
     def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
         former = self._aside.keys()
         self._aside = put_aside(self._blueprint, blueprint, self._aside, self.unsaved)
-        # After a save under another name, older steps keep the new name.
+        # After a save under another name, older steps have the new name and form.
         self._replace(*under_name(blueprint, broken, self._blueprint.file))
         if self._aside.keys() != former:
             self.aside_changed.emit()

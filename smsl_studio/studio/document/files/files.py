@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import real_path
+from smsl_studio.blueprint.revision import revised
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.traits import losses
@@ -20,16 +21,16 @@ from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.files.fresh import UNTITLED, empty_blueprint
 from smsl_studio.studio.document.files.interrupted import Settled, settle_interrupted
 from smsl_studio.studio.document.files.on_disk import OnDisk
-from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file, understood
+from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file
 from smsl_studio.studio.document.files.questions import Answer, Asker
-from smsl_studio.studio.document.files.save_as import (
+from smsl_studio.studio.document.files.store import Pairs, store
+from smsl_studio.studio.document.files.title import Title
+from smsl_studio.studio.document.save_as import (
     form_words,
     leaves_comments,
     moved,
     over_an_import,
 )
-from smsl_studio.studio.document.files.store import Pairs, store
-from smsl_studio.studio.document.files.title import Title
 from smsl_studio.studio.document.session import Session
 
 
@@ -320,24 +321,15 @@ class Files(QObject):
         if not self._written([(found.document, path), *pairs], chosen=path):
             return False
         self.path, self._name = path, path.name
-        if found.anew:
-            self._show_anew(found.document)
-        else:
-            # The document of a broken text is that of the last text that could be read.
-            named = replace(session.blueprint.document, file=str(path))
-            session.saved(replace(session.blueprint, document=named))
+        former = session.blueprint.document
+        # The document of a broken text is that of the last text that could be read.
+        named = found.document if found.anew else replace(former, file=str(path))
+        session.saved(revised(session.blueprint, {former: named}))
         self._learn(session.blueprint, session.blueprint)
         self._settings.remember(path)
+        self._say_how_yaml_is_written()
         self._saved([path.name, *map(self.display, others)])
         return True
-
-    def _show_anew(self, document: Document) -> None:
-        """Open the converted text. The history begins again, because it fits the former text."""
-        session = self._session
-        branch, selection = session.branch, session.selection
-        self.show(understood(document.text, document.file), self.path, self._name)
-        session.show_branch(branch)
-        session.select(selection)
 
     def _written(self, pairs: Pairs, chosen: Path | None = None) -> bool:
         """Write documents to their places (see ``store``); returns whether that was done."""

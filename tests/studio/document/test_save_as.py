@@ -9,7 +9,7 @@ import pytest
 from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named, form_of
-from smsl_studio.studio.document.files.save_as import leaves_comments, moved
+from smsl_studio.studio.document.save_as import leaves_comments, moved
 
 JSON, OTHER = Path("/x/a.json"), Path("/x/b.json")
 

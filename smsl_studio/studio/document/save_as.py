@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from smsl_studio.blueprint.relocation import relocated
 from smsl_studio.errors import ConvertError, SaveError
-from smsl_studio.smsl.conversion import convert
+from smsl_studio.smsl.conversion import convert, converted
 from smsl_studio.smsl.document import WORDS, Document
 from smsl_studio.smsl.forms import SUFFIXES, form_of
 
 
 @dataclass(frozen=True)
 class Moved:
-    """The document to be written.
-
-    ``anew`` says that its text changed, so the history no longer fits.
-    """
+    """The document to be written. ``anew`` says that its text changed."""
 
     document: Document
     anew: bool
@@ -35,6 +33,18 @@ def moved(document: Document, path: Path, whole: bool = True) -> Moved:
     if form == found.form:
         return Moved(replace(found, file=str(path)), found is not document)
     return Moved(convert(found, form, str(path)).document, True)
+
+
+def stepped(document: Document, path: Path) -> Document:
+    """The document of an older step, after the file was saved under another name.
+
+    The form may not hold a key that is written twice. The last value counts, so it is kept alone,
+    and the step means the same as before. An import that is not allowed from the new folder keeps
+    its name; the findings tell it. Raises ConvertError if the form cannot express a value.
+    """
+    with suppress(ConvertError):
+        document = relocated(document, path)
+    return converted(document, form_of(str(path), document.text), str(path)).document
 
 
 def _as_it_is(document: Document, path: Path) -> Moved:
