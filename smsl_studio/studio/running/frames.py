@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
-    QAbstractScrollArea,
     QFrame,
     QGridLayout,
     QHBoxLayout,
     QSplitter,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -83,20 +81,6 @@ def laid_over(base: QWidget, left: QWidget, right: QWidget) -> QWidget:
     side = Qt.AlignmentFlag
     grid.addWidget(left, 0, 0, side.AlignTop | side.AlignLeft)
     grid.addWidget(right, 0, 0, side.AlignTop | side.AlignRight)
-    return made
-
-
-def panel(*parts: QWidget) -> QWidget:
-    """Parts below each other on the background of a panel."""
-    made = QWidget()
-    made.setProperty("role", "panel")
-    made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-    column = QVBoxLayout(made)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(0)
-    for part in parts:
-        column.addWidget(part, 1 if isinstance(part, QAbstractScrollArea) else 0)
-    column.addStretch(0)
     return made
 
 

@@ -26,7 +26,7 @@ from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, pen
 READABLE, TOLD = 0.5, 0.15
 """From the first zoom on a note has its words, from the second one strokes in their place."""
 LONG = 600.0
-"""From this length (scene units) on a line to a state has no dashes."""
+"""A line from a note to its state is drawn without dashes if it is longer (scene units)."""
 
 
 @dataclass(frozen=True)

@@ -155,7 +155,10 @@ class Files(QObject):
         return True
 
     def open_copy(self, path: Path, change: Callable[[Blueprint], Blueprint] | None = None) -> bool:
-        """Open a sample, or what ``change`` makes of it, as a new blueprint of that name."""
+        """Open a sample as a new blueprint with its name. ``change`` may change it before.
+
+        False if it cannot be read, or if the person keeps the blueprint that is open.
+        """
         self.asking.emit()
         opened = self._read(path)
         if opened is None or not self.may_leave():

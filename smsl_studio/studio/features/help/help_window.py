@@ -13,17 +13,15 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSplitter,
     QStackedWidget,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from smsl_studio.studio.base.actions import key_words
 from smsl_studio.studio.base.controls import Elided, label, name_parts, row
 from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.panels import keyed_tool, panel
 from smsl_studio.studio.base.screens import open_at, place_over
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.help.index import HelpIndex
 from smsl_studio.studio.features.help.page_view import PageView
@@ -52,8 +50,11 @@ class HelpWindow(QDialog):
         self.page = PageView(tokens)
         self.page.moved.connect(self._moved)
         self.page.outside.connect(self.tell_outside)
-        self.back = self._tool("Back", BACK, self.page.backward)
-        self.on = self._tool("Forward", ON, self.page.forward)
+        self.back = keyed_tool(self, "Back", BACK, self.page.backward)
+        self.on = keyed_tool(self, "Forward", ON, self.page.forward)
+        for tool in (self.back, self.on):
+            tool.setProperty("role", "small")
+            tool.setFixedSize(32, 32)
         self._title = Elided()
         self._title.setProperty("role", "heading")
         self.field = QLineEdit()
@@ -76,7 +77,7 @@ class HelpWindow(QDialog):
         self.hits.itemClicked.connect(self._choose_hit)
         self.count = label("", "hint")
         self.count.setContentsMargins(12, 4, 12, 8)
-        found = _column(self.count, self.hits)
+        found = panel(self.count, self.hits)
         self.left = QStackedWidget()
         self.left.addWidget(self.index)
         self.left.addWidget(found)
@@ -85,7 +86,7 @@ class HelpWindow(QDialog):
         body = QSplitter(Qt.Orientation.Horizontal)
         body.setHandleWidth(1)
         body.addWidget(self.left)
-        body.addWidget(_column(self._outside_bar(), self.page))
+        body.addWidget(panel(self._outside_bar(), self.page))
         body.setStretchFactor(1, 1)
         body.setSizes([LEFT, SIZE[0] - LEFT])
         body.setChildrenCollapsible(False)
@@ -94,16 +95,6 @@ class HelpWindow(QDialog):
         whole.setSpacing(0)
         whole.addLayout(top)
         whole.addWidget(body, 1)
-
-    def _tool(self, words: str, keys: str, call: object) -> QToolButton:
-        made = QToolButton()
-        made.setProperty("role", "small")
-        made.setFixedSize(32, 32)
-        made.setToolTip(tip_text(f"{words} ({key_words(keys)})"))
-        made.setAccessibleName(words)
-        made.clicked.connect(call)
-        QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
-        return made
 
     def _outside_bar(self) -> QFrame:
         """A bar about a link that leads out of the help. Only its buttons open anything."""
@@ -208,16 +199,3 @@ class HelpWindow(QDialog):
                 self.field.clear()
                 return True
         return super().eventFilter(watched, event)
-
-
-def _column(*parts: QWidget) -> QWidget:
-    made = QWidget()
-    made.setProperty("role", "panel")
-    made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-    column = QVBoxLayout(made)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(0)
-    for part in parts[:-1]:
-        column.addWidget(part)
-    column.addWidget(parts[-1], 1)
-    return made

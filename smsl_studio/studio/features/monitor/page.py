@@ -21,6 +21,7 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, FaultInjected
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.key_button import command_button
+from smsl_studio.studio.base.panels import panel
 from smsl_studio.studio.base.rows import RowsView
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import Tokens
@@ -31,7 +32,7 @@ from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
 from smsl_studio.studio.features.monitor.fault_bar import FaultBar
 from smsl_studio.studio.features.monitor.network import network_rows
 from smsl_studio.studio.features.monitor.table import MonitorTable
-from smsl_studio.studio.running.frames import head, panel, split
+from smsl_studio.studio.running.frames import head, split
 from smsl_studio.studio.running.phase_badge import PhaseBadge
 from smsl_studio.studio.running.run_session import RunSession
 

@@ -12,13 +12,14 @@ from smsl_studio.front.recordings import ANOTHER, Recording
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.controls import Label, label
+from smsl_studio.studio.base.panels import panel
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.features.replay.event_table import EventTable
 from smsl_studio.studio.features.replay.replay import Replay
 from smsl_studio.studio.running.facts_table import COLUMNS, FactsTable
-from smsl_studio.studio.running.frames import head, panel, split
+from smsl_studio.studio.running.frames import head, split
 from smsl_studio.studio.running.run_canvas import TROUBLE, RunCanvas
 from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words

@@ -18,6 +18,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.panels import panel
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
@@ -29,7 +30,7 @@ from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.facts_table import FactsTable
-from smsl_studio.studio.running.frames import head, panel, split, tool
+from smsl_studio.studio.running.frames import head, split, tool
 from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TourFeature(Feature):
-    """The tour of one window. ``read_on`` shows the pages about the first steps."""
+    """The first steps in one window. At their end, ``read_on`` opens the help pages about them."""
 
     def __init__(self, parts: WindowParts, shell: Shell, read_on: Callable[[], None]) -> None:
         self._parts, self._shell, self._read_on = parts, shell, read_on

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QPushButton,
     QSplitter,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -21,9 +20,9 @@ from smsl_studio.blueprint.comparison.signs import signs_of
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
-from smsl_studio.studio.base.actions import key_words
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.panels import keyed_tool
 from smsl_studio.studio.base.rows import LINE, RowsView
 from smsl_studio.studio.base.screens import open_at, place_over
 from smsl_studio.studio.base.theme import Tokens
@@ -83,9 +82,9 @@ class CompareDialog(QDialog):
             lambda name: self.branches.setToolTip(tip_text(name))
         )
         self.branches.activated.connect(self._branch_chosen)
-        self.previous = self._tool("Previous change", PREVIOUS_KEYS, self.show_previous)
-        self.next = self._tool("Next change", NEXT_KEYS, self.show_next)
-        self.fit = self._tool("Fit everything", "F", lambda: self._link.fit())
+        self.previous = keyed_tool(self, "Previous change", PREVIOUS_KEYS, self.show_previous)
+        self.next = keyed_tool(self, "Next change", NEXT_KEYS, self.show_next)
+        self.fit = keyed_tool(self, "Fit everything", "F", lambda: self._link.fit())
         self.jump = QPushButton("Show in the drawing")
         self.jump.setAutoDefault(False)
         self.jump.clicked.connect(self._jump)
@@ -115,14 +114,6 @@ class CompareDialog(QDialog):
         whole.setSpacing(0)
         whole.addLayout(top)
         whole.addWidget(split, 1)
-
-    def _tool(self, words: str, keys: str, call: object) -> QToolButton:
-        made = QToolButton()
-        made.setToolTip(tip_text(f"{words} ({key_words(keys)})"))
-        made.setAccessibleName(plain_text(words))
-        made.clicked.connect(call)
-        QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
-        return made
 
     def stand_alone(self, over: QWidget) -> None:
         """Make it an ordinary window over ``over``, so that either window can come to the front."""
