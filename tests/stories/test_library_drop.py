@@ -120,6 +120,19 @@ def test_without_a_known_effect_the_target_is_a_new_state_or_one_that_is_clicked
     assert hfsm.selected() == ["State111/Again"]
 
 
+def test_a_state_that_has_the_effect_already_is_not_the_target_itself(hanoi: Drawer) -> None:
+    hand, at = Dragger(hanoi), hanoi.place("State_baa")
+    said = hand.over("Op_1b", at)
+    assert said == "Op_1b: State_baa to a new state, or to one that you click"
+    hand.let_go(at)
+    card = hanoi.editor.field
+    assert isinstance(card, ConnectCard)
+    assert card.target.hasFocus()
+    assert card.target.text() not in hanoi.table()
+    hanoi.click(hanoi.place("State_aaa"))
+    assert hanoi.table()["State_baa"]["Op_1b"] == "State_aaa"
+
+
 def test_dropped_between_two_states_it_leads_from_the_nearer_one(hfsm: Drawer) -> None:
     hand = Dragger(hfsm)
     hfsm.session.edit("Clear", _without_edges)

@@ -63,7 +63,7 @@ class OperationDrop:
         """
         assert self._suggestions is not None
         target = self._suggestions.target_for(source, self._name) if self._whole else ""
-        if target and target != source:
+        if target:
             return self.between(source, target)
         if source not in self._places:
             self._places[source] = free_place(self._canvas, source)

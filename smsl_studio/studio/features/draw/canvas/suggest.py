@@ -48,7 +48,7 @@ class Suggestions:
         return fresh_operation_name(self._branch, source)
 
     def target_for(self, source: str, name: str) -> str:
-        """The state that an operation of this name would lead to; empty if unknown."""
+        """The other state that an operation of this name would lead to; empty if unknown."""
         effect = self._majority.get(name)
         if not effect or source not in self._known:
             return ""
@@ -56,6 +56,9 @@ class Suggestions:
         for digit, value in effect:
             if digit < len(wanted):
                 wanted[digit] = value
+        if wanted == list(self._known[source]):
+            # The facts have these values already, so it would lead back to where it starts.
+            return ""
         return next((n for n, facts in self._known.items() if list(facts) == wanted), "")
 
 
