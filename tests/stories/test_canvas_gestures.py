@@ -513,6 +513,43 @@ def test_drop_on_empty_canvas_makes_the_target_too_as_one_step(hfsm: Drawer) -> 
     assert hfsm.table()["State111"] == {}
 
 
+@pytest.mark.parametrize("zoom", [0.4, 0.5, 0.69])
+def test_a_small_state_is_moved_from_any_point_of_it(hfsm: Drawer, zoom: float) -> None:
+    """A handle took three pixels of each side, a quarter of a node that is seen from afar."""
+    hfsm.canvas.zoom_to(zoom)
+    rect = hfsm.canvas.rect_of(Address("SB1", "State111"))
+    assert rect is not None
+    sides = {"left": QPoint(2, 0), "right": QPoint(-2, 0), "top": QPoint(0, 2)}
+    for side, inwards in sides.items():
+        border = hfsm.handle_of("State111", side) + inwards * 3
+        places, start = hfsm.canvas.positions, border + inwards
+        hfsm.hover(start)
+        assert hfsm.canvas.gestures.handle is not None
+        assert not hfsm.canvas.gestures.taken
+        assert hfsm.hands_on.cursor().shape() is Qt.CursorShape.ArrowCursor
+        hfsm.drag(start, start + QPoint(40, 70))
+        assert hfsm.canvas.positions["State111"] != places["State111"], side
+        assert hfsm.editor.field is None
+        assert hfsm.steps() == 1
+        hfsm.session.history.undo()
+
+
+@pytest.mark.parametrize("zoom", [0.5, 1.0])
+def test_a_handle_shows_that_a_press_takes_it(hfsm: Drawer, zoom: float) -> None:
+    hfsm.canvas.zoom_to(zoom)
+    for off in (0, 5):
+        handle = hfsm.handle_of("State111", "left") + QPoint(off, 0)
+        hfsm.hover(handle)
+        assert hfsm.canvas.gestures.taken
+        assert hfsm.hands_on.cursor().shape() is Qt.CursorShape.CrossCursor
+        assert "draw an operation" in hfsm.hands_on.toolTip()
+        hfsm.drag(handle, handle + QPoint(-40, 120))
+        assert hfsm.editor.field is not None
+        hfsm.key(Key.Key_Escape)
+    hfsm.hover(hfsm.place("State111"))
+    assert hfsm.hands_on.cursor().shape() is Qt.CursorShape.ArrowCursor
+
+
 def test_an_operation_name_that_is_taken_is_said_beside_it(hfsm: Drawer) -> None:
     handle = hfsm.handle_of("State000", "bottom")
     hfsm.hover(handle)

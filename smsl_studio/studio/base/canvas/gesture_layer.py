@@ -41,6 +41,8 @@ class GestureLayer(QGraphicsItem):
         self.band: QRectF | None = None
         self.drawn: DrawnOperation | None = None
         self.handle: QPointF | None = None
+        self.taken = False
+        """Whether a press would take the handle."""
         self.grip: QPointF | None = None
         self.guides: tuple[Guide, ...] = ()
         self.sketch: Sketch | None = None
@@ -59,10 +61,11 @@ class GestureLayer(QGraphicsItem):
         for name in ("band", "drawn", "sketch", "handle", "grip", "line"):
             self.put(name, None)
         self.put("guides", ())
+        self.put("taken", False)
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``grip`` or ``line``, and
-        repaint only what it covers."""
+        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``taken``, ``grip`` or
+        ``line``, and repaint only what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -114,7 +117,7 @@ class GestureLayer(QGraphicsItem):
         if self.sketch is not None:
             paint_sketch(painter, self.sketch, ink, pixel)
         if self.handle is not None:
-            _paint_plus(painter, self.handle, ink, pixel)
+            _paint_plus(painter, self.handle, ink, pixel, self.taken)
         if self.line is not None:
             paint_line_marks(painter, self.line, ink, pixel)
         if self.grip is not None:
@@ -165,10 +168,13 @@ class GestureLayer(QGraphicsItem):
         _paint_plus(painter, drawn.start, ink, pixel)
 
 
-def _paint_plus(painter: QPainter, at: QPointF, ink: Ink, pixel: float) -> None:
+def _paint_plus(
+    painter: QPainter, at: QPointF, ink: Ink, pixel: float, filled: bool = False
+) -> None:
     painter.setPen(pen(ink.tokens.acc, 1.6 * pixel))
-    painter.setBrush(ink.tokens.surf)
+    painter.setBrush(ink.tokens.acc if filled else ink.tokens.surf)
     painter.drawEllipse(at, 7.0 * pixel, 7.0 * pixel)
+    painter.setPen(pen(ink.tokens.onacc if filled else ink.tokens.acc, 1.6 * pixel))
     k = 3.6 * pixel
     painter.drawLine(at - QPointF(k, 0), at + QPointF(k, 0))
     painter.drawLine(at - QPointF(0, k), at + QPointF(0, k))

@@ -5,10 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtWidgets import QGraphicsView
 
+from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 OUT = 6.0
 """Distance from the node's border to the middle of a handle (pixels)."""
+RIM = 1 / 18
+"""The share of a node's shorter side, at its border, that a handle takes: 3 of 54 pixels."""
 
 
 def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
@@ -36,6 +39,16 @@ def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
         "top": abs(h + dy),
     }
     return handles(sheet, state)[min(away, key=lambda side: away[side])]
+
+
+def takes(view: QGraphicsView, sheet: Sheet, state: int, handle: QPointF, at: QPointF) -> bool:
+    """Whether a press at a scene point takes the handle of a state. Otherwise it moves the state.
+
+    A handle lies outside the node. Inside it takes only a rim, so that small nodes can be moved.
+    """
+    (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves()[state].tolist()
+    deep = min(w - abs(at.x() - x), h - abs(at.y() - y))
+    return deep <= 2 * min(w, h) * RIM and is_near(view, at, handle, HANDLE_RADIUS + 1.0)
 
 
 def is_near(view: QGraphicsView, a: QPointF, b: QPointF | None, pixels: float) -> bool:

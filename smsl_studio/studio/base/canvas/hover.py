@@ -9,7 +9,7 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
-from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest
+from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, takes
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.chips import fact_words
@@ -49,11 +49,24 @@ class Hover:
             canvas.gestures.put("handle", None if hidden else handle)
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
+        taken = self.handle_at(point) is not None
+        if taken != canvas.gestures.taken:
+            canvas.gestures.put("taken", taken)
         self._tip(state, edge, self.fact_at(state, point) if state >= 0 else -1)
         if drawn is not None:
             canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
+        if taken:
+            canvas.viewport().setToolTip("Drag to draw an operation from here")
         if self._line.bend_at(point) >= 0:
             canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
+
+    def handle_at(self, point: QPointF) -> QPointF | None:
+        """The handle that a press at a scene point takes; None for none."""
+        sheet, handle = self._canvas.sheet, self._canvas.gestures.handle
+        if sheet is None or handle is None or sheet.looks.hovered_state < 0:
+            return None
+        state = sheet.looks.hovered_state
+        return handle if takes(self._canvas, sheet, state, handle, point) else None
 
     def _kept_hover(self, point: QPointF) -> int:
         """The state beside the pointer, if the pointer is outside it but near its handle.
@@ -94,6 +107,7 @@ class Hover:
             canvas.update_node(node)
         if state < 0:
             canvas.gestures.put("handle", None)
+            canvas.gestures.put("taken", False)
         address = None
         if state >= 0:
             address = sheet.address_of_state(state)

@@ -12,7 +12,6 @@ from smsl_studio.studio.base.canvas import keys
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
 from smsl_studio.studio.base.canvas.drawn_gestures import press_drawn
-from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.gestures import (
     Band,
     Connect,
@@ -88,8 +87,8 @@ class Hand:
             on_line = self.line.press(event, at)
             if on_line is not None:
                 return on_line
-            handle = canvas.gestures.handle
-            if handle is not None and is_near(canvas, at, handle, HANDLE_RADIUS + 1.0):
+            handle = self.hover.handle_at(at)
+            if handle is not None:
                 return Connect(canvas, self.hover, event, sheet.looks.hovered_state, handle)
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
@@ -243,7 +242,8 @@ class Hand:
         if isinstance(self._gesture, ConnectTool):
             self._canvas.viewport().setCursor(shape.CrossCursor)
         elif self._gesture is None:
-            free = shape.OpenHandCursor if self._space else shape.ArrowCursor
+            drawn = shape.CrossCursor if self._canvas.gestures.taken else shape.ArrowCursor
+            free = shape.OpenHandCursor if self._space else drawn
             self._canvas.viewport().setCursor(free)
 
     # Keys
