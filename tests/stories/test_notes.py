@@ -37,6 +37,11 @@ def notes(person: Person) -> dict[str, DrawnNote]:
     return dict(person.blueprint[SB].drawn.notes)
 
 
+def state_note(person: Person) -> str:
+    note = person.blueprint[SB].state_note("State000")
+    return note.note if note is not None else ""
+
+
 def chosen(person: Person) -> DrawnKey | None:
     return person.window.canvas.drawn.chosen
 
@@ -129,6 +134,50 @@ def test_a_note_moves_with_its_state_and_alone(person: Person) -> None:
     assert moved.state == "State000"
     person.ctrl(Key.Key_Z)
     assert notes(person)[key].at == at
+
+
+def test_escape_keeps_what_was_typed_and_shift_escape_drops_it(person: Person) -> None:
+    person.press(Key.Key_M, [Ctrl, Shift])
+    box(person)
+    person.type("Ask the clinic")
+    person.press(Key.Key_Escape)
+    (key,) = notes(person)
+    assert notes(person)[key].text == "Ask the clinic"
+    assert person.steps() == ["Add a note"]
+    assert chosen(person) == DrawnKey("note", key)
+    person.press(Key.Key_F2)
+    box(person)
+    person.type("Something else")
+    person.press(Key.Key_Escape, [Shift])
+    assert notes(person)[key].text == "Ask the clinic"
+    assert person.window.features.draw.notes.field is None
+    person.press(Key.Key_F2)
+    box(person)
+    person.type("Twice the work")
+    person.press(Key.Key_Escape)
+    assert notes(person)[key].text == "Twice the work"
+    person.ctrl(Key.Key_Z)
+    assert notes(person)[key].text == "Ask the clinic"
+
+
+def test_escape_in_an_empty_note_makes_none(person: Person) -> None:
+    person.press(Key.Key_M, [Ctrl, Shift])
+    box(person)
+    person.press(Key.Key_Escape)
+    assert not notes(person)
+    assert person.window.features.draw.notes.field is None
+
+
+def test_escape_in_the_note_of_a_state_keeps_it_too(person: Person) -> None:
+    person.select(f"{SB}/State000")
+    field = person.window.properties.state.note
+    person.click(field)
+    person.type("Ask the clinic")
+    person.press(Key.Key_Escape)
+    assert state_note(person) == "Ask the clinic"
+    person.type(" twice")
+    person.press(Key.Key_Escape, [Shift])
+    assert field.toPlainText() == "Ask the clinic"
 
 
 def test_it_is_edited_in_place_and_without_words_it_goes(person: Person) -> None:
@@ -320,6 +369,9 @@ def test_a_text_that_is_too_long_is_refused_with_a_sentence(person: Person) -> N
     assert "10000" in opened.error.text()
     assert not notes(person)
     person.press(Key.Key_Escape)
+    assert "10000" in opened.error.text(), "nothing that was typed is dropped"
+    person.press(Key.Key_Escape, [Shift])
+    assert person.window.features.draw.notes.field is None
 
 
 def test_the_author_is_the_person_of_this_window_or_the_user(sit: Sit) -> None:

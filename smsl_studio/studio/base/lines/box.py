@@ -13,10 +13,27 @@ from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, sa
 HIGH = 62
 
 
-class TextBox(QPlainTextEdit):
-    """A text edit whose text counts when it is left, or on Ctrl+Enter.
+def keeps(event: QKeyEvent) -> bool:
+    """Whether a key ends a text of several lines and keeps it: Ctrl+Enter, or Escape.
 
-    Escape restores the old text.
+    Escape keeps what was typed, because a text is longer work than a name; undo brings the former
+    one back.
+    """
+    held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+    enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    return event.key() == Qt.Key.Key_Escape or bool(held and enter)
+
+
+def gives_up(event: QKeyEvent) -> bool:
+    """Whether a key drops what was typed into a text of several lines: Shift+Escape."""
+    held = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+    return event.key() == Qt.Key.Key_Escape and bool(held)
+
+
+class TextBox(QPlainTextEdit):
+    """A text edit whose text counts when it is left, on Ctrl+Enter, or on Escape.
+
+    Shift+Escape restores the old text.
     """
 
     done = Signal()
@@ -40,12 +57,12 @@ class TextBox(QPlainTextEdit):
             self.setPlainText(text)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape restores the old text; Ctrl+Enter emits ``done``; other keys type."""
-        held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        if event.key() == Qt.Key.Key_Escape and self.changed:
+        """Shift+Escape restores the old text; Escape and Ctrl+Enter emit ``done``; other keys
+        type."""
+        if gives_up(event) and self.changed:
             self.setPlainText(self._settled)
             self.selectAll()
-        elif held and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        elif keeps(event) and self.changed:
             self.done.emit()
         else:
             super().keyPressEvent(event)
@@ -62,7 +79,9 @@ class BoxLine(FormLine):
 
     def __init__(self, words: str, tip: str) -> None:
         self.field: TextBox = TextBox()
-        super().__init__(words, self.field, f"{tip}. Ctrl+Enter, or leaving the field, keeps it.")
+        super().__init__(
+            words, self.field, f"{tip}. Esc, Ctrl+Enter, or leaving the field, keeps it."
+        )
         self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.name.setContentsMargins(0, 6, 0, 0)
         self.field.done.connect(self._typed)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QMimeData, Qt, Signal
+from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from smsl_studio.blueprint.annotations import LONGEST
 from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.lines.box import gives_up, keeps
 from smsl_studio.studio.base.overlays.text_card import TextCard
 from smsl_studio.studio.base.theme import Tokens, text_font
 
@@ -18,7 +19,8 @@ TOO_LONG = f"A note has room for {LONGEST:,} characters. Put longer texts into a
 
 
 class NoteBox(QPlainTextEdit):
-    """The text of a note. Enter begins a line; Ctrl+Enter emits ``done``, Esc emits ``left``."""
+    """The text of a note. Enter begins a line; Ctrl+Enter and Esc emit ``done``, Shift+Esc emits
+    ``left``."""
 
     done = Signal()
     left = Signal()
@@ -35,11 +37,10 @@ class NoteBox(QPlainTextEdit):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keep the text, leave it, or type."""
-        held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        if held and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.done.emit()
-        elif event.key() == Qt.Key.Key_Escape:
+        if gives_up(event):
             self.left.emit()
+        elif keeps(event):
+            self.done.emit()
         else:
             super().keyPressEvent(event)
 
@@ -54,8 +55,9 @@ class NoteBox(QPlainTextEdit):
 class NoteField(TextCard):
     """Edits the words of one note.
 
-    ``commit`` takes the text and returns why it is refused, or the empty text. Ctrl+Enter commits,
-    and so does a click elsewhere if the text was changed. Esc closes the field without an edit.
+    ``commit`` takes the text and returns why it is refused, or the empty text. Ctrl+Enter commits.
+    Esc and a click elsewhere commit too if the text was changed. Shift+Esc closes the field without
+    an edit.
     """
 
     def __init__(
@@ -68,8 +70,8 @@ class NoteField(TextCard):
         self.field.selectAll()
         self.field.setFixedSize(WIDE, HIGH)
         self.hold(self.field)
-        self.column.addWidget(label("Ctrl+Enter keeps it, Esc does not", "hint"))
-        self.field.done.connect(self.commit)
+        self.column.addWidget(label("Esc keeps it, Shift+Esc does not", "hint"))
+        self.field.done.connect(self.settle)
         self.field.left.connect(self.close_field)
         self.field.refused.connect(lambda: self.complain(TOO_LONG))
         self.field.textChanged.connect(lambda: self.complain(""))
