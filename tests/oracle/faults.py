@@ -18,6 +18,7 @@ from smsl_studio.blueprint.check import CheckResult, Term
 from smsl_studio.blueprint.configuration import start_configuration
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.joint import StepDraft
+from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.dispatch.drive import admission as admitting
 from smsl_studio.dispatch.drive import arrival, start
 from smsl_studio.dispatch.drive.driver import Driver
@@ -54,6 +55,10 @@ class Fault:
 
 
 # 1, 2, 3: sub digits, classes, start ------------------------------------------------------------
+
+
+def _one_is_on(patch: Patch) -> None:
+    patch.setattr(StateBranch, "is_on", lambda self, state, digit: self.facts(state)[digit] == "1")
 
 
 def _nothing_disagrees(patch: Patch) -> None:
@@ -402,6 +407,7 @@ def _two_steps_of_the_world(patch: Patch) -> None:
 
 
 FAULTS: tuple[Fault, ...] = (
+    Fault(1, "on is always 1", _one_is_on, (34202,)),
     Fault(1, "bases and subs may disagree", _nothing_disagrees, (20, 21)),
     Fault(2, "a mixed edge runs no function of its own", _mixed_has_no_function, (18, 44)),
     Fault(3, "a start given for a sub is ignored", _given_subs_are_ignored, (0, 5)),
