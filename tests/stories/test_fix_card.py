@@ -6,6 +6,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -20,6 +22,9 @@ def odd_state(person: Person) -> FixCard:
     person.press(Key.Key_Return)
     person.until_inspected()
     card = person.window.fix_card
+    assert card.isHidden(), "nobody has finished the new state"
+    person.select("SB1/State000")
+    person.select("SB1/State099")
     person.until(card.isVisible)
     return card
 
@@ -68,3 +73,39 @@ def test_the_words_of_the_card_are_whole_from_the_first(sit: Sit) -> None:
     card = odd_state(person)
     for words in card.words:
         assert words.height() >= words.heightForWidth(words.width())
+
+
+def test_the_words_of_its_button_are_whole_or_shortened(sit: Sit) -> None:
+    """A long name was cut at both ends: "elete State"."""
+    person = sit(SAMPLES / "hfsm.json", (1280, 800))
+    card = odd_state(person)
+
+    def is_whole() -> bool:
+        fix, leave = card.fix, card.leave
+        whole = fix.width() >= fix.sizeHint().width() and card.rect().contains(leave.geometry())
+        return whole and fix.text().startswith("Delete")
+
+    assert is_whole()
+    state, long = Address("SB1", "State099"), "State099_" + "of_a_very_long_name" * 2
+    person.window.session.edit("Rename", lambda bp: editing.rename(bp, state, long))
+    person.until_inspected()
+    person.until(card.isVisible)
+    assert is_whole()
+    assert long in card.fix.toolTip()
+
+
+def test_the_copy_that_is_proposed_has_the_canvas_for_itself(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1280, 800))
+    card = odd_state(person)
+    person.ctrl(Key.Key_D)
+    copy = person.window.editor.field
+    assert isinstance(copy, CopyCard)
+    assert card.isHidden() or not card.geometry().intersects(copy.geometry())
+    for name in ("State099", "State000"):
+        rect = person.window.canvas.rect_of(Address("SB1", name))
+        assert rect is not None
+        node = person.window.canvas.mapFromScene(rect).boundingRect()
+        assert not node.intersects(copy.geometry()), name
+    person.press(Key.Key_Return)
+    person.until_inspected()
+    assert card.isHidden()

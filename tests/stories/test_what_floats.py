@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
 
+from smsl_studio.blueprint import editing
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -60,3 +64,79 @@ def test_why_a_move_was_refused_stays_beside_the_state(sit: Sit) -> None:
     assert session.broken is not None
     person.drag(centre, centre + (person.place("SB1/State000") - centre) / 4)
     assert person.window.canvas.overlays.word.text
+
+
+def on_view(person: Person, rect: QRectF | None) -> QRect:
+    """A part of the scene in pixels of the canvas."""
+    assert rect is not None
+    return person.window.canvas.mapFromScene(rect).boundingRect()
+
+
+def node(person: Person, state: str) -> QRect:
+    return on_view(person, person.window.canvas.rect_of(person.blueprint.resolve(state)))
+
+
+def test_the_path_covers_no_state_wherever_one_looks(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    crumb = canvas.overlays.breadcrumb
+    home = crumb.pos()
+    canvas.zoom_to(1.0)
+    for dx in range(-400, 401, 100):
+        for dy in range(-400, 401, 100):
+            canvas.fit(smooth=False)
+            canvas.camera.pan(dx, dy)
+            for name in canvas.positions:
+                assert not node(person, f"SB1/{name}").intersects(crumb.geometry()), (dx, dy)
+            assert canvas.rect().contains(crumb.geometry())
+    canvas.fit(smooth=False)
+    assert crumb.pos() == home
+
+
+def test_the_legend_leaves_a_note_free(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    canvas = person.window.canvas
+    legend = canvas.overlays.legend
+    assert legend.isVisible()
+    corner = canvas.mapToScene(legend.geometry().topLeft())
+    words = {"1": {"text": "Ask the clinic", "at": (corner.x(), corner.y())}}
+    person.window.session.edit("Note", lambda bp: editing.put_notes(bp, "SB1", words))
+    for way in range(-40, 41, 20):
+        canvas.camera.pan(way, 0)
+        assert canvas.sheet is not None
+        note = on_view(person, canvas.sheet.drawn.rect(DrawnKey("note", "1")))
+        assert legend.isHidden() or not legend.geometry().intersects(note)
+
+
+def test_a_tooltip_of_a_state_lies_below_it(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    viewport = person.window.canvas.viewport()
+    place = person.place("SB1/State100") - QPoint(0, 14)
+    person.move_to(place)
+    rest = QHelpEvent(QEvent.Type.ToolTip, place, viewport.mapToGlobal(place))
+    QApplication.sendEvent(viewport, rest)
+    assert QToolTip.text() == "State100"
+    tip = next(w for w in QApplication.topLevelWidgets() if w.inherits("QTipLabel"))
+    below = node(person, "SB1/State100").bottom()
+    assert viewport.mapFromGlobal(tip.geometry().topLeft()).y() >= below
+    QToolTip.hideText()
+
+
+def test_the_values_of_a_fact_leave_the_state_free(sit: Sit) -> None:
+    person = sit(HFSM, (780, 700))
+    window = person.window
+    for _ in range(2):
+        person.select("SB1/State100")
+        window.canvas.setFocus()
+        person.press(Key.Key_D)
+        person.until(lambda: QApplication.activePopupWidget() is not None)
+        menu = QApplication.activePopupWidget()
+        assert menu is not None
+        area = QRect(window.canvas.viewport().mapFromGlobal(menu.pos()), menu.size())
+        assert not area.intersects(node(person, "SB1/State100"))
+        menu.close()
+        person.come_back()
+        screen = window.screen().availableGeometry()
+        foot = window.canvas.viewport().mapToGlobal(node(person, "SB1/State100").bottomLeft())
+        window.move(window.pos() + QPoint(0, screen.bottom() - 30 - foot.y()))

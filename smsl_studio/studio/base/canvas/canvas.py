@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
     QContextMenuEvent,
     QFocusEvent,
+    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QPaintEvent,
@@ -292,10 +293,16 @@ class Canvas(BranchView):
         self.hand.left()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        """Leave tooltips to the viewport, which has that of what is hovered. A graphics view would
-        ask only its items for one.
+        """Show the tooltip of what is hovered, which the viewport has. A graphics view would ask
+        only its items for one. That of a state is shown below it.
         """
-        return event.type() != QEvent.Type.ToolTip and super().viewportEvent(event)
+        if not isinstance(event, QHelpEvent) or event.type() != QEvent.Type.ToolTip:
+            return super().viewportEvent(event)
+        below = self.hand.hover.foot()
+        if below is None:
+            return False
+        at = QPoint(event.globalPos().x(), self.viewport().mapToGlobal(below).y())
+        return self.viewport().event(QHelpEvent(event.type(), event.pos(), at))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Emit ``context_wanted`` with the element under the pointer, or ``drawn_menu_wanted``."""

@@ -161,6 +161,16 @@ class DrawnSheet:
         group = self.title_at(x, y)
         return DrawnKey("group", self.parts.group_keys[group]) if group >= 0 else None
 
+    def touches(self, left: float, top: float, right: float, bottom: float) -> bool:
+        """Whether a rectangle (scene units) touches a note or the title of a group."""
+        if not self:
+            return False
+        bars = self.group_rects.copy()
+        bars[:, 3] = bars[:, 1] + self.bar * self._sheet.unit
+        rects = np.vstack([self.note_rects, bars])
+        meets = (rects[:, :2] < (right, bottom)) & (rects[:, 2:] > (left, top))
+        return bool(meets.all(axis=1).any())
+
     def around(self, states: list[int]) -> QRectF:
         """What the notes on these states and the groups with them cover."""
         if not self:

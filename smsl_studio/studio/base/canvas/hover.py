@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPoint, QPointF
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
@@ -67,6 +67,14 @@ class Hover:
             return None
         state = sheet.looks.hovered_state
         return handle if takes(self._canvas, sheet, state, handle, point) else None
+
+    def foot(self) -> QPoint | None:
+        """The lower edge of the hovered state, in pixels of the view; None without one."""
+        sheet = self._canvas.sheet
+        if sheet is None or sheet.looks.hovered_state < 0:
+            return None
+        rect = self._canvas.rect_of(sheet.address_of_state(sheet.looks.hovered_state))
+        return self._canvas.mapFromScene(rect).boundingRect().bottomLeft() if rect else None
 
     def _kept_hover(self, point: QPointF) -> int:
         """The state beside the pointer, if the pointer is outside it but near its handle.

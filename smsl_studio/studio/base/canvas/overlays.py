@@ -114,8 +114,25 @@ class Overlays:
     def fitted(self) -> None:
         """A movement of the camera has ended: place the widgets for the new view."""
         self._count_outside()
+        self._place_breadcrumb()
         self._place_zoom()
         self._place_legend()
+
+    def _place_breadcrumb(self) -> None:
+        """Put the breadcrumb where it covers nothing: in the upper left corner, there without the
+        numbers behind the path, or in the lower one."""
+        crumb, canvas = self.breadcrumb, self._canvas
+        corner, foot = QPoint(EDGE, 10), QPoint(EDGE, canvas.height() - 26 - EDGE)
+        for at, brief in ((corner, False), (corner, True), (foot, False), (foot, True)):
+            crumb.set_brief(brief)
+            area = QRect(at, crumb.sizeHint())
+            others = (self.zoom, self.map)
+            taken = any(not w.isHidden() and w.geometry().intersects(area) for w in others)
+            if not taken and not self._hides(at, area.size()):
+                break
+        else:
+            at = corner
+        crumb.setGeometry(QRect(at, crumb.sizeHint()))
 
     def _place_legend(self) -> None:
         """Put the legend in a corner where it covers nothing, or hide it."""
@@ -138,7 +155,7 @@ class Overlays:
     def _taken(self, corner: QPoint, size: QSize) -> bool:
         """Whether another floating widget is there."""
         area = QRect(corner, size)
-        others = (self.zoom, self.map, self.key)
+        others = (self.zoom, self.map, self.key, self.breadcrumb)
         return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
     def floats_in(self, area: QRect) -> bool:
@@ -189,6 +206,7 @@ class Overlays:
         """Update the widgets after a scroll or zoom."""
         self.pad.go()
         self._count_outside()
+        self._place_breadcrumb()
         if not self._canvas.camera.fitted:
             self._place_legend()
         if not self.map.isHidden():
@@ -199,6 +217,7 @@ class Overlays:
     def picture_changed(self) -> None:
         """Update the widgets after states moved or changed their look."""
         self._count_outside()
+        self._place_breadcrumb()
         if not self.map.isHidden():
             self.map.update()
 
@@ -231,14 +250,15 @@ class Overlays:
         zoom.move(next(free, places[-2] if clear else place))
 
     def _hides(self, corner: QPoint, size: QSize) -> bool:
-        """Whether a widget of this size at this corner covers the fitted drawing, or states of
-        any view."""
+        """Whether a widget of this size at this corner covers the fitted drawing, or states, notes
+        and titles of any view."""
         canvas, sheet = self._canvas, self._canvas.sheet
         if sheet is None or canvas.camera.fitted:
             return self._covers(corner, size)
         near = canvas.mapToScene(corner - QPoint(6, 6))
         far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
-        return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
+        sides = near.x(), near.y(), far.x(), far.y()
+        return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
 
     def _covers(self, corner: QPoint, size: QSize) -> bool:
         """Whether a widget of this size at this corner covers nodes or lines of a fitted
@@ -256,8 +276,7 @@ class Overlays:
         canvas = self._canvas
         width, height = canvas.width(), canvas.height()
         self.ring.place(width, height)
-        self.breadcrumb.move(EDGE, 10)
-        self.breadcrumb.resize(self.breadcrumb.sizeHint())
+        self._place_breadcrumb()
         self.zoom.show_outside(canvas.outside)
         self.zoom.resize(self.zoom.sizeHint())
         self.map.resize(self.map.sizeHint())

@@ -354,8 +354,10 @@ class Sheet:
         return best
 
     def is_drawn_on(self, left: float, top: float, right: float, bottom: float) -> bool:
-        """Whether a rectangle (scene units) touches a node, or a line of a small picture."""
-        if self.states_in(left, top, right, bottom):
+        """Whether a rectangle (scene units) touches a node, a note, a group's title, or a line of
+        a small picture."""
+        sides = left, top, right, bottom
+        if self.states_in(*sides) or self.drawn.touches(*sides):
             return True
         if not self.picture.small or self.level < Level.COMPACT:
             return False

@@ -50,6 +50,7 @@ class Breadcrumb(QWidget):
         self._file = ""
         self._chain: tuple[str, ...] = ()
         self._note = ""
+        self._brief = False
         self._under = -1
         self.setMouseTracking(True)
         self.setAccessibleName("Path")
@@ -75,10 +76,16 @@ class Breadcrumb(QWidget):
         self.resize(self.sizeHint())
         self.update()
 
+    def set_brief(self, brief: bool) -> None:
+        """Show the path alone, without the numbers behind it."""
+        if brief != self._brief:
+            self._brief = brief
+            self.update()
+
     @property
     def note(self) -> str:
         """The words behind the path: the numbers of states and operations of the SB."""
-        return self._note
+        return "" if self._brief else self._note
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -100,7 +107,7 @@ class Breadcrumb(QWidget):
         """The width of each name (pixels). In a narrow view names are shortened, the file first."""
         widths = [_width(text, i == len(self._chain) and i > 0)
                   for i, text in enumerate(self.words)]  # fmt: skip
-        beside = 22.0 * len(widths) + 20 + _width(self._note, False)
+        beside = 22.0 * len(widths) + 20 + _width(self.note, False)
         parent = self.parentWidget()
         room = (parent.width() if parent is not None else 0) - 2 * EDGE - beside
         for i, width in enumerate(widths):
@@ -112,7 +119,7 @@ class Breadcrumb(QWidget):
     def sizeHint(self) -> QSize:
         """Wide enough for the whole path and the note behind it."""
         last = self._places()[-1].right()
-        return QSize(int(last + 12 + _width(self._note, False) + 8), 26)
+        return QSize(int(last + 12 + _width(self.note, False) + 8), 26)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Underline the part under the pointer, if it can be clicked."""
@@ -171,11 +178,11 @@ class Breadcrumb(QWidget):
             if not last and i < len(places) - 1:
                 box = QRectF(rect.right() + 5.0, 8.0, 11.0, 11.0)
                 draw(painter, "chevron-right", box, tokens.tx3, tokens.canvas)
-        if self._note:
+        if self.note:
             painter.setFont(text_font(13))
             painter.setPen(tokens.tx3)
             base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
-            painter.drawText(QPointF(places[-1].right() + 12.0, base), plain_text(self._note))
+            painter.drawText(QPointF(places[-1].right() + 12.0, base), plain_text(self.note))
         painter.end()
 
 

@@ -4,29 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout
 
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding, Severity
-from smsl_studio.legible import plain_text
-from smsl_studio.picture.shape import Floats
+from smsl_studio.legible import one_line, plain_text
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.keys_back import KeysBack
-from smsl_studio.studio.base.overlays.card import Card
+from smsl_studio.studio.base.overlays.card import Card, PassingCard
 from smsl_studio.studio.base.theme import RADIUS_NODE, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital, whole_sentence
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.card_places import (
+    is_clear,
+    least_covering,
+    selected_places,
+)
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
-STEP = 16
-"""Pixels between the places that are tried if no corner is free."""
-CROWD = 500
-"""With more states than these in view, no free place is searched for."""
+PADDING = 30
+"""What the frame of the button takes beside its words (pixels)."""
 
 
 class FixCard(Card):
@@ -40,6 +43,8 @@ class FixCard(Card):
         self._session, self._canvas = session, canvas
         self._findings: tuple[Finding, ...] = ()
         self._shown: Finding | None = None
+        self._fresh: Address | None = None
+        """The state that the last step has made. It is not finished yet."""
         self._title: QLabel = label("", "heading")
         self._body: QLabel = label("", "small")
         for part in (self._title, self._body):
@@ -63,8 +68,8 @@ class FixCard(Card):
         self.float_up()
         canvas.installEventFilter(self)
         KeysBack(self)
-        session.selection_changed.connect(lambda *_: self._choose())
-        session.blueprint_changed.connect(lambda *_: self.hide())
+        session.selection_changed.connect(lambda *_: self._selected())
+        session.blueprint_changed.connect(self._follow)
         self.hide()
 
     @property
@@ -98,6 +103,22 @@ class FixCard(Card):
         mark = QRectF(14, self._title.y() + 1, 15, 15)
         draw(painter, SEVERITY_ICON[letter], mark, ink, self.tokens.surf)
 
+    def _follow(self, before: Blueprint, after: Blueprint) -> None:
+        """Hide the card, because its finding may be gone. A new state gets none until it is
+        selected again."""
+        self._fresh = None
+        self.hide()
+        branch = self._session.branch
+        if branch in before.branches and branch in after.branches:
+            old, new = before[branch].table.keys(), after[branch].table.keys()
+            added = new - old if old <= new else set()
+            self._fresh = Address(branch, added.pop()) if len(added) == 1 else None
+
+    def _selected(self) -> None:
+        if self._session.selection != (self._fresh,):
+            self._fresh = None
+        self._choose()
+
     def _choose(self) -> None:
         selection = self._session.selection
         found = [
@@ -107,8 +128,10 @@ class FixCard(Card):
             and finding.severity is not Severity.NOTE
             and len(selection) == 1
             and selection[0] in finding.addresses
+            and selection[0] != self._fresh
         ]
-        self._shown = found[0] if found else None
+        asked = any(not card.isHidden() for card in self._canvas.findChildren(PassingCard))
+        self._shown = found[0] if found and not asked else None
         if self._shown is None or self._shown.fix is None:
             self.hide()
             return
@@ -116,7 +139,9 @@ class FixCard(Card):
         self._title.setText(capital(finding.advice or finding.message))
         self._body.setText(whole_sentence(finding))
         self._body.setVisible(bool(finding.advice))
-        self.fix.setText(as_it_is(self._shown.fix.words))
+        metrics, words = self.fix.fontMetrics(), one_line(self._shown.fix.words)
+        room = WIDTH - 2 * 14 - self.leave.sizeHint().width() - 8 - PADDING
+        self.fix.setText(as_it_is(metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)))
         self.fix.setToolTip(tip_text(f"{self._shown.fix.words} (Ctrl+.)"))
         self.setAccessibleName(plain_text(f"{self._title.text()} {self._body.text()}"))
         layout = self.layout()
@@ -130,7 +155,8 @@ class FixCard(Card):
         self.raise_()
 
     def _place(self) -> None:
-        """Move the card to the first corner where it covers no state, else to the best place."""
+        """Move the card to the first corner where it covers no state and no note, else to the best
+        place."""
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),
@@ -138,50 +164,10 @@ class FixCard(Card):
             QPoint(EDGE, high - FOOT),
             QPoint(wide, high - FOOT - 60),
         )
-        at = next((at for at in corners if not self._covered(at)), None)
-        self.move(at if at is not None else self._elsewhere(corners[0]))
-
-    def _elsewhere(self, corner: QPoint) -> QPoint:
-        """The place nearest to a corner where the card covers the fewest states.
-
-        It covers no other floating part. All points are pixels of the canvas.
-        """
-        overlays = self._canvas.overlays
-        far = QPoint(self._canvas.width(), self._canvas.height()) - QPoint(EDGE, EDGE)
-        spots = [
-            QPoint(x, y)
-            for y in range(EDGE, far.y() - self.height() + 1, STEP)
-            for x in range(EDGE, far.x() - self.width() + 1, STEP)
-            if not overlays.floats_in(QRect(QPoint(x, y), self.size()))
-        ]
-        nodes = self._nodes_in_view()
-        if not spots or len(nodes) > CROWD:
-            return corner
-        x, y = np.array([(at.x(), at.y()) for at in spots], dtype=np.float64).T[:, :, None]
-        left, top, right, bottom = nodes.T
-        across = (left < x + self.width()) & (right > x)
-        covered = (across & (top < y + self.height()) & (bottom > y)).sum(axis=1).tolist()
-        ways = [(at - corner).manhattanLength() for at in spots]
-        return spots[min(range(len(spots)), key=lambda i: (covered[i], ways[i]))]
-
-    def _nodes_in_view(self) -> Floats:
-        """Left, top, right and bottom of the nodes in the view, in pixels, shape (n, 4)."""
-        sheet, view = self._canvas.sheet, self._canvas.viewport().rect()
-        if sheet is None:
-            return np.empty((0, 4))
-        box = self._canvas.mapToScene(view).boundingRect()
-        seen = sheet.states_in(box.left(), box.top(), box.right(), box.bottom())
-        at, half = sheet.at[seen], sheet.halves()[seen]
-        way = self._canvas.viewportTransform()
-        return np.hstack([at - half, at + half]) * way.m11() + [way.dx(), way.dy()] * 2
-
-    def _covered(self, at: QPoint) -> int:
-        """How many states the card would cover at a point of the view."""
-        sheet = self._canvas.sheet
-        if sheet is None:
-            return 0
-        box = self._canvas.mapToScene(QRect(at, self.size())).boundingRect()
-        return len(sheet.states_in(box.left(), box.top(), box.right(), box.bottom()))
+        clear = (at for at in corners if is_clear(self._canvas, QRect(at, self.size())))
+        at = next(clear, None)
+        self.move(at or least_covering(self._canvas, self.size(), corners[0],
+                                       selected_places(self._canvas)))  # fmt: skip
 
     def _apply(self) -> None:
         if self._shown is not None:

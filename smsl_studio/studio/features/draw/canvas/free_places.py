@@ -9,19 +9,24 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.picture.levels import FULL_SIZE, ROOM
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.gestures import GRID
+from smsl_studio.studio.features.draw.canvas.card_places import (
+    is_clear,
+    least_covering,
+    selected_places,
+)
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 
 Position = tuple[float, float]
 
 
-def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
-    """A place near a point of the view where a card covers no state (in pixels).
+def clear_place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
+    """A place near a point of the view where a card covers no state and no note (in pixels).
 
-    If there is none it covers others rather than the new one.
+    If there is none it covers others rather than the new state and the selected ones.
     """
-    sheet = canvas.sheet
     w, h, off = card.width(), card.height(), 16
     # The new state is drawn at the point; the card has to leave room for it.
     aside = int(54 * max(canvas.zoom, 0.5)) + 14 if card.leaves_room else 16
@@ -40,18 +45,13 @@ def clear_place(canvas: BranchView, card: ConnectCard | CopyCard, at: QPoint) ->
     places += [QPoint(p.x(), inside.top()) for p in places[:4]]
     new = QRect(0, 0, 2 * aside - 8, aside)
     new.moveCenter(at)
-    hidden = None
+    spared = [*([new] if card.leaves_room else []), *selected_places(canvas)]
     for place in places:
         area = QRect(place, card.size())
-        if sheet is None or not inside.contains(area):
-            continue
-        a, b = canvas.mapToScene(place), canvas.mapToScene(place + QPoint(w, h))
-        spares = not (card.leaves_room and new.intersects(area))
-        if spares and not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
+        kept = not any(one.intersects(area) for one in spared)
+        if kept and inside.contains(area) and is_clear(canvas, area):
             return place
-        if spares and hidden is None:
-            hidden = place
-    return hidden or places[0]
+    return least_covering(canvas, card.size(), places[0], spared)
 
 
 def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, QPoint, QPointF, QTimer, Signal
+from PySide6.QtCore import QObject, QPoint, QPointF, QSize, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QMenu
 
 from smsl_studio.blueprint import editing
@@ -22,6 +22,8 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.free_places import place_near
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 
+GAP = 6
+"""The room between a state and its menu (pixels)."""
 MOST_VALUES, MOST_FACTS = 24, 32
 """A menu offers at most so many values, and so many facts. Any value can be typed."""
 
@@ -74,7 +76,7 @@ class ValueMenu(QObject):
         elif 0 <= digit < count_of(branch):
             menu = self._new(f"Values of {branch.fact_name(digit)}")
             self._fill(menu, branch, digit)
-            menu.popup(at or self._below(digit))
+            menu.popup(at or self._beside(digit, menu.sizeHint()))
 
     def open_facts(self) -> None:
         """Open the menu of all facts of the selected states, each with its values."""
@@ -89,7 +91,7 @@ class ValueMenu(QObject):
         for digit in range(min(count, MOST_FACTS)):
             inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
             self._fill(inner, branch, digit)
-        menu.popup(self._below(0))
+        menu.popup(self._beside(0, menu.sizeHint()))
 
     @property
     def _branch(self) -> StateBranch | None:
@@ -157,7 +159,9 @@ class ValueMenu(QObject):
         self.field = NameField(canvas, canvas.tokens, "", "Value", commit)
         self.field.closed.connect(self._field_closed)
         self.field.setMinimumWidth(110)
-        place_near(self.field, canvas, canvas.mapFromGlobal(self._below(digit)))
+        self.field.adjustSize()
+        at = self._beside(digit, self.field.size())
+        place_near(self.field, canvas, canvas.mapFromGlobal(at))
         self.field.show()
         self.field.raise_()
         self.field.field.setFocus()
@@ -165,14 +169,23 @@ class ValueMenu(QObject):
     def _field_closed(self) -> None:
         self.field = None
 
-    def _below(self, digit: int) -> QPoint:
-        """The point of the screen below the chip of the state that was selected last."""
+    def _beside(self, digit: int, size: QSize) -> QPoint:
+        """The point of the screen below the state that was selected last, at its chip.
+
+        It lies above the state if a card of this size has no room below.
+        """
         canvas, sheet = self._canvas, self._canvas.sheet
-        states = self._states()
+        states, view = self._states(), self._canvas.viewport()
         state = sheet.picture.index.get(states[-1], -1) if sheet is not None and states else -1
         if sheet is None or state < 0:
-            return canvas.viewport().mapToGlobal(canvas.viewport().rect().center())
+            return view.mapToGlobal(view.rect().center())
         places = chip_places(sheet.picture.face(state), sheet.ink, float(sheet.full_widths[state]))
         corner = places[digit].bottomLeft() if digit < len(places) else QPointF()
-        at = canvas.mapFromScene(QPointF(*sheet.at[state]) + corner) + QPoint(0, 6)
-        return canvas.viewport().mapToGlobal(at)
+        rect = canvas.rect_of(sheet.address_of_state(state))
+        assert rect is not None
+        node = canvas.mapFromScene(rect).boundingRect()
+        x = canvas.mapFromScene(QPointF(*sheet.at[state]) + corner).x()
+        at = view.mapToGlobal(QPoint(x, node.bottom() + GAP))
+        if at.y() + size.height() <= view.screen().availableGeometry().bottom():
+            return at
+        return view.mapToGlobal(QPoint(x, node.top() - GAP - size.height()))

@@ -77,9 +77,4 @@ def _is_free(sheet: Sheet | None, at: Position) -> bool:
     """Whether a note with its corner here covers no node, no line and no other note."""
     if sheet is None:
         return True
-    left, top, right, bottom = at[0], at[1], at[0] + NOTE_WIDTH, at[1] + HIGH
-    if sheet.is_drawn_on(left, top, right, bottom):
-        return False
-    rects = sheet.drawn.note_rects
-    low, high = rects[:, :2] < (right, bottom), rects[:, 2:] > (left, top)
-    return not bool((low & high).all(axis=1).any())
+    return not sheet.is_drawn_on(at[0], at[1], at[0] + NOTE_WIDTH, at[1] + HIGH)

@@ -1,0 +1,77 @@
+"""Places of cards over the canvas, where they cover as little as possible (pixels of the view)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPoint, QRect, QSize
+
+from smsl_studio.picture.shape import Floats
+from smsl_studio.studio.base.canvas.canvas import Canvas
+
+EDGE = 14
+STEP = 16
+"""The distance between the places that are tried."""
+CROWD = 500
+"""With more states than these in view, no free place is searched for."""
+
+
+def is_clear(canvas: Canvas, area: QRect) -> bool:
+    """Whether an area of the view has no state, no note and no title of a group."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return True
+    box = canvas.mapToScene(area).boundingRect()
+    sides = box.left(), box.top(), box.right(), box.bottom()
+    return not sheet.states_in(*sides) and not sheet.drawn.touches(*sides)
+
+
+def least_covering(
+    canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect] = ()
+) -> QPoint:
+    """The place nearest to a point where a card covers the fewest states and notes.
+
+    It covers no other floating part, and nothing of ``spared`` if there is another place.
+    """
+    far = QPoint(canvas.width(), canvas.height()) - QPoint(EDGE, EDGE)
+    spots = [
+        QPoint(x, y)
+        for y in range(EDGE, far.y() - size.height() + 1, STEP)
+        for x in range(EDGE, far.x() - size.width() + 1, STEP)
+        if not canvas.overlays.floats_in(QRect(QPoint(x, y), size))
+    ]
+    drawn = _drawn_in_view(canvas)
+    if not spots or len(drawn) > CROWD:
+        return near
+    kept = np.array([one.getCoords() for one in spared], dtype=np.float64).reshape(-1, 4)
+    hidden = _covered(drawn, spots, size) + len(drawn) * _covered(kept, spots, size)
+    ways = [(at - near).manhattanLength() for at in spots]
+    return spots[min(range(len(spots)), key=lambda i: (hidden[i], ways[i]))]
+
+
+def selected_places(canvas: Canvas) -> list[QRect]:
+    """The places of the selected states and labels."""
+    rects = [canvas.rect_of(address) for address in canvas.marks.selection[:CROWD]]
+    return [canvas.mapFromScene(rect).boundingRect() for rect in rects if rect is not None]
+
+
+def _covered(rects: Floats, spots: Sequence[QPoint], size: QSize) -> Floats:
+    """How many of the rectangles a card covers at each of some places."""
+    x, y = np.array([(at.x(), at.y()) for at in spots], dtype=np.float64).T[:, :, None]
+    left, top, right, bottom = rects.T
+    across = (left < x + size.width()) & (right > x)
+    found: Floats = np.sum(across & (top < y + size.height()) & (bottom > y), axis=1, dtype=float)
+    return found
+
+
+def _drawn_in_view(canvas: Canvas) -> Floats:
+    """Left, top, right and bottom of the nodes and notes in the view, in pixels, shape (n, 4)."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return np.empty((0, 4))
+    box = canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+    seen = sheet.states_in(box.left(), box.top(), box.right(), box.bottom())
+    at, half, way = sheet.at[seen], sheet.halves()[seen], canvas.viewportTransform()
+    rects = np.vstack([np.hstack([at - half, at + half]), sheet.drawn.note_rects])
+    return rects * way.m11() + [way.dx(), way.dy()] * 2
