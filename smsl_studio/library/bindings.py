@@ -223,17 +223,10 @@ class _Binder:
         """Yield the sensors whose own declaration names this fact."""
         for plugin in self.plugins:
             for entry in plugin.library.sensors:
-                texts = self._reads(entry, branch.name, digit)
+                texts = texts_read(self.blueprint, entry, branch.name, digit)
                 if texts is not None:
                     name = entry.pattern.fill(texts)
                     yield self._sensor(branch, digit, (plugin, entry), name, texts)
-
-    def _reads(self, entry: SensorEntry, branch: str, digit: int) -> dict[str, str] | None:
-        if not entry.fact.text:
-            return None
-        if "/" in entry.fact.text:
-            return entry.fact.match(f"{branch}/{digit + 1}")
-        return entry.fact.match(str(digit + 1)) if self.blueprint.roots == (branch,) else None
 
     def _named_sensor(
         self, branch: StateBranch, digit: int, name: str, place: Place | None
@@ -295,6 +288,18 @@ class _Binder:
     def _fault(self, subject: str, error: PluginError) -> None:
         sentence = f"{error.sentence}. {error.advice}".strip().removesuffix(".")
         self.faults.append(BindingFault(subject, sentence, error.place))
+
+
+def texts_read(
+    blueprint: Blueprint, entry: SensorEntry, branch: str, digit: int
+) -> dict[str, str] | None:
+    """Return the texts in the pattern of the fact that a sensor declares to read, or None if that
+    is not this fact."""
+    if not entry.fact.text:
+        return None
+    if "/" in entry.fact.text:
+        return entry.fact.match(f"{branch}/{digit + 1}")
+    return entry.fact.match(str(digit + 1)) if blueprint.roots == (branch,) else None
 
 
 def _cost_of(name: str, entries: Sequence[tuple[Plugin, CostEntry]]) -> BoundCost | None:

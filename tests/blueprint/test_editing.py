@@ -182,7 +182,7 @@ def test_a_renamed_operation_is_that_edge_alone_or_all_of_its_name() -> None:
     one = edit.rename(before, A("A", "S0", "up"), "rise")
     assert (list(one["A"].table["S0"]), list(one["A"].table["S1"])) == (["rise", "stay"], ["up"])
     assert one["A"].operation_note("S0", "rise").requires == {"B/0": "0"}
-    assert one["A"].cost("S0", "rise") == 1
+    assert one["A"].cost("S0", "rise") == 2, "what its name said goes on for the edge"
     assert one["A"].cost("S1", "up") == 2
     both = edit.rename(before, A("A", "S0", "up"), "rise", rename_everywhere=True)
     assert list(both["A"].table["S1"]) == ["rise"]
@@ -190,6 +190,30 @@ def test_a_renamed_operation_is_that_edge_alone_or_all_of_its_name() -> None:
     assert "up" in both["B"].table["T0"], "another SB's operations are its own"
     last = edit.rename(one, A("A", "S1", "up"), "rise2")
     assert last["A"].cost("S1", "rise2") == 2, "the note follows the last edge of its name"
+
+
+def test_an_operation_keeps_what_holds_for_it_under_a_new_name() -> None:
+    of_up = {"requires": {"A/1": "1"}, "confirm": ["surgeon"], "cost": 3}
+    notes = {"up": of_up, "S0/up": {"cost": 5}, "down": {"cost": 9, "title": "Down"}}
+    table = {"S0": {"up": "S1"}, "S1": {"up": "S1", "down": "S0"}, "S2": {"down": "S0"}}
+    before = read({"A": {**table, "_operations": {**notes, "S1/rise": {"risk": 1}}}})
+
+    def held(blueprint: Blueprint, state: str, name: str) -> tuple[object, ...]:
+        note = blueprint["A"].operation_note(state, name)
+        return dict(note.requires), tuple(note.confirm), note.cost, note.title, note.risk
+
+    for state in ("S0", "S1"):
+        fresh = edit.rename(before, A("A", state, "up"), "rise")
+        assert held(fresh, state, "rise") == held(before, state, "up")
+        assert held(fresh, "S1" if state == "S0" else "S0", "up")[0] == {"A/1": "1"}
+        assert edit.rename(fresh, A("A", state, "rise"), "up")["A"].table == before["A"].table
+    joined = edit.rename(before, A("A", "S2", "down"), "up")
+    assert held(joined, "S2", "up") == ({"A/1": "1"}, ("surgeon",), 3, "Down", None)
+    own = edit.rename(before, A("A", "S0", "up"), "down")
+    assert held(own, "S0", "down") == ({"A/1": "1"}, ("surgeon",), 5, "Down", None)
+    several = edit.rename_operations(before, [A("A", "S0", "up"), A("A", "S1", "up")], "lift")
+    assert set(several.document.values["A"]["_operations"]) >= {"lift", "S0/lift"}
+    assert "up" not in several.document.values["A"]["_operations"]
 
 
 def test_with_a_state_goes_what_would_point_at_nothing() -> None:

@@ -167,6 +167,11 @@ def test_keys_follow_new_names() -> None:
         *("A/1", "A/walk", "A/State_00/walk"),
         *keys[3:],
     ]
+    assert now(edit.rename(made({"A/go": "human"}), GO, "walk")) == ["A/go", "A/State_00/walk"]
+    assert now(edit.rename(made({"A/go": "human", "A/rise": "shared"}), GO, "rise")) == [
+        "A/go",
+        "A/rise",
+    ]
     one = Address("A", "State_11", "1")
     assert now(edit.rename(blueprint, one, "fall", rename_everywhere=True)) == keys
 

@@ -83,8 +83,9 @@ def test_edges_of_all_sbs_are_renamed_and_all_that_names_them_follows() -> None:
 def test_some_edges_of_a_name_leave_the_entries_of_the_name_to_the_others() -> None:
     after = edit.rename_operations(blueprint(), [A("SB1", "State1", "go")], "move")
     assert after["SB1"].fields["_operations"]["go"]["cost"] == 2
-    assert after["SB1"].fields["_operations"]["State1/move"] == {"risk": "low"}
-    assert after.levels["SB1/go"] == "human"
+    own = after["SB1"].fields["_operations"]["State1/move"]
+    assert own == {"cost": 2, "requires": {"SB2/0": "1"}, "risk": "low"}
+    assert (after.levels["SB1/go"], after.levels["SB1/State1/move"]) == ("human", "shared")
 
 
 @pytest.mark.parametrize(
@@ -231,3 +232,74 @@ def test_an_operation_of_many_states_is_renamed_in_all_of_them(sit: Sit) -> None
     assert person.steps() == [f"Rename Op_1b to Op_1x in {places} places"]
     person.ctrl(Key.Key_Z)
     assert person.blueprint.document.text == text
+
+
+NOTED = {
+    "SB1": {
+        "State_0": {"go": "State_1", "halt": "State_1"},
+        "State_1": {"go": "State_0", "halt": "State_0"},
+        "_operations": {"go": {"requires": {"SB1/0": "1"}, "cost": 2}, "halt": {"cost": 7}},
+    }
+}
+
+
+@pytest.fixture
+def noted(sit: Sit, tmp_path: Path) -> Person:
+    path = tmp_path / "noted.json"
+    path.write_text(json.dumps(NOTED, indent=4))
+    return sit(path)
+
+
+def test_here_only_keeps_what_the_name_required(noted: Person) -> None:
+    before = noted.blueprint.document.text
+    noted.select("SB1/State_0/go")
+    noted.press(Key.Key_F2)
+    noted.type("start")
+    noted.press(Key.Key_Return)
+    note = noted.blueprint["SB1"].operation_note("State_0", "start")
+    assert dict(note.requires) == {"SB1/0": "1"}
+    assert note.cost == 2
+    assert noted.steps() == ["Rename go to start"]
+    noted.ctrl(Key.Key_Z)
+    assert noted.blueprint.document.text == before
+
+
+def test_what_another_name_says_is_told_before_it_counts(noted: Person) -> None:
+    noted.select("SB1/State_0/halt")
+    noted.press(Key.Key_Delete)
+    noted.select("SB1/State_0/go")
+    noted.press(Key.Key_F2)
+    noted.type("halt")
+    noted.press(Key.Key_Return)
+    assert "halt has another value of cost" in rename_field(noted).complaint
+    noted.press(Key.Key_Return)
+    note = noted.blueprint["SB1"].operation_note("State_0", "halt")
+    assert (dict(note.requires), note.cost) == ({"SB1/0": "1"}, 7)
+
+
+def test_properties_tell_it_too_and_leaving_the_field_is_no_yes(noted: Person) -> None:
+    noted.select("SB1/State_0/halt")
+    noted.press(Key.Key_Delete)
+    noted.select("SB1/State_0/go")
+    form = noted.window.properties.operation
+    noted.write(form.name, "halt")
+    assert "halt has another value of cost" in form.naming.refusal.text()
+    noted.window.canvas.setFocus()
+    assert noted.steps()[1:] == []
+    noted.click(form.name)
+    noted.press(Key.Key_Return)
+    assert noted.steps()[1:] == ["Rename go to halt"]
+
+
+def test_a_function_that_is_bound_by_the_name_is_told_before_it_is_lost(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.window.session.jump(person.blueprint.resolve("SB1/State_aaa/Op_1b"))
+    person.window.canvas.setFocus()
+    person.press(Key.Key_F2)
+    person.type("Lift")
+    person.press(Key.Key_Return)
+    complaint = rename_field(person).complaint
+    assert "hanoi.move_disk is bound by the name Op_1b, and nothing by Lift." in complaint
+    assert person.steps() == []
+    person.press(Key.Key_Return)
+    assert person.steps() == ["Rename Op_1b to Lift"]

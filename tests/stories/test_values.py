@@ -101,6 +101,16 @@ def test_a_value_is_renamed_after_its_effect_was_told(door: Person) -> None:
     assert door.blueprint.document.text == before
 
 
+def test_sensors_that_go_on_saying_the_old_value_are_told_before(sit: Sit) -> None:
+    person = sit(HANOI)
+    open_values(person, 0, "a")
+    card = person.window.facts.card
+    person.until(card.isVisible)
+    person.type("q")
+    assert "The code of its sensor disk_1_peg stays: if it says “a”" in card.words.text()
+    assert card.agree.isEnabled()
+
+
 def test_a_value_is_renamed_from_its_menu_and_escape_leaves_all_as_it_is(door: Person) -> None:
     before = door.blueprint.document.text
     view = door.window.facts.view

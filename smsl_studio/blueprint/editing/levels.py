@@ -56,12 +56,30 @@ def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None
         if not isinstance(written, dict):
             continue
         names = {key: follow(Address.split(key)) if "/" in key else (key,) for key in written}
-        after = {
-            "/".join(map(escape, now)): written[key]
-            for key, now in names.items()
-            if now is not None
-        }
+        after = {_key(now): written[key] for key, now in names.items() if now is not None}
         if after:
             draft.file(document)["_levels"] = after
         else:
             del draft.file(document)["_levels"]
+
+
+def levels_carried(draft: Draft, carried: Mapping[Names, Names]) -> None:
+    """Give edges with a new name the level of their former name, if nothing says another one.
+
+    The keys are the edges (SB, state, operation) after the edit, the values their former names
+    (SB, operation). ``levels_follow`` comes first.
+    """
+    said = [draft.file(document)["_levels"] for document in draft.before.documents
+            if isinstance(document.values.get("_levels"), dict)
+            and "_levels" in draft.file(document)]  # fmt: skip
+    for edge, former in carried.items():
+        key, common = _key(edge), _key((edge[0], edge[2]))
+        if any(key in levels or common in levels for levels in said):
+            continue
+        source = next((levels for levels in said if _key(former) in levels), None)
+        if source is not None:
+            source[key] = source[_key(former)]
+
+
+def _key(names: Names) -> str:
+    return "/".join(map(escape, names))

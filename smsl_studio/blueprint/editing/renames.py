@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -11,7 +11,7 @@ from smsl_studio.blueprint.edge_layout import Edge
 from smsl_studio.blueprint.editing.bends import edges_follow
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
 from smsl_studio.blueprint.editing.drawn import states_follow
-from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.editing.levels import levels_carried, levels_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
@@ -26,9 +26,10 @@ def rename(
     free.
 
     For an SB, SUB_SBS, ``requires`` and hazards follow. For a state, targets, INITIAL, ACTIVATING
-    and its annotations follow. For an operation only this edge and its own annotations change. With
-    ``rename_everywhere`` every edge of that name in the SB changes, and the annotations of the
-    name. The keys of ``_levels`` always follow.
+    and its annotations follow. For an operation only this edge changes, and it keeps what holds for
+    it: what stood under its former name is written for the edge alone. With ``rename_everywhere``
+    every edge of that name in the SB changes, and the annotations of the name. The keys of
+    ``_levels`` always follow.
     """
     existing(blueprint, address)
     if new_name == address.path[-1]:
@@ -199,6 +200,7 @@ def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool
 def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, new: str) -> None:
     """Rename the edges ``old`` of the chosen states of each SB, with their notes and levels."""
     levels: dict[tuple[str, ...], tuple[str, ...]] = {}
+    carried: dict[tuple[str, ...], tuple[str, ...]] = {}
     for branch, states in chosen.items():
         found = draft.before[branch]
         unused = not any(new in operations for operations in found.table.values())
@@ -206,17 +208,53 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
         left.difference_update(states)
         for state in states:
             rename_keys(draft.at(branch, state), {old: new})
+        whole = unused and not left
         for notes in draft.tables(branch, "_operations"):
-            rename_keys(notes, {note_key(old, state): note_key(new, state) for state in states})
-            if unused and not left and note_key(new) not in notes:
-                rename_keys(notes, {note_key(old): note_key(new)})
+            _notes_follow(notes, list(states), old, new, whole)
         lines: dict[Edge, Edge | None] = {(state, new): None for state in states}
         lines |= {(state, old): (state, new) for state in states}
         edges_follow(draft, branch, partial(_renamed, lines))
         levels |= {(branch, state, old): (branch, state, new) for state in states}
-        if unused and not left and digit_of(found, old) is None:
+        if digit_of(found, old) is None and whole:
             levels[branch, old] = (branch, new)
+        elif digit_of(found, old) is None:
+            carried |= {(branch, state, new): (branch, old) for state in states}
     levels_follow(draft, lambda key: levels.get(key, key))
+    levels_carried(draft, carried)
+
+
+def _notes_follow(
+    notes: dict[str, Json], states: Sequence[str], old: str, new: str, whole: bool
+) -> None:
+    """Let ``_operations`` follow when the edges ``old`` of some states get a name.
+
+    ``whole`` says that no other edge keeps the old name or has the new one. Then the entry of the
+    name follows too. Otherwise its words are written for each edge alone, but for those that the
+    entry of the new name says itself.
+    """
+    former, named = notes.get(note_key(old)), notes.get(note_key(new))
+    if whole and named is None:
+        rename_keys(notes, {note_key(old): note_key(new)})
+        former = None
+    carried = replaced_words(former, named)[0]
+    for state in states:
+        own, key = notes.get(note_key(old, state)), note_key(new, state)
+        if own is None:
+            # An entry at the new key is left of an edge that is gone.
+            notes.pop(key, None)
+        rename_keys(notes, {note_key(old, state): key})
+        if carried and (own is None or isinstance(own, dict)):
+            notes[key] = {**carried, **(own or {})}
+
+
+def replaced_words(former: Json, named: Json) -> tuple[dict[str, Json], tuple[str, ...]]:
+    """Return what an edge takes along from the entry of its former name, and the words for which
+    the entry of its new name says something else."""
+    before: dict[str, Json] = former if isinstance(former, dict) else {}
+    said: dict[str, Json] = named if isinstance(named, dict) else {}
+    carried = {word: value for word, value in before.items() if word not in said}
+    other = tuple(word for word in before if word in said and said[word] != before[word])
+    return carried, other
 
 
 def _renamed(lines: Mapping[Edge, Edge | None], edge: Edge) -> Edge | None:

@@ -230,6 +230,8 @@ class DrawFeature(Feature):
         self._show_offers()
         self.source.set_library(operation_names(loaded))
         self.properties.set_plugins(loaded)
+        self.editor.warning.loaded = loaded
+        self.facts.loaded = loaded
 
     def settle(self) -> None:
         """Take over the text that is being typed in the source, and arrow keys that wait."""

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.document.rename_scopes import rename_scopes
+from smsl_studio.studio.document.rename_warning import RenameWarning
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.bend_verbs import Bends
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
@@ -46,6 +47,7 @@ class CanvasEditor(QObject):
         super().__init__(canvas)
         self.session, self.canvas = session, canvas
         self.field: Field | None = None
+        self.warning = RenameWarning()
         self._refusals: list[StudioError] = []
         self.new_operation = NewOperation(session, canvas, self.edit, self.open_card)
         self.quick_add = QuickAdd(session, canvas, self.new_operation.ask)
@@ -186,6 +188,10 @@ class CanvasEditor(QObject):
             Returns why that was refused, or the empty text.
             """
             words = f"Rename {old} to {new}"
+            if address.operation:
+                lost = self.warning.once(self.session.blueprint, chosen, new)
+                if lost:
+                    return lost
             if len(chosen) == 1:
                 return self.edit(words, lambda bp: editing.rename(bp, address, new))
             words += f" in {len(chosen):,} places"

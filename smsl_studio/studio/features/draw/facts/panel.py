@@ -23,6 +23,8 @@ from smsl_studio.blueprint.editing.fact_table import table_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
 from smsl_studio.legible import plain_text
+from smsl_studio.library.by_name import sensors_by_name
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.overlays.change_card import AskedValue, ChangeCard
 from smsl_studio.studio.base.passing_menu import passing_menu
@@ -85,6 +87,8 @@ class Facts(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Facts", parent)
         self._session = session
+        self.loaded = Loaded()
+        """The plugins whose sensors may read the facts."""
         self._shown: StateBranch | None = None
         self._next_row = 0
         self.add_button = SmallButton("Add a fact", "plus", tokens)
@@ -297,7 +301,9 @@ class Facts(Panel):
         branch = self._shown
         if branch is not None:
             asked = AskedValue("New value", f"New value for {value}", value)
-            again = partial(renaming, branch, digit, value)
+            blueprint = self._session.blueprint
+            sensors = sensors_by_name(self.loaded, blueprint, branch, digit)
+            again = partial(renaming, branch, digit, sensors, value)
             self.card.propose(again(""), again, asked)
 
     def _open_menu(self, digit: int, at: QPoint) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint import editing
@@ -11,7 +11,7 @@ from smsl_studio.blueprint.editing.fact_table import read_table
 from smsl_studio.blueprint.editing.fact_values import names_with, renamed_value
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
-from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.base.words import capital, counted, series
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class FactChange:
 
     ``names`` are the states that change, each with its name afterwards. ``beside`` states keep
     their names and get the value in ``_states``. ``fault`` says why it cannot be done, ``asks``
-    what the person types first.
+    what the person types first, ``warning`` what does not follow.
     """
 
     words: str
@@ -31,6 +31,7 @@ class FactChange:
     beside: int = 0
     fault: str = ""
     asks: str = ""
+    warning: str = ""
 
     @property
     def ready(self) -> bool:
@@ -54,8 +55,9 @@ class FactChange:
             return self.fault or self.asks
         if self.beside:
             kept = counted(self.beside, "state keeps its name", "states keep their names")
-            return f"{self.words} {kept}; the value stands beside."
-        return f"{self.words} {counted(self.count, 'state changes', 'states change')}."
+            return f"{self.words} {kept}; the value stands beside. {self.warning}".rstrip()
+        changed = counted(self.count, "state changes", "states change")
+        return f"{self.words} {changed}. {self.warning}".rstrip()
 
 
 def addition(branch: StateBranch, value: str) -> FactChange:
@@ -96,14 +98,18 @@ def move(branch: StateBranch, digit: int, place: int) -> FactChange:
     return _told(made, branch, order)
 
 
-def renaming(branch: StateBranch, digit: int, old: str, new: str) -> FactChange:
-    """A value of the fact gets another name."""
+def renaming(
+    branch: StateBranch, digit: int, sensors: Sequence[str], old: str, new: str
+) -> FactChange:
+    """A value of the fact gets another name. ``sensors`` are those of plugins that read the fact:
+    their code does not follow."""
     name, fact = branch.name, branch.fact_name(digit)
     made = FactChange(
         f"“{old}” of “{fact}” becomes “{new}”.",
         "Rename",
         f"Rename value {old} of fact {digit} to {new}",
         lambda blueprint: editing.rename_value(blueprint, name, digit, old, new),
+        warning=_stays(sensors, old, new),
     )
     if new in ("", old):
         return replace(made, asks=f"Another name for the value “{old}” of “{fact}”?")
@@ -115,6 +121,17 @@ def renaming(branch: StateBranch, digit: int, old: str, new: str) -> FactChange:
     if not names:
         return replace(made, beside=len(changes))
     return replace(made, names=tuple(names.items()))
+
+
+def _stays(sensors: Sequence[str], old: str, new: str) -> str:
+    """A warning about the code of sensors; empty if there are none."""
+    if not sensors:
+        return ""
+    of = "its sensor" if len(sensors) == 1 else "its sensors"
+    return (
+        f"The code of {of} {series(sensors)} stays: if it says “{old}” and not “{new}”, no state "
+        "agrees with it."
+    )
 
 
 def paste(branch: StateBranch, text: str) -> FactChange:

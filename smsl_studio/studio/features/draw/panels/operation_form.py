@@ -26,6 +26,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, counted
 from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
+from smsl_studio.studio.document.rename_warning import RenameWarning
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm
@@ -62,6 +63,7 @@ class OperationForm(NoteForm):
         self._build_details(tokens)
 
     def _build_edge(self) -> None:
+        self.warning = RenameWarning()
         self.naming = TextLine("Name", "The name of the operation (F2)")
         self.naming.given.connect(self._rename)
         self.name = self.naming.field
@@ -139,6 +141,7 @@ class OperationForm(NoteForm):
 
     def set_plugins(self, loaded: Loaded) -> None:
         """Take the functions that an operation can be bound to."""
+        self.warning.loaded = loaded
         self.binding.set_plugins(loaded)
         self.alone.set_plugins(loaded)
 
@@ -253,6 +256,11 @@ class OperationForm(NoteForm):
         name, old = str(new or ""), self._edges[0].operation
         chosen = self._scopes[max(self.scope.currentIndex(), 0)].addresses
         where = f" in {len(chosen):,} places" if len(chosen) > 1 else ""
+        # Leaving the field is no answer to a warning, so the name waits in it.
+        lost = self.warning.once(self._session.blueprint, chosen, name, self.name.hasFocus())
+        if lost:
+            self.naming.refuse(lost)
+            return
         self.edit(
             f"Rename {old} to {name}{where}",
             lambda bp: editing.rename_operations(bp, chosen, name),

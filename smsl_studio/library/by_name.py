@@ -1,0 +1,50 @@
+"""What the plugins bind by names alone: functions to operations, sensors to facts.
+
+Nothing of a plugin runs for it, and no world is chosen yet. So only those plugins count that have a
+function for at least half of the operations of an SB.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.library.bindings import texts_read
+from smsl_studio.library.loaded import Loaded, Plugin
+
+
+def function_by_name(loaded: Loaded, branch: StateBranch, name: str) -> str:
+    """Return the full name of the function that is bound to an operation of this name. It is empty
+    if there is none."""
+    for plugin in _at_home(loaded, branch):
+        for entry in plugin.library.operations:
+            if entry.pattern is not None and entry.pattern.match(name) is not None:
+                return entry.name
+    return ""
+
+
+def sensors_by_name(
+    loaded: Loaded, blueprint: Blueprint, branch: StateBranch, digit: int
+) -> tuple[str, ...]:
+    """Return the names of the sensors of plugins that read a fact."""
+    found: dict[str, None] = {}
+    note = branch.fact_note(digit)
+    named = note.sensors if note is not None else ()
+    for plugin in _at_home(loaded, branch):
+        for entry in plugin.library.sensors:
+            if named:
+                found |= {one: None for one in named if entry.pattern.match(one) is not None}
+                continue
+            texts = texts_read(blueprint, entry, branch.name, digit)
+            if texts is not None:
+                found[entry.pattern.fill(texts)] = None
+    return tuple(found)
+
+
+def _at_home(loaded: Loaded, branch: StateBranch) -> Iterator[Plugin]:
+    names = branch.operation_names
+    for plugin in loaded.plugins:
+        patterns = [one.pattern for one in plugin.library.operations if one.pattern is not None]
+        known = sum(any(one.match(name) is not None for one in patterns) for name in names)
+        if known and 2 * known >= len(names):
+            yield plugin
