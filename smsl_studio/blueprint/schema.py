@@ -118,8 +118,9 @@ HEADER = {
         },
         "NUM_FACTS": {
             "type": ["integer", "null"],
-            "minimum": 1,
-            "description": "How many facts a state's name carries; it divides the fact string.",
+            "minimum": 0,
+            "description": "How many facts a state's name carries; it divides the fact string. "
+            "0: names carry none.",
         },
         "NUM_STATES": {
             "type": ["integer", "null"],

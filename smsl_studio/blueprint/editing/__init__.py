@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
+    from smsl_studio.blueprint.editing.plain_names import keep_plain_names as keep_plain_names
     from smsl_studio.blueprint.editing.renames import rename as rename
     from smsl_studio.blueprint.editing.renames import rename_operations as rename_operations
     from smsl_studio.blueprint.editing.templates import add_recovery as add_recovery
@@ -72,6 +73,7 @@ _HOMES = {
     "fill_facts": "fact_table",
     "keep_activating": "headers",
     "keep_last": "notes",
+    "keep_plain_names": "plain_names",
     "move_fact": "digits",
     "paste": "pasted_text",
     "paste_states": "pasted_table",
