@@ -299,7 +299,7 @@ def test_no_name_of_a_comparison_lies_on_another_one(
         assert canvas.sheet is not None
         everything = range(len(canvas.sheet.picture.operations))
         rest = [edge for edge in everything if not canvas.sheet.looks.is_lit(edge)]
-        names = canvas.edges.names(canvas.sheet, rest)
+        names = canvas.ground.edges.names(canvas.sheet, rest)
         lit = canvas.lit_layer.shown()
         assert len(lit) == 1
         assert len(names) > 60

@@ -14,22 +14,20 @@ from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
-from smsl_studio.studio.base.canvas.background import EdgePainter, FarNodePainter
 from smsl_studio.studio.base.canvas.camera import Camera
-from smsl_studio.studio.base.canvas.drawn_painter import MARGIN, DrawnPainter
+from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
+from smsl_studio.studio.base.canvas.ground import Ground
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.node_item import NodePool
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
-from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.theme import Tokens
 
 POOL = 320
 """The most near nodes that get an item of their own; if there are more, a layer paints them."""
-DOT_STEP, DOT = 16.0, 1.5
 
 
 class Stage(QGraphicsView):
@@ -51,8 +49,8 @@ class Stage(QGraphicsView):
         self.pool = NodePool()
         scene = QGraphicsScene(self)
         self.lit_layer = LitLayer(20.0)
-        self.edges, self.far_nodes = EdgePainter(self.lit_layer), FarNodePainter()
-        self.drawn = DrawnPainter()
+        self.ground = Ground(self.lit_layer)
+        self.drawn = self.ground.drawn
         self.gestures = GestureLayer(self)
         self.found_layer = FoundLayer(self.lit_layer)
         for layer in (self.lit_layer, self.found_layer, self.gestures):
@@ -342,8 +340,8 @@ class Stage(QGraphicsView):
         sheet = self._sheet
         assert sheet is not None
         sides = view.left(), view.top(), view.right(), view.bottom()
-        before, other = self.far_nodes.near, self.edges.look_at(sheet, sides)
-        if self.far_nodes.look_at(sheet, sides, near, whole) or other or len(before ^ near) > POOL:
+        before = self.ground.far_nodes.near
+        if self.ground.look_at(sheet, sides, near, whole) or len(before ^ near) > POOL:
             self._repaint()
         else:
             half, pad = sheet.halves(), 4.0 * sheet.unit
@@ -365,29 +363,9 @@ class Stage(QGraphicsView):
         self.viewport().update()
 
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
-        """Paint the ground, the dots of the grid, and all edges and nodes without a highlight.
-
-        The grid has a dot every 16 scene units, doubled or halved until its step is 11 to 23
-        pixels.
-        """
+        """Paint all that has no highlight."""
         area = QRectF(rect)  # type: ignore[arg-type]
-        tokens, sheet = self._ink.tokens, self._sheet
-        painter.fillRect(area, tokens.canvas)
-        step = DOT_STEP
-        while step * self.zoom < 11.0:
-            step *= 2.0
-        while step * self.zoom > 23.0:
-            step /= 2.0
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
-        if sheet is None:
-            return
-        self.drawn.paint_groups(painter, sheet, area)
-        if len(sheet.picture):
-            self.edges.paint(painter, sheet, area)
-        self.drawn.paint_notes(painter, sheet, area)
-        if len(sheet.picture):
-            self.far_nodes.paint(painter, sheet, area)
+        self.ground.paint(painter, area, self._ink.tokens, self.zoom, self._sheet)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
         """Scroll, give items to the nodes that came into view, and emit ``view_moved``."""

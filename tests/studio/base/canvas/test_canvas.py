@@ -410,7 +410,7 @@ def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
 def test_what_is_not_lit_is_painted_once(hanoi3: Drawer, monkeypatch: pytest.MonkeyPatch) -> None:
     canvas, painted = hanoi3.canvas, []
     on_screen(hanoi3)
-    monkeypatch.setattr(canvas.edges, "paint", lambda *given: painted.append(given[-1]))
+    monkeypatch.setattr(canvas.ground.edges, "paint", lambda *given: painted.append(given[-1]))
     canvas.viewport().repaint()
     assert painted == [], "nothing has changed"
     chosen = Address("SB1", "State_aaa")
