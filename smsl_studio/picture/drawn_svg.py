@@ -22,11 +22,11 @@ from smsl_studio.picture.drawn_parts import (
 )
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.strokes import box, number, polyline, text
-from smsl_studio.picture.words import elided
+from smsl_studio.picture.words import elided, width
 
 
 def draw_groups(figure: Figure, groups: Iterable[int], colours: Colours) -> Iterator[str]:
-    """Yield the frames of groups with their titles. They lie below everything else."""
+    """Yield the frames of groups with the bars of their titles. They lie below everything else."""
     rects = figure.group_rects
     for group in groups:
         left, top, right, bottom = rects[group].tolist()
@@ -43,9 +43,19 @@ def draw_groups(figure: Figure, groups: Iterable[int], colours: Colours) -> Iter
                 f"a{r} {r} 0 0 1 {r} -{r}h{across}a{r} {r} 0 0 1 {r} {r}"
                 f'v{number(BAR - GROUP_RADIUS)}z" fill="{colours["line"]}"/>'
             )
-            words = elided(title, TEXT, wide - 2 * INSET)
-            yield text(((left + right) / 2, top + BAR / 2 + 4.0), words, TEXT, colours["tx2"], 600)
         yield "</g>"
+
+
+def draw_titles(figure: Figure, groups: Iterable[int], colours: Colours) -> Iterator[str]:
+    """Yield the titles of groups. They lie above lines, on a ground of their own."""
+    rects = figure.group_rects
+    for group in groups if figure.bar else ():
+        left, top, right, _ = rects[group].tolist()
+        middle = (left + right) / 2
+        words = elided(figure.drawn.groups[group].title, TEXT, right - left - 2 * INSET)
+        wide = width(words, TEXT) + INSET
+        yield box((middle - wide / 2, top + 2.0, wide, BAR - 3.0), 0.0, colours["line"])
+        yield text((middle, top + BAR / 2 + 4.0), words, TEXT, colours["tx2"], 600)
 
 
 def draw_notes(figure: Figure, notes: Iterable[int], colours: Colours) -> Iterator[str]:

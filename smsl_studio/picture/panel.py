@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.picture.colours import Colours
-from smsl_studio.picture.drawn_svg import draw_groups, draw_notes
+from smsl_studio.picture.drawn_svg import draw_groups, draw_notes, draw_titles
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.guards import MEANING
 from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, guard_at, sub_mark_at
@@ -54,6 +54,7 @@ def panel_of(
     notes, groups = figure.drawn_with(None)
     parts.extend(draw_groups(figure, groups, colours))
     parts.extend(draw_lines(figure, edges, colours, operations))
+    parts.extend(draw_titles(figure, groups, colours))
     parts.extend(draw_notes(figure, notes, colours))
     for state in range(len(figure.picture)):
         parts.extend(draw_node(figure, state, colours, states.get(state, "")))

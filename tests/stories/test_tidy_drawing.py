@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRectF, Qt
 
+from smsl_studio.blueprint import editing
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -48,3 +50,57 @@ def test_no_step_is_made_where_every_state_stands_there_already(sit: Sit) -> Non
     before = person.steps()
     tidy(person)
     assert person.steps() == before
+
+
+def covered(person: Person) -> list[str]:
+    """The notes that cover a state, a name, a title of a group, or another note."""
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    drawn, half, found = sheet.drawn, sheet.halves(), []
+    things = [
+        *np.hstack([sheet.at - half, sheet.at + half]).tolist(),
+        *(r for e in range(len(sheet.picture.operations)) if (r := sheet.geometry.label(e))),
+        *(rect_of(drawn.title_rect(key)) for key in drawn.listed() if key.kind == "group"),
+    ]
+    for key in drawn.listed():
+        if key.kind == "note":
+            left, top, right, bottom = rect = rect_of(drawn.rect(key))
+            meets = [t[0] < right and t[2] > left and t[1] < bottom and t[3] > top for t in things]
+            found += [key.key] if any(meets) else []
+            things.append(rect)
+    return found
+
+
+def rect_of(rect: QRectF | None) -> tuple[float, float, float, float]:
+    assert rect is not None
+    return rect.left(), rect.top(), rect.right(), rect.bottom()
+
+
+def test_notes_lie_on_nothing_after_tidy(sit: Sit) -> None:
+    person = sit(FILE)
+    session, names = person.window.session, list(person.blueprint[SB].table)
+    places = person.window.canvas.positions
+    notes = {
+        str(number): {"text": f"About {name}", "at": places[name]}
+        for number, name in enumerate(names[:4], 1)
+    }
+    hung = {"text": "On it", "at": (70.0, -20.0), "state": names[0]}
+    alone = {"text": "Far away", "at": (9_000.0, 9_000.0)}
+    group = {"1": {"title": "First", "states": names[:2]}}
+    words = {**notes, "5": hung, "6": {**hung, "text": "Too"}, "7": alone}
+    with_notes = editing.put_notes(person.blueprint, SB, words)
+    session.edit("Notes", lambda _: editing.put_groups(with_notes, SB, group))
+    text = person.blueprint.document.text
+    assert covered(person)
+    tidy(person)
+    assert covered(person) == []
+    person.window.canvas.zoom_to(0.5)
+    assert covered(person) == []
+    kept = person.blueprint[SB].drawn.notes
+    assert kept["7"].at == (9_000.0, 9_000.0)
+    assert kept["5"].state == names[0]
+    assert person.steps() == ["Notes", f"Tidy {SB}"]
+    tidy(person)
+    assert person.steps() == ["Notes", f"Tidy {SB}"]
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == text

@@ -76,9 +76,14 @@ class EdgePainter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         shapes, look = [geometry.shape(e) for e in rest], looks.plain
         paint_plain(painter, shapes, look, ink, self._drawn)
-        if looks.marks.dimmed:
+
+    def paint_names(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint the names of the exposed edges, if these are painted one by one."""
+        looks, unit = sheet.looks, sheet.unit
+        if not self._near or looks.marks.dimmed:
             return
-        unit = sheet.unit
+        rest = [e for e in sheet.edges_in(*_sides(exposed)).tolist() if not looks.is_lit(e)]
+        look = looks.plain
         painter.save()
         painter.scale(unit, unit)
         for edge, rect in self.names(sheet, rest).items():

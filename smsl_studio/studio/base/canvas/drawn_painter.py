@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter
@@ -10,7 +13,12 @@ from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.found_layer import paint_lens
 from smsl_studio.studio.base.canvas.sheet import Sheet
-from smsl_studio.studio.base.paint.drawn_paint import NoteLook, paint_group, paint_note
+from smsl_studio.studio.base.paint.drawn_paint import (
+    NoteLook,
+    paint_group,
+    paint_note,
+    paint_title,
+)
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN
 
 MARGIN = 9.0
@@ -20,7 +28,7 @@ PALE = 0.62
 
 
 class DrawnPainter:
-    """Paints the groups of a sheet below its edges, and its notes above them."""
+    """Paints the groups of a sheet below its edges, and their titles and its notes above them."""
 
     def __init__(self) -> None:
         self.chosen: DrawnKey | None = None
@@ -30,20 +38,45 @@ class DrawnPainter:
 
     def paint_groups(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         """Paint the exposed groups."""
+        with self._scaled(painter, sheet):
+            for number, rect in self._groups(sheet, exposed):
+                paint_group(painter, rect, sheet.drawn.bar, self._is_lit(sheet, number), sheet.ink)
+                key = DrawnKey("group", sheet.drawn.parts.group_keys[number])
+                self._paint_lens(painter, key, rect.topLeft(), sheet, sheet.unit)
+
+    def paint_titles(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint the titles of the exposed groups, on a ground that covers lines."""
         drawn = sheet.drawn
-        if not drawn or not drawn.parts.groups:
+        if not drawn.bar:
             return
-        rects, unit, parts = drawn.group_rects, sheet.unit, drawn.parts
+        with self._scaled(painter, sheet):
+            for number, rect in self._groups(sheet, exposed):
+                title, lit = drawn.parts.groups[number].title, self._is_lit(sheet, number)
+                paint_title(painter, rect, title, drawn.bar, lit, sheet.ink)
+
+    def _groups(self, sheet: Sheet, exposed: QRectF) -> list[tuple[int, QRectF]]:
+        """The numbers and frames (mark pixels) of the exposed groups."""
+        drawn, found = sheet.drawn, []
+        if drawn and drawn.parts.groups:
+            rects = drawn.group_rects
+            for number in _exposed(rects, exposed, MARGIN / sheet.zoom):
+                left, top, right, bottom = (rects[number] / sheet.unit).tolist()
+                found.append((number, QRectF(left, top, right - left, bottom - top)))
+        return found
+
+    def _is_lit(self, sheet: Sheet, number: int) -> bool:
+        """Whether a group is selected, or would get a state that is being dragged."""
+        drawn = sheet.drawn
+        chosen = DrawnKey("group", drawn.parts.group_keys[number]) == self.chosen
+        return chosen or number in drawn.gains
+
+    @contextmanager
+    def _scaled(self, painter: QPainter, sheet: Sheet) -> Iterator[None]:
+        """Paint in mark pixels, pale during a run."""
         painter.save()
-        painter.scale(unit, unit)
+        painter.scale(sheet.unit, sheet.unit)
         painter.setOpacity(PALE if sheet.looks.marks.dimmed else 1.0)
-        for number in _exposed(rects, exposed, MARGIN / sheet.zoom):
-            left, top, right, bottom = (rects[number] / unit).tolist()
-            key = DrawnKey("group", parts.group_keys[number])
-            rect, title = QRectF(left, top, right - left, bottom - top), parts.groups[number].title
-            lit = key == self.chosen or number in drawn.gains
-            paint_group(painter, rect, title, drawn.bar, lit, sheet.ink)
-            self._paint_lens(painter, key, rect.topLeft(), sheet, unit)
+        yield
         painter.restore()
 
     def paint_notes(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:

@@ -12,7 +12,8 @@ from smsl_studio.picture.drawn_parts import BAR, DrawnParts, Members, by_words, 
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import Floats
-from smsl_studio.studio.base.paint.drawn_paint import READABLE
+from smsl_studio.studio.base.paint.drawn_paint import READABLE, title_place
+from smsl_studio.studio.base.paint.ink import Ink
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,7 @@ class Laid(Protocol):
     """The parts of a sheet that say where notes and groups lie."""
 
     picture: Picture
+    ink: Ink
     at: Floats
     unit: float
     zoom: float
@@ -140,6 +142,16 @@ class DrawnSheet:
         if rect is not None:
             rect.setHeight(BAR * self._sheet.unit)
         return rect
+
+    def words_at(self, x: float, y: float) -> bool:
+        """Whether a scene point is on the words of a group's title, which cover lines."""
+        number, sheet = self.title_at(x, y), self._sheet
+        if number < 0:
+            return False
+        left, top, right, bottom = (self.group_rects[number] / sheet.unit).tolist()
+        frame = QRectF(left, top, right - left, bottom - top)
+        place = title_place(frame, self.parts.groups[number].title, self.bar, sheet.ink)[1]
+        return place.contains(x / sheet.unit, y / sheet.unit)
 
     def note_at(self, x: float, y: float) -> int:
         """The number of the note at a scene point, the topmost one; -1 for none."""

@@ -30,14 +30,20 @@ class DrawnStage(Stage):
     def drawn_at(self, at: QPointF) -> DrawnKey | None:
         """The note or the title of a group at a scene point.
 
-        Nodes lie above both, operations above titles. None if something else is on top.
+        Nodes lie above both. Names of operations and what is highlighted lie above titles, and
+        lines below the words of a title. None if something else is on top.
         """
         sheet = self.sheet
         if sheet is None or not sheet.drawn or sheet.state_at(at.x(), at.y()) >= 0:
             return None
         found = sheet.drawn.at(at.x(), at.y())
-        under = found is not None and found.kind == "group"
-        return None if under and sheet.edge_at(at.x(), at.y()) >= 0 else found
+        if found is None or found.kind == "note":
+            return found
+        edge = sheet.edge_at(at.x(), at.y())
+        below = edge >= 0 and not sheet.looks.is_lit(edge) and sheet.drawn.words_at(at.x(), at.y())
+        name = sheet.geometry.label(edge) if below else None
+        named = name is not None and name[0] <= at.x() <= name[2] and name[1] <= at.y() <= name[3]
+        return found if edge < 0 or (below and not named) else None
 
     def drag_note(self, key: DrawnKey, x: float, y: float) -> None:
         """Show a note with its upper left corner at a scene point during a drag."""

@@ -57,6 +57,8 @@ class Ground:
         self.drawn.paint_groups(painter, sheet, area)
         if len(sheet.picture):
             self.edges.paint(painter, sheet, area)
+        self.drawn.paint_titles(painter, sheet, area)
+        self.edges.paint_names(painter, sheet, area)
         self.drawn.paint_notes(painter, sheet, area)
         if len(sheet.picture):
             self.far_nodes.paint(painter, sheet, area)

@@ -72,10 +72,8 @@ def paint_note(painter: QPainter, rect: QRectF, note: DrawnNote, look: NoteLook,
     painter.setBrush(NO_BRUSH)
 
 
-def paint_group(
-    painter: QPainter, rect: QRectF, title: str, bar: float, chosen: bool, ink: Ink
-) -> None:
-    """Paint the frame of a group (mark pixels), with its title if ``bar`` is its height."""
+def paint_group(painter: QPainter, rect: QRectF, bar: float, chosen: bool, ink: Ink) -> None:
+    """Paint the frame of a group (mark pixels), with the bar of its title if it has a height."""
     tokens = ink.tokens
     painter.setPen(pen(tokens.acc, 2.0) if chosen else pen(tokens.line2, 1.2))
     painter.setBrush(tokens.sunk)
@@ -88,11 +86,29 @@ def paint_group(
         painter.setPen(NO_PEN)
         painter.setBrush(tokens.accs if chosen else tokens.line)
         painter.drawPath(whole.intersected(top))
-        words = ink.note_title.elided(one_line(title), max(rect.width() - 2 * INSET, 8.0))
-        middle = QPointF(rect.center().x(), rect.top() + bar / 2)
-        colour = tokens.acc if chosen else tokens.tx2
-        ink.note_title.draw(painter, middle.x(), middle.y(), words, colour)
     painter.setBrush(NO_BRUSH)
+
+
+def title_place(rect: QRectF, title: str, bar: float, ink: Ink) -> tuple[str, QRectF]:
+    """The title of a group as it is written, and the ground below its words (mark pixels).
+
+    Lines pass below this ground. ``rect`` is the frame, ``bar`` the height of the title.
+    """
+    words = ink.note_title.elided(one_line(title), max(rect.width() - 2 * INSET, 8.0))
+    wide = ink.note_title.width(words) + INSET
+    return words, QRectF(rect.center().x() - wide / 2, rect.top() + 2.0, wide, bar - 3.0)
+
+
+def paint_title(
+    painter: QPainter, rect: QRectF, title: str, bar: float, chosen: bool, ink: Ink
+) -> None:
+    """Paint the title of a group on a ground of its own."""
+    tokens = ink.tokens
+    words, place = title_place(rect, title, bar, ink)
+    painter.fillRect(place, tokens.accs if chosen else tokens.line)
+    y = rect.top() + bar / 2
+    colour = tokens.acc if chosen else tokens.tx2
+    ink.note_title.draw(painter, rect.center().x(), y, words, colour)
 
 
 def _write(painter: QPainter, rect: QRectF, note: DrawnNote, ink: Ink) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -13,7 +14,9 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.picture.levels import Level
+from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
@@ -194,3 +197,54 @@ def test_a_canvas_without_notes_lays_out_none(qtbot: QtBot) -> None:
     assert drawer.sheet.drawn.extent().isNull()
     assert drawer.canvas.drawn_at(QPointF(*drawer.canvas.positions["State000"])) is None
     assert drawer.canvas.rect_of(Address("SB1", "State000")) is not None
+
+
+@pytest.fixture
+def passed(qtbot: QtBot) -> Drawer:
+    """A group whose title lies on the way of an operation."""
+    table = {"A": {"Go": "B"}, "B": {}}
+    layout = {"A": [0, -300], "B": [0, 0], "_groups": {"1": {"title": "Below", "states": ["B"]}}}
+    text = json.dumps({"SB1": {**table, "_layout": layout}})
+    made = Drawer(qtbot, read_blueprint(parse_json(text, "passed.json")))
+    DrawnEditor(made.session, made.canvas)
+    made.canvas.zoom_to(1.0)
+    return made
+
+
+def test_a_line_passes_below_the_words_of_a_title(passed: Drawer) -> None:
+    title = middle(passed, GROUP)
+    area = QRect(title - QPoint(12, 9), QSize(24, 18))
+    before = on_screen(passed).copy(area)
+    passed.session.edit("Delete", lambda bp: editing.delete(bp, [Address("SB1", "A", "Go")]))
+    passed.hover(QPoint(5, 690))
+    assert alike(on_screen(passed).copy(area), before)
+
+
+def test_a_press_takes_what_lies_on_top_at_a_title(passed: Drawer) -> None:
+    canvas, title = passed.canvas, middle(passed, GROUP)
+    passed.click(title)
+    assert canvas.drawn.chosen == GROUP
+    passed.click(passed.label_of("A", "Go"))
+    assert passed.selected() == ["A/Go"]
+    passed.click(title)
+    assert passed.selected() == ["A/Go"], "the line of the selected operation lies above the title"
+    passed.click(title + QPoint(20, 0))
+    assert canvas.drawn.chosen == GROUP
+
+
+def test_a_bend_on_a_title_is_dragged_and_not_the_group(passed: Drawer) -> None:
+    start, places = passed.label_of("A", "Go"), passed.canvas.positions
+    passed.click(start)
+    line = passed.at((0.0, -180.0))
+    beside = middle(passed, GROUP) + QPoint(24, 0)
+    passed.drag(line, beside)
+    edge = passed.sheet.picture.edge(Address("SB1", "A", "Go"))
+    ((x, y),) = passed.sheet.lines[edge].bends
+    bend = passed.at((x, y))
+    assert passed.canvas.drawn_at(passed.canvas.mapToScene(bend)) is None
+    passed.drag(bend, bend + QPoint(90, -60))
+    ((x_after, y_after),) = passed.sheet.lines[edge].bends
+    assert (x_after, y_after) != (x, y)
+    assert passed.canvas.positions == places
+    assert passed.canvas.drawn.chosen is None
+    assert passed.selected() == ["A/Go"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QPointF
 
@@ -11,7 +11,11 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.graph.layout import place_anew
+from smsl_studio.picture.marks import Marks
+from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.canvas.note_room import notes_in_room
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
@@ -120,14 +124,17 @@ class DrawVerbs:
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
     def tidy(self) -> None:
-        """Compute the layout of the SB anew, as one step. Bends and moved labels go.
+        """Compute the layout of the SB anew, as one step. Bends and moved labels go, and notes
+        leave states, labels, titles and other notes free.
 
         If it would change nothing, only say so.
         """
         branch, shown = self._branch, self.canvas.positions
         places = place_anew(branch)
         tidy = all(_together(at, shown.get(name)) for name, at in places.items())
-        if tidy and not branch.notes.edges:
+        straight = editing.straighten(self._session.blueprint, branch.name)
+        notes = self._notes_in_room(straight, places)
+        if tidy and not branch.notes.edges and not notes:
             self.canvas.say("The drawing is tidy already.")
             self.canvas.fit()
             return
@@ -135,10 +142,22 @@ class DrawVerbs:
         def change(blueprint: Blueprint) -> Blueprint:
             """The blueprint with all states placed anew, and its lines without bends."""
             straight = editing.straighten(blueprint, branch.name)
-            return editing.set_layout(straight, branch.name, places)
+            placed = editing.set_layout(straight, branch.name, places)
+            return editing.put_notes(placed, branch.name, notes) if notes else placed
 
         if self._edit(f"Tidy {branch.name}", change):
             self.canvas.fit()
+
+    def _notes_in_room(
+        self, blueprint: Blueprint, places: Mapping[str, tuple[float, float]]
+    ) -> dict[str, dict[str, object]]:
+        """The notes that would cover something if the states stood there, with their new places."""
+        branch = blueprint[self._session.branch]
+        if not branch.drawn.notes:
+            return {}
+        picture = Picture(blueprint, branch.name, words=self.canvas.words)
+        sheet = Sheet(picture, places, self.canvas.ink, Marks())
+        return {key: {"at": at} for key, at in notes_in_room(sheet).items()}
 
     def enter(self) -> None:
         """Show the sub-SB of the first fact that has one."""
