@@ -10,7 +10,7 @@ import numpy as np
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import meets
 from smsl_studio.picture.labels import LabelPlaces
-from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, rounded
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, border, rounded
 from smsl_studio.picture.strands import START_GAP, TIP_GAP
 
 GAP = 8.0
@@ -23,7 +23,6 @@ _BOWS = (0.08, 0.16, 0.26, 0.38)
 _CURVE = np.linspace(0.0, 1.0, 9)[1:-1, None]
 _PETAL = 9.0
 """Half the width (pixels of a mark) of a loop with one bend."""
-_HALVINGS = 24
 
 
 def bent(
@@ -50,9 +49,9 @@ def bent(
     if source == target and len(points) == 1:
         first, last = _petal(source, first, points[0], unit)
     corners = [
-        _border(source, first, points[0], start),
+        border(source, first, points[0], start),
         *points,
-        _border(target, last, points[-1], end),
+        border(target, last, points[-1], end),
     ]
     if others is not None and len(others):
         corners = _around(corners, others, GAP * unit)
@@ -110,18 +109,6 @@ def _petal(box: NodeBox, anchor: Point, bend: Point, unit: float) -> tuple[Point
         (anchor[0] + across[0], anchor[1] + across[1]),
         (anchor[0] - across[0], anchor[1] - across[1]),
     )
-
-
-def _border(box: NodeBox, inside: Point, outside: Point, gap: float) -> Point:
-    """Return where the straight way out of a node has a gap to its border."""
-    low, high = np.array(inside), np.array(outside)
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        if box.depth(middle[None])[0] <= gap:
-            low = middle
-        else:
-            high = middle
-    return float(high[0]), float(high[1])
 
 
 def _around(corners: list[Point], others: Floats, gap: float) -> list[Point]:

@@ -15,6 +15,11 @@ MOST_CAREFUL = 2_000
 for a label. The time for both grows with the square of an SB's size.
 """
 
+MOST_LED = 400
+"""With more operations than this in one SB, no line is led around nodes either. A zoom must stay
+quick, and most lines of such a picture would pass many nodes.
+"""
+
 
 def crowd_of(blueprint: Blueprint, branches: Sequence[str]) -> int:
     """Return the number of states of these SBs, or of their operations if that is larger."""

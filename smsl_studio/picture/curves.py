@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from smsl_studio.picture.detours import GAP, Detours, detours, most_passed, reach_of
+from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 from smsl_studio.picture.strands import NEAR, TIP_GAP, LineStyle, Strand, drawn
 
@@ -19,8 +21,8 @@ __all__ = [
     "Between",
     "LineStyle",
     "around",
+    "breadth",
     "in_row",
-    "is_clear",
     "is_forward",
     "is_outward",
     "meets",
@@ -29,6 +31,12 @@ __all__ = [
 ]
 
 OPPOSITE, PARALLEL = 16.0, 18.0
+MOST_BEND = 14.0
+"""The largest bend (scene units) of a line without a node in its way."""
+MOST_IN_BEND = 3
+"""A line that would run through more nodes than this is not bent, but led on a detour."""
+BENDS = (0.08, 0.16, 0.24)
+"""The bends with which a line may pass a node, as shares of its length."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,67 +164,73 @@ def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> 
         return 0.0
     length = math.hypot(target.x - source.x, target.y - source.y)
     away = normal[0] * outward[0] + normal[1] * outward[1]
-    return math.copysign(min(0.05 * length, 14.0), away)
+    return math.copysign(min(0.05 * length, MOST_BEND), away)
 
 
-def is_clear(
-    source: NodeBox, target: NodeBox, boxes: Floats, skip: Sequence[int], gap: float
-) -> bool:
-    """Return whether the straight line between two nodes meets no other node.
-
-    ``boxes`` is an (n, 4) array of centres and half sizes. ``skip`` has the rows to leave out.
-    """
-    line = np.array([[source.x, source.y], [target.x, target.y]])
-    return not meets(line, boxes, skip, gap)
+def breadth(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> float:
+    """Return how far from the straight line between two nodes their lines may lie at most."""
+    if len(pair) > 1:
+        return (len(pair) - 1) / 2 * _step(pair, source, target, style)
+    return 0.0 if style.compact else abs(_gentle(source, target, (1.0, 0.0), (1.0, 0.0)))
 
 
 def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
     """Return whether a line of points, (n, 2), runs through one of the boxes or nearer than
-    ``gap``.
+    ``gap``. ``skip`` has the rows of the boxes to leave out.
     """
-    low = line.min(axis=0) - gap
-    high = line.max(axis=0) + gap
-    reach_low, reach_high = boxes[:, :2] - boxes[:, 2:], boxes[:, :2] + boxes[:, 2:]
-    near = ((reach_high >= low) & (reach_low <= high)).all(axis=1)
-    near[list(skip)] = False
-    rows = np.nonzero(near)[0]
-    if not len(rows):
-        return False
-    a, b = line[:-1, None, :], line[1:, None, :]
-    corner = reach_low[rows] - gap, reach_high[rows] + gap
-    step = b - a
-    step = np.where(np.abs(step) < 1e-9, 1e-9, step)
-    t1, t2 = (corner[0] - a) / step, (corner[1] - a) / step
-    enter = np.minimum(t1, t2).max(axis=2)
-    leave = np.maximum(t1, t2).min(axis=2)
-    return bool(((enter < leave) & (leave > 0.0) & (enter < 1.0)).any())
+    return bool(len(Obstacles(boxes).met(line, gap, skip)))
 
 
 def around(
-    pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, boxes: Floats, outward: Point
-) -> dict[int, EdgeShape]:
-    """Return curves that bend around other nodes, with the slightest bend that meets none.
+    pair: Between,
+    source: NodeBox,
+    target: NodeBox,
+    style: LineStyle,
+    obstacles: Obstacles,
+    outward: Point,
+) -> Detours:
+    """Return lines that keep clear of all other nodes: as they would be without these, or slightly
+    bent, or on a detour.
 
-    If every bend meets a node, the lines are those of ``strands_of``.
+    If there is no way, the lines are those of ``strands_of`` without a bend.
     """
+    skip, gap = (pair.a, pair.b), GAP * style.unit
     normal = _normal(source, target)
     length = math.hypot(target.x - source.x, target.y - source.y)
     first = 1.0 if normal[0] * outward[0] + normal[1] * outward[1] >= 0 else -1.0
-    for share in (0.08, 0.16, 0.26, 0.38):
-        for side in (first, -first):
-            bend = side * share * length
-            (trial,) = drawn([Strand(source, target, 0.0, bend, normal, False)], style)
-            if not meets(trial.points, boxes, (pair.a, pair.b), 8.0 * style.unit):
-                return _bent(pair, source, target, style, normal, bend)
-    return shapes_of(strands_of(pair, source, target, style, None), style)
+    ways = [strands_of(pair, source, target, style, outward)]
+    start, end = (source.x, source.y), (target.x, target.y)
+    in_way = len(obstacles.met(np.array([start, end]), 0.0, skip))
+    if in_way <= MOST_IN_BEND:
+        ways += [
+            _bent(pair, source, target, style, normal, side * share * length)
+            for share in BENDS
+            for side in (first, -first)
+        ]
+    shapes = drawn([strand for strands in ways for strand in strands.values()], style)
+    clear = obstacles.keep_clear([shape.points for shape in shapes], gap, skip)
+    for at, strands in zip(range(0, len(shapes), len(pair)), ways, strict=True):
+        if all(clear[at : at + len(pair)]):
+            found = dict(zip(strands, shapes[at : at + len(pair)], strict=True))
+            farthest = length * (1.0 + 2.0 * BENDS[-1])
+            return Detours(found, reach_of(start, end, farthest, style.unit))
+    plain = shapes_of(strands_of(pair, source, target, style, None), style)
+    if in_way > most_passed(obstacles):
+        return Detours(plain, reach_of(start, end, math.inf, style.unit))
+    # Positive offsets lie to the right of the way from ``a`` to ``b``, or all to its left.
+    turn = (target.x - source.x) * normal[1] - (target.y - source.y) * normal[0]
+    right = 1.0 if turn > 0.0 else -1.0
+    beside = _side_by_side(pair, source, target, style)
+    offsets = {edge: (there, offset * right) for edge, there, offset in beside}
+    led = detours((source, target), offsets, obstacles, skip, style.unit)
+    return led if led.shapes else led._replace(shapes=plain)
 
 
 def _bent(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, normal: Point, bend: float
-) -> dict[int, EdgeShape]:
+) -> dict[int, Strand]:
     ends = ((source, target), (target, source))
-    strands = {
+    return {
         edge: Strand(*ends[not there], offset, bend, normal, False)
         for edge, there, offset in _side_by_side(pair, source, target, style)
     }
-    return shapes_of(strands, style)

@@ -11,13 +11,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture.curves import Between, LineStyle, is_outward
+from smsl_studio.picture.curves import Between, LineStyle, breadth, is_outward
+from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.labels import Rect, meet
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 
-REACH = 0.5
-"""The largest distance of a line around nodes from the straight line, as a share of its length."""
 NEAR = 16.0
 """A change within so many pixels of a line or label can move it."""
 
@@ -38,8 +37,9 @@ class Routing:
     """The sizes of labels for which the places were chosen."""
     clear: dict[tuple[int, int], bool] = field(default_factory=dict)
     """For each pair of states whether the straight line between them meets no other node."""
-    bent: set[tuple[int, int]] = field(default_factory=set)
-    """The pairs whose lines lead around other nodes, or would if there was room."""
+    bent: dict[tuple[int, int], Rect] = field(default_factory=dict)
+    """The pairs whose lines lead around other nodes, or would if there was room, each with the
+    rectangle outside which no node changes them."""
 
 
 class FormerLines:
@@ -86,25 +86,21 @@ class FormerLines:
         """Return whether the straight line of a pair meets no other node, or None if this is not
         known.
         """
-        if not self._untouched(pair, source, target, 0.0):
+        if not self._is_kept(pair) or not self._is_quiet(self._between(pair, source, target)):
             return None
         return self._former.clear.get((self._state[pair.a], self._state[pair.b]))
 
     def pair(
         self, pair: Between, source: NodeBox, target: NodeBox
-    ) -> tuple[dict[int, EdgeShape], bool] | None:
-        """Return the lines of a pair, and whether they lead around nodes. None if they may
-        change.
+    ) -> tuple[dict[int, EdgeShape], Rect | None] | None:
+        """Return the lines of a pair, and the reach of lines that lead around nodes. None if they
+        may change.
         """
+        if not self._is_kept(pair):
+            return None
         a, b = self._state[pair.a], self._state[pair.b]
-        straight = self._former.clear.get((a, b), False)
-        if not self._untouched(pair, source, target, 0.0 if straight else REACH):
-            return None
-        there, back = self._former.picture.between(a, b)
-        edges = self._edges
-        if tuple(edges[e] for e in pair.there) != there:
-            return None
-        if tuple(edges[e] for e in pair.back) != back:
+        reach, edges = self._former.bent.get((a, b)), self._edges
+        if not self._is_quiet(reach or self._between(pair, source, target)):
             return None
         former, middle = self._former.middle, self._now.middle
         if former != middle and is_outward(source, target, former) != is_outward(
@@ -115,7 +111,7 @@ class FormerLines:
         both = (*pair.there, *pair.back)
         if any(edges[e] not in shapes or shapes[edges[e]].way == "lane" for e in both):
             return None
-        return {e: shapes[edges[e]] for e in both}, (a, b) in self._former.bent
+        return {e: shapes[edges[e]] for e in both}, reach
 
     def shape(self, edge: int, shape: EdgeShape) -> EdgeShape:
         """Return the old line of an edge if it equals the new one ``shape``, else ``shape``."""
@@ -137,14 +133,24 @@ class FormerLines:
             if old not in kept:
                 self.moved([shape.bounds, former.labels.get(old)])
 
-    def _untouched(self, pair: Between, source: NodeBox, target: NodeBox, reach: float) -> bool:
+    def _is_kept(self, pair: Between) -> bool:
+        """Return whether a pair has the same nodes at the same places, and the same edges."""
         if not (self._same[pair.a] and self._same[pair.b]):
             return False
-        aside = reach * max(abs(source.x - target.x), abs(source.y - target.y)) * 1.5
-        return self._is_quiet((
+        there, back = self._former.picture.between(self._state[pair.a], self._state[pair.b])
+        old = self._edges
+        if tuple(old[e] for e in pair.there) != there:
+            return False
+        return tuple(old[e] for e in pair.back) == back
+
+    def _between(self, pair: Between, source: NodeBox, target: NodeBox) -> Rect:
+        """Return the rectangle in which a node would be in the way of a pair's lines."""
+        style = self._now.style
+        aside = GAP * style.unit + breadth(pair, source, target, style)
+        return (
             min(source.x, target.x) - aside, min(source.y, target.y) - aside,
             max(source.x, target.x) + aside, max(source.y, target.y) + aside,
-        ))  # fmt: skip
+        )  # fmt: skip
 
     # Loops and labels
 

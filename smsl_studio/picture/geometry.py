@@ -17,21 +17,19 @@ from smsl_studio.picture.curves import (
     Between,
     LineStyle,
     around,
+    breadth,
     in_row,
-    is_clear,
     shapes_of,
     strands_of,
 )
+from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
+from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 from smsl_studio.picture.strands import Strand
 
-MOST_AROUND = 60
-"""The largest number of pairs of states whose lines lead around nodes. In a denser picture it would
-not help.
-"""
 MOST_AT_ONCE = 20
 """If two states of a large picture share more edges than this, each edge is routed when it is
 needed.
@@ -58,6 +56,7 @@ class Geometry:
         former: Routing | None = None,
     ) -> None:
         self.picture, self.boxes, self.style = picture, boxes, style
+        self._obstacles = Obstacles(boxes)
         self._drawn = drawn
         self._label_size = label_size
         self._shapes: dict[int, EdgeShape] = {}
@@ -124,6 +123,7 @@ class Geometry:
         if self._work is not None:
             self._work.clear.clear()
         for state in states:
+            self._obstacles.moved(state)
             self._box.pop(state, None)
             concerned.update(dict.fromkeys(self.picture.edges_of(state)))
         for edge in concerned:
@@ -212,34 +212,37 @@ class Geometry:
     def _plan_pair(self, pair: Between, only: int | None) -> None:
         source, target = self.box(pair.a), self.box(pair.b)
         outward = self._outward(pair.a, pair.b)
-        work = self._work
-        if work is None:
+        work, former = self._work, self._former
+        held = former.pair(pair, source, target) if former is not None else None
+        if held is not None:
+            shapes, reach = held
+            self._keep(shapes)
+        elif only is not None or self._clear(pair):
             self._strands |= strands_of(pair, source, target, self.style, outward, only)
             return
-        held = self._former.pair(pair, source, target) if self._former is not None else None
-        if held is not None:
-            shapes, leads_around = held
-            self._keep(shapes)
-        elif leads_around := len(work.bent) < MOST_AROUND and not self._clear(pair, work):
-            self._keep(around(pair, source, target, self.style, self.boxes, outward))
         else:
-            self._strands |= strands_of(pair, source, target, self.style, outward)
-        if leads_around:
-            work.bent.add((pair.a, pair.b))
+            shapes, reach = around(pair, source, target, self.style, self._obstacles, outward)
+            self._keep(shapes)
+        if work is not None and reach is not None:
+            work.bent[pair.a, pair.b] = reach
 
-    def _clear(self, pair: Between, work: Routing) -> bool:
-        """Return whether the straight line between two states of a small picture meets no other
-        node.
+    def _clear(self, pair: Between) -> bool:
+        """Return whether all lines between two states are clear of other nodes without a detour, or
+        need not be, because the picture is very large.
         """
-        ends = (pair.a, pair.b)
-        found = work.clear.get(ends)
+        if not self.picture.careful:
+            return True
+        ends, clear = (pair.a, pair.b), self._work.clear if self._work is not None else {}
+        found = clear.get(ends)
         if found is None:
             source, target = self.box(pair.a), self.box(pair.b)
             if self._former is not None:
                 found = self._former.clear(pair, source, target)
             if found is None:
-                found = is_clear(source, target, self.boxes, ends, 6.0 * self.style.unit)
-            work.clear[ends] = found
+                line = np.array([[source.x, source.y], [target.x, target.y]])
+                gap = GAP * self.style.unit + breadth(pair, source, target, self.style)
+                found = not len(self._obstacles.met(line, gap, ends))
+            clear[ends] = found
         return found
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
@@ -255,16 +258,10 @@ class Geometry:
     def _route_small(self, former: Routing | None) -> None:
         drawn = dict(self._drawn)
         work = self._work = Routing(self.picture, self.boxes, self._middle, self.style, drawn)
-        if former is not None and len(former.bent) < MOST_AROUND:
+        if former is not None:
             held = FormerLines(former, work)
             self._former = held if held.fits else None
         self._route_all(work)
-        if self._former is not None and len(work.bent) >= MOST_AROUND:
-            # With so many lines around nodes, it depends on their order which ones get one. So all
-            # are routed anew.
-            self._shapes, self._labels = {}, {}
-            self._route_small(None)
-            return
         self._former = None
         self.routing = replace(
             work,
@@ -273,7 +270,7 @@ class Geometry:
             labels=dict(self._labels),
             sizes=dict(work.sizes),
             clear=dict(work.clear),
-            bent=set(work.bent),
+            bent=dict(work.bent),
         )
 
     def _route_all(self, work: Routing) -> None:
@@ -288,16 +285,16 @@ class Geometry:
                 self._shapes[edge] = by_hand
             elif a == b:
                 looping[a] = None
-            elif (
-                b >= 0
-                and in_row(self.box(a), self.box(b))
-                and not self._clear(self._pair(a, b), work)
-            ):
+            elif b >= 0 and in_row(self.box(a), self.box(b)) and not self._clear(self._pair(a, b)):
                 passing.append(Passing(edge, a, b))
             else:
                 self._plan(edge)
         boxes = [self.box(i) for i in range(len(self.picture))]
-        self._shapes |= in_lanes(passing, boxes, self._middle, self.style.unit)
+        lanes = in_lanes(passing, boxes, self._middle, self.style.unit)
+        for edge, lane in lanes.items():
+            ends = int(self.picture.source[edge]), int(self.picture.target[edge])
+            if all(self._obstacles.keep_clear([lane.points], GAP * self.style.unit, ends)):
+                self._shapes[edge] = lane
         for one in passing:
             if one.edge not in self._shapes and one.edge not in self._strands:
                 self._plan(one.edge)
@@ -321,7 +318,7 @@ class Geometry:
     def _label_order(self, edge: int) -> tuple[int, float, int]:
         """Return the sort key of an edge. Labels with the fewest possible places come first."""
         shape = self._shapes[edge]
-        ways = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "stub": 3, "lane": 4}
+        ways = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
         return ways[shape.way], round(shape.length), edge
 
     def _place(self, edge: int) -> None:

@@ -185,9 +185,9 @@ def _candidates(
         if beside:
             found.append((cost, partial(_beside, shape, along, size, unit)))
         found.append((cost + (1.5 if beside else 0.0), partial(on_line, along)))
-        if shape.way in ("curve", "bent"):
+        if shape.way in ("curve", "bent", "detour"):
             found.append((cost + 2.2, partial(outside, shape, along, size, unit)))
-    if shape.way in ("line", "curve", "bent"):
+    if shape.way in ("line", "curve", "bent", "detour"):
         # A label that hardly fits stands in the middle of the line without its arrowhead.
         found.append((0.3, partial(on_line, (shape.length - 8.0 * unit) / 2)))
     found.sort(key=lambda candidate: candidate[0])

@@ -15,7 +15,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
-from smsl_studio.picture.crowd import MOST_CAREFUL
+from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
 from smsl_studio.picture.sub_marks import sub_mark
@@ -88,8 +88,13 @@ class Picture:
         return len(self.names)
 
     @property
+    def careful(self) -> bool:
+        """Whether lines lead around nodes."""
+        return len(self.operations) <= MOST_LED and self.crowd <= MOST_CAREFUL
+
+    @property
     def small(self) -> bool:
-        """Whether lines are checked against all nodes, and labels against all lines."""
+        """Whether all lines are made at once, and labels avoid them."""
         alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
         return alone and self.crowd <= MOST_CAREFUL
 

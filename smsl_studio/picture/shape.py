@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
+_HALVINGS = 24
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,9 +20,9 @@ class EdgeShape:
     """The line of an edge, from the border of its source to the tip of its arrowhead.
 
     ``points`` is an (n, 2) array, n >= 2 (scene units). ``way`` is its kind: ``line``, ``curve``,
-    ``lane``, ``loop``, ``stub``, or ``bent`` (by hand). ``side`` is where the label of a steep line
-    may stand: -1 left of the line's direction, 1 right of it, 0 on it. ``out`` is the side away
-    from parallel lines: 1 right, -1 left.
+    ``lane``, ``detour``, ``loop``, ``stub``, or ``bent`` (by hand). ``side`` is where the label of
+    a steep line may stand: -1 left of the line's direction, 1 right of it, 0 on it. ``out`` is the
+    side away from parallel lines: 1 right, -1 left.
     """
 
     points: Floats
@@ -132,6 +134,13 @@ class NodeBox:
     h: float
     radius: float = 8.0
 
+    def depth_at(self, x: float, y: float) -> float:
+        """Return the distance of a point from the rounded border, negative inside."""
+        dx = abs(x - self.x) - (self.w - self.radius)
+        dy = abs(y - self.y) - (self.h - self.radius)
+        outside = math.hypot(max(dx, 0.0), max(dy, 0.0))
+        return outside + min(max(dx, dy), 0.0) - self.radius
+
     def depth(self, points: Floats) -> Floats:
         """Return the distance of each point from the rounded border, negative inside."""
         dx = np.abs(points[:, 0] - self.x) - (self.w - self.radius)
@@ -139,6 +148,19 @@ class NodeBox:
         outside = np.hypot(np.maximum(dx, 0.0), np.maximum(dy, 0.0))
         depth: Floats = outside + np.minimum(np.maximum(dx, dy), 0.0) - self.radius
         return depth
+
+
+def border(box: NodeBox, inside: Point, outside: Point, gap: float) -> Point:
+    """Return where the straight way out of a node has a gap to its border."""
+    (ax, ay), (bx, by) = inside, outside
+    low, high = 0.0, 1.0
+    for _ in range(_HALVINGS):
+        share = (low + high) / 2
+        if box.depth_at(ax + (bx - ax) * share, ay + (by - ay) * share) <= gap:
+            low = share
+        else:
+            high = share
+    return ax + (bx - ax) * high, ay + (by - ay) * high
 
 
 def rounded(corners: list[Point], radius: float) -> Floats:

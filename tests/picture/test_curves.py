@@ -15,13 +15,13 @@ from smsl_studio.picture.curves import (
     Between,
     LineStyle,
     around,
-    is_clear,
     meets,
     shapes_of,
     strands_of,
 )
 from smsl_studio.picture.lanes import FIRST, STEP, Passing, in_lanes
 from smsl_studio.picture.loops import CORNERS, arc, corner_of, label_boxes
+from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.shape import EdgeShape, NodeBox, rounded
 
 FULL = LineStyle()
@@ -104,8 +104,8 @@ def test_lines_start_and_end_at_the_borders(
 def test_a_way_around_a_node_meets_none() -> None:
     a, b, between = box(0, 0), box(400, 200), box(200, 100)
     boxes = rows(a, b, between)
-    assert not is_clear(a, b, boxes, (0, 1), 6.0)
-    shapes = around(Between(0, 1, (0,), (1,)), a, b, FULL, boxes, OUT)
+    assert meets(np.array([[0.0, 0.0], [400.0, 200.0]]), boxes, (0, 1), 6.0)
+    shapes = around(Between(0, 1, (0,), (1,)), a, b, FULL, Obstacles(boxes), OUT).shapes
     for shape in shapes.values():
         assert not meets(shape.points, boxes, (0, 1), 0.0)
 

@@ -1,0 +1,225 @@
+"""Detours: lines around the nodes that stand between two others. Pure geometry.
+
+A detour is the shortest way. It depends only on its two nodes and on those that lie no farther away
+than the way itself leads, so an edit elsewhere does not change it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from smsl_studio.picture.obstacles import FEW, Ints, Obstacles, pieces_hit
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, border, rounded
+from smsl_studio.picture.strands import START_GAP, TIP_GAP
+
+GAP = 8.0
+"""The distance (pixels of a mark) that lines keep from nodes, if there is a way."""
+_TRIED = (
+    (1.0, 18.0, 1.0), (1.0, 18.0, 0.0), (1.0, 7.0, 0.0),
+    (0.5, 5.0, 0.0), (0.2, 3.0, 0.0), (0.05, 1.0, 0.0),
+)  # fmt: skip
+"""The ways that are tried in turn: the share of ``GAP``, the most between parallel lines, and the
+share of the room that keeps detours off each other. The last ones are for nodes that stand very
+close.
+"""
+_SPARE = 2.0
+"""Rounded corners need so much more room than the gap."""
+_APART = 6.0
+"""Detours around the same node differ by multiples of this, so that few lie on each other."""
+_RADII = (40.0, 22.0, 10.0, 5.0, 1.0)
+MOST_PASSED = 28
+"""With more nodes than this in the way, there is no detour."""
+MOST_PASSED_OF_MANY = 4
+"""The same among very many nodes (see ``obstacles.FEW``)."""
+_TIE = 1e-6
+_BESIDE = 90.0
+"""No line lies farther (pixels of a mark) beside the way that it follows."""
+Rect = tuple[float, float, float, float]
+
+
+class Detours(NamedTuple):
+    """Lines around nodes, by edge, and the rectangle outside which no node changes them."""
+
+    shapes: dict[int, EdgeShape]
+    reach: Rect
+
+
+def detours(
+    ends: tuple[NodeBox, NodeBox],
+    offsets: Mapping[int, tuple[bool, float]],
+    obstacles: Obstacles,
+    skip: Sequence[int],
+    unit: float,
+) -> Detours:
+    """Return lines side by side around all nodes between two others, no lines if there is no way.
+
+    ``offsets`` has for each edge whether it leads from the first node to the second, and its
+    distance to the right of the middle of the lines, seen from the first node. ``skip`` has the
+    numbers of the two nodes.
+    """
+    first, second = ends
+    start, end = (first.x, first.y), (second.x, second.y)
+    widest = max(abs(offset) for _, offset in offsets.values())
+    room = min(first.w, first.h, second.w, second.h) - 4.0 * unit
+    apart = _APART * unit * (round(sum((*start, *end))) % 3)
+    longest = 0.0
+    for share, pitch, more in _TRIED:
+        gap = share * GAP * unit
+        narrow = min(1.0, room / widest, pitch / 18.0) if widest else 1.0
+        wanted = gap + narrow * widest + _SPARE * share * unit + more * apart
+        way = shortest_way(start, end, obstacles, wanted, skip)
+        longest = max(longest, length_of(way) if way else math.inf)
+        if way is None:
+            continue
+        if not way:
+            break
+        shapes = {}
+        for edge, (there, offset) in offsets.items():
+            line = _beside(way, offset * narrow)
+            pair = (first, second) if there else (second, first)
+            shape = _shape(line if there else line[::-1], pair, obstacles, skip, gap, unit)
+            if shape is None:
+                break
+            shapes[edge] = shape
+        else:
+            return Detours(shapes, reach_of(start, end, longest, unit))
+    return Detours({}, reach_of(start, end, math.inf, unit))
+
+
+def length_of(way: Sequence[Point]) -> float:
+    """Return the length of a way through points."""
+    return sum(math.dist(a, b) for a, b in pairwise(way))
+
+
+def shortest_way(
+    start: Point, end: Point, obstacles: Obstacles, gap: float, skip: Sequence[int] = ()
+) -> list[Point] | None:
+    """Return the corners of the shortest way between two points that keeps a gap from nodes, with
+    both points. None if there is none, and no corners if too many nodes are in the way.
+    """
+    passed: Ints = np.zeros(0, dtype=np.intp)
+    while len(passed) <= most_passed(obstacles):
+        way = _shortest(start, end, obstacles.boxes[passed], gap)
+        if way is None:
+            return None
+        # With only the nodes that were met so far the way is too short, or right.
+        met = [obstacles.met(np.array(piece), gap - 1e-6, skip) for piece in pairwise(way)]
+        hit = np.setdiff1d(np.concatenate(met), passed)
+        if not len(hit):
+            return way
+        passed = np.union1d(passed, hit)
+    return []
+
+
+def most_passed(obstacles: Obstacles) -> int:
+    """Return how many nodes a detour may pass."""
+    return MOST_PASSED if len(obstacles.boxes) <= FEW else MOST_PASSED_OF_MANY
+
+
+def _shortest(start: Point, end: Point, boxes: Floats, gap: float) -> list[Point] | None:
+    """Return the shortest way around these boxes alone, through their corners."""
+    signs = np.array([(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)])
+    corners = boxes[:, None, :2] + (boxes[:, None, 2:] + gap) * signs
+    points = np.vstack([[start, end], corners.reshape(-1, 2)])
+    off = np.abs(points[:, None] - boxes[None, :, :2]) - boxes[None, :, 2:] - gap
+    free = ~(off.max(axis=2, initial=-np.inf) < -1e-6).any(axis=1)
+    if not free[:2].all():
+        return None
+    points = points[free]
+    count = len(points)
+    a, b = np.triu_indices(count, 1)
+    seen = ~pieces_hit(points[a], points[b], boxes, gap - 1e-6).any(axis=1)
+    apart = np.full((count, count), np.inf)
+    apart[a[seen], b[seen]] = np.hypot(*(points[b[seen]] - points[a[seen]]).T)
+    apart = np.minimum(apart, apart.T)
+    return _through(points, apart)
+
+
+def _through(points: Floats, apart: Floats) -> list[Point] | None:
+    """Return the shortest way from point 0 to point 1. Of equal ways it is that of the first
+    points.
+    """
+    length, before = np.full(len(points), np.inf), np.zeros(len(points), dtype=np.intp)
+    length[0], open_ = 0.0, np.ones(len(points), dtype=bool)
+    while open_[1]:
+        at = int(np.where(open_, length, np.inf).argmin())
+        if not open_[at] or not np.isfinite(length[at]):
+            return None
+        open_[at] = False
+        longer = length[at] + apart[at]
+        better = longer < length - _TIE
+        length[better], before[better] = longer[better], at
+    way = [1]
+    while way[-1]:
+        way.append(int(before[way[-1]]))
+    return [(float(x), float(y)) for x, y in points[way[::-1]]]
+
+
+def _beside(way: Sequence[Point], offset: float) -> Floats:
+    """Return the line that runs beside a way, to its right (y down). It keeps its distance at
+    corners too, except outside very sharp ones.
+    """
+    points = np.array(way)
+    step = points[1:] - points[:-1]
+    across = np.column_stack([-step[:, 1], step[:, 0]]) / np.hypot(*step.T)[:, None]
+    middle = across[:-1] + across[1:]
+    size = np.maximum((middle**2).sum(axis=1), 0.5)
+    return points + offset * np.vstack([across[:1], 2.0 * middle / size[:, None], across[-1:]])
+
+
+def _shape(
+    line: Floats,
+    ends: tuple[NodeBox, NodeBox],
+    obstacles: Obstacles,
+    skip: Sequence[int],
+    gap: float,
+    unit: float,
+) -> EdgeShape | None:
+    """Return the line between the borders of its nodes, with corners as round as there is room."""
+    corners = _cut([(float(x), float(y)) for x, y in line], *ends, unit)
+    if corners is None:
+        return None
+    lines = [rounded(corners, radius * unit) for radius in _RADII]
+    for points, clear in zip(lines, obstacles.keep_clear(lines, gap, skip), strict=True):
+        if clear:
+            return EdgeShape(points, "detour", 0, _out(corners))
+    return None
+
+
+def _cut(line: list[Point], source: NodeBox, target: NodeBox, unit: float) -> list[Point] | None:
+    """Return the part of a line between two nodes, None if it begins or ends outside them."""
+    start, end = START_GAP * unit, TIP_GAP * unit
+    inside = source.depth(np.array(line)) <= start
+    arrived = target.depth(np.array(line)) <= end
+    if not (inside[0] and arrived[-1]):
+        return None
+    first = int(np.nonzero(~inside)[0][0]) if not inside.all() else len(line)
+    last = int(np.nonzero(~arrived)[0][-1]) if not arrived.all() else -1
+    if last < first - 1 or first == len(line):
+        return None
+    head = border(source, line[first - 1], line[first], start)
+    tail = border(target, line[last + 1], line[last], end)
+    return [head, *line[first : last + 1], tail]
+
+
+def _out(corners: Sequence[Point]) -> int:
+    """Return the outer side of a line's bend: 1 right, -1 left."""
+    (ax, ay), (bx, by) = corners[0], corners[-1]
+    turn = sum((bx - ax) * (y - ay) - (by - ay) * (x - ax) for x, y in corners[1:-1])
+    return 1 if turn >= 0.0 else -1
+
+
+def reach_of(start: Point, end: Point, longest: float, unit: float) -> Rect:
+    """Return the rectangle (left, top, right, bottom) that holds all ways between two points that
+    are not longer than ``longest``, with their lines and gaps.
+    """
+    direct = math.dist(start, end)
+    across = math.sqrt(max(longest**2 - direct**2, 0.0)) / 2
+    aside = across + max(longest - direct, 0.0) / 2 + _BESIDE * unit
+    (ax, ay), (bx, by) = start, end
+    return min(ax, bx) - aside, min(ay, by) - aside, max(ax, bx) + aside, max(ay, by) + aside
