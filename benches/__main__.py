@@ -44,6 +44,7 @@ BENCHES = (
     "bombs",
     "sequences",
     "walks",
+    "layouts",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
