@@ -18,13 +18,19 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--sb", action="append", metavar="SB", help="only this State Branch; may be repeated"
     )
+    parser.add_argument(
+        "--map",
+        action="store_true",
+        help="the whole file: all State Branches as cards, and which fact leads to which sub-SB",
+    )
     parser.add_argument("--theme", choices=THEMES, default="light", help="light (default) or dark")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Draw the chosen SBs into a file. UsageError if there is no SB to draw."""
+    """Draw the chosen SBs, or the map of all, into a file. UsageError if there is no SB."""
     picture_form(options.output)
     blueprint = read_argument(options.file)
-    picture = drawn(blueprint, options.output, options.sb or (), options.theme)
+    chosen = options.sb or ()
+    picture = drawn(blueprint, options.output, chosen, options.theme, options.map)
     save_document(picture, options.output, made_of=inputs_of(blueprint))
     return 0

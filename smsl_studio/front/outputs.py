@@ -145,11 +145,16 @@ def tidy(document: Document) -> Document:
 
 
 def render(
-    blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
+    blueprint: Blueprint,
+    output: Name,
+    branches: Collection[str] = (),
+    theme: str = "light",
+    overview: bool = False,
 ) -> None:
     """Draw State Branches into an ``.svg``, ``.png`` or ``.pdf`` file. No display is needed.
 
-    ``branches`` are the names of the SBs; empty means all. ``theme`` is ``light`` or ``dark``.
+    ``branches`` are the names of the SBs; empty means all. ``theme`` is ``light`` or ``dark``. With
+    ``overview`` the picture is the map of all SBs, and ``branches`` must be empty.
     UsageError for another suffix or theme, or if there is no SB. AddressError for an unknown SB.
     SaveError if the file cannot be written.
 
@@ -157,21 +162,23 @@ def render(
     >>> Path("hfsm.svg").read_text("utf-8")[:4]
     '<svg'
     """
-    picture = drawn(blueprint, output, branches, theme)
+    picture = drawn(blueprint, output, branches, theme, overview)
     save_document(picture, output, made_of=_files(blueprint))
 
 
 def drawn(
-    blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
+    blueprint: Blueprint,
+    output: Name,
+    branches: Collection[str] = (),
+    theme: str = "light",
+    overview: bool = False,
 ) -> bytes:
     """Return the bytes that ``render`` writes. It raises the same errors, except SaveError."""
-    from smsl_studio.picture.colours import DARK, LIGHT
-
     picture_form(output)
-    if theme not in THEMES:
-        raise UsageError(f"there is no theme {theme!r}", advice=did_you_mean(theme, THEMES))
-    colours = DARK if theme == "dark" else LIGHT
-    panels = panels_of(blueprint, branches, colours)
+    if overview and branches:
+        raise UsageError("the map shows all State Branches", advice="Leave --sb or --map out.")
+    colours = colours_of(theme)
+    panels = map_panels(blueprint, colours) if overview else panels_of(blueprint, branches, colours)
     return picture_of(panels, title_of(blueprint), output, colours)
 
 
@@ -179,12 +186,33 @@ def panels_of(blueprint: Blueprint, branches: Collection[str], colours: Colours)
     """Return the panels of SBs, of all if none is named. UsageError if there is no SB."""
     from smsl_studio.picture.svg import draw_blueprint
 
+    _must_have_branches(blueprint)
     chosen = [blueprint[name].name for name in branches or blueprint.branches]
-    if not chosen:
+    return draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
+
+
+def map_panels(blueprint: Blueprint, colours: Colours) -> list[SvgPanel]:
+    """Return the map of all SBs as the only panel. UsageError if there is no SB."""
+    from smsl_studio.picture.branch_map_svg import map_panel
+
+    _must_have_branches(blueprint)
+    return [map_panel(blueprint, colours)]
+
+
+def colours_of(theme: str) -> Colours:
+    """Return the colours of a theme. UsageError if there is none of this name."""
+    from smsl_studio.picture.colours import DARK, LIGHT
+
+    if theme not in THEMES:
+        raise UsageError(f"there is no theme {theme!r}", advice=did_you_mean(theme, THEMES))
+    return DARK if theme == "dark" else LIGHT
+
+
+def _must_have_branches(blueprint: Blueprint) -> None:
+    if not blueprint.branches:
         raise UsageError(
             f"{blueprint.file} has no State Branch to draw", advice="Name another file."
         )
-    return draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
 
 
 def title_of(blueprint: Blueprint) -> str:

@@ -46,7 +46,13 @@ def miniature_of(blueprint: Blueprint) -> Miniature | None:
     None if there are no states, or more than ``MOST_STATES`` in it.
     """
     branch = max(blueprint, key=lambda one: len(one.table), default=None)
-    if branch is None or not 0 < len(branch.table) <= MOST_STATES:
+    return miniature_of_branch(blueprint, branch.name) if branch is not None else None
+
+
+def miniature_of_branch(blueprint: Blueprint, name: str) -> Miniature | None:
+    """Return the miniature of one SB. None if it has no states, or more than ``MOST_STATES``."""
+    branch = blueprint[name]
+    if not 0 < len(branch.table) <= MOST_STATES:
         return None
     at, picture = place_states(branch), Picture(blueprint, branch.name)
     places = np.array([at[state] for state in picture.names], dtype=np.float64)

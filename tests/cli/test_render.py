@@ -85,3 +85,20 @@ def test_diff_draws_both_sides(shell: Shell, tmp_path: Path) -> None:
     assert ">before<" in svg
     assert ">after<" in svg
     assert shell("diff", sample("hanoi"), sample("hanoi"), "-o", "out.txt").status == 2
+
+
+@pytest.mark.parametrize("form", BEGIN)
+def test_the_map_of_branches_is_written(form: str, shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / f"map.{form}"
+    answer = shell("render", sample("three-levels"), "--map", "-o", str(out), "--theme", "dark")
+    assert (answer.status, answer.out, answer.err) == (0, "", "")
+    assert out.read_bytes().startswith(BEGIN[form])
+
+
+def test_the_map_shows_all_branches_or_is_refused(shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / "map.svg"
+    assert shell("render", sample("three-levels"), "--map", "-o", str(out)).status == 0
+    assert all(f">{name}<" in out.read_text("utf-8") for name in ("SURGERY", "DIGITIZATION"))
+    one = shell("render", sample("hfsm"), "--map", "--sb", "SB2", "-o", str(out))
+    assert (one.status, "the map shows all State Branches" in one.err) == (2, True)
+    assert shell("render", sample("hfsm"), "--map", "-o", str(tmp_path / "map.gif")).status == 2

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
+from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
 from smsl_studio.studio.features.help.feature import HelpFeature
@@ -57,6 +58,7 @@ class Features(QObject):
         self.draw = DrawFeature(parts, shell)
         self.draw.notes.author = windows.persons.author
         self.export = ExportFeature(parts, shell, self.draw.canvas)
+        self.branch_map = BranchMapFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.tour = TourFeature(parts, shell, self.help.show_first)
@@ -73,7 +75,7 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.start, self.export, self.run, self.supervise)
+        yield from (self.draw, self.branch_map, self.start, self.export, self.run, self.supervise)
         yield from (self.people, self.monitor, self.replay, self.tour, self.help)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:

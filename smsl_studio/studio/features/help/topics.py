@@ -59,6 +59,7 @@ PARTS = {
     "ModeBar": _window("layout"),
     "CompareDialog": _window("comparing"),
     "RevisionDialog": _window("comparing"),
+    "MapWindow": _window("map-of-branches"),
     "PictureDialog": _window("pictures-diagrams-paper"),
     "MonitorPage": HelpPlace("monitoring.md", "the-monitor-page"),
     "PersonsDialog": _window("people", "Who answers"),

@@ -10,8 +10,9 @@ from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.paint.miniature_paint import paint_miniature
 from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens
-from smsl_studio.studio.features.start.thumbnails import UNKNOWN, FileLook, paint_miniature
+from smsl_studio.studio.features.start.thumbnails import UNKNOWN, FileLook
 from smsl_studio.studio.features.start.tile import Tile
 
 HIGH, PITCH = 79, 87

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.picture.miniature import Miniature
 from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.base.paint import batch
+from smsl_studio.studio.base.paint.miniature_paint import paint_miniature
 from smsl_studio.studio.base.theme import RADIUS_CARD, Tokens
-from smsl_studio.studio.features.start.thumbnails import paint_miniature
 from smsl_studio.studio.features.start.tile import Tile
 
 WIDE, HIGH, PICTURE = 216, 164, 88
