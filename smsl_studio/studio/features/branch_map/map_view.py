@@ -32,7 +32,7 @@ EDGE, SIDE = 24, 12
 """Free room around the map, and at the sides of a card (pixels)."""
 
 
-class CardButton(QAbstractButton):
+class BranchCard(QAbstractButton):
     """One SB. Its small drawing is computed when it is painted for the first time."""
 
     entered = Signal()
@@ -129,7 +129,7 @@ class MapView(QWidget):
         super().__init__()
         self.tokens = tokens
         self.setAccessibleName("Map of branches")
-        self.cards: dict[str, CardButton] = {}
+        self.cards: dict[str, BranchCard] = {}
         self._map: BranchMap | None = None
 
     def show_map(self, blueprint: Blueprint, drawn: BranchMap, current: str) -> None:
@@ -140,7 +140,7 @@ class MapView(QWidget):
             button.deleteLater()
         self._map = drawn
         self.cards = {
-            name: CardButton(self, blueprint, card, self.tokens)
+            name: BranchCard(self, blueprint, card, self.tokens)
             for name, card in drawn.cards.items()
         }
         for name, button in self.cards.items():
