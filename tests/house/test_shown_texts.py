@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 STUDIO = Path(__file__).parents[2] / "smsl_studio" / "studio"
@@ -73,3 +74,18 @@ def test_labels_message_boxes_and_markup_stand_in_one_place_each() -> None:
             )
         }
         assert found <= files, name
+
+
+def test_a_fact_is_counted_from_1_and_a_digit_from_0() -> None:
+    """One sentence said "fact 0" and another "Fact 1" of the same fact."""
+    wrong = [
+        f"{file}:{text.lineno}"
+        for file, tree in TREES.items()
+        for text in ast.walk(tree)
+        if isinstance(text, ast.JoinedStr)
+        for before, value in pairwise(text.values)
+        if isinstance(before, ast.Constant) and isinstance(value, ast.FormattedValue)
+        if str(before.value).casefold().endswith("fact ")
+        if ast.unparse(value.value).rpartition(".")[2].lstrip("_") == "digit"
+    ]
+    assert wrong == []

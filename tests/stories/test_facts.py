@@ -70,7 +70,7 @@ def test_a_click_on_a_cell_edits_it_as_one_step(sit: Sit) -> None:
     assert len(person.steps()) == 5
     line = facts(person).view.facts.lines[0]
     assert line.words == (
-        "Fact 0, Plan ready, 0, 1 planned, read by probe, camera, maximum age 0.5 s, unit mm"
+        "Digit 0, Plan ready, 0, 1 planned, read by probe, camera, maximum age 0.5 s, unit mm"
     )
     for _ in range(5):
         person.ctrl(Key.Key_Z)
@@ -166,7 +166,7 @@ def test_adding_a_fact_first_says_how_many_states_change(sit: Sit) -> None:
     person = sit(REGISTRATION)
     panel, before = facts(person), person.blueprint.document.text
     person.click(panel.add)
-    assert panel.card.words.text() == "Fact 4 is added. 8 states change."
+    assert panel.card.words.text() == "Digit 4 is added. 8 states change."
     assert panel.card.names[0].text() == "State_0000 → State_00000"
     assert panel.card.rest.text() == "and 4 more"
     assert person.blueprint.document.text == before
@@ -201,7 +201,7 @@ def test_a_fact_is_deleted_after_its_effect_was_told(sit: Sit, tmp_path: Path) -
     assert panel.card.names[1].text() == "State_01 → State_1"
     person.press(Key.Key_Return)
     assert list(person.blueprint["A"].table) == ["State_0", "State_1"]
-    assert person.steps() == ["Delete fact 0 of A"]
+    assert person.steps() == ["Delete Fact 1 of A"]
 
 
 def test_a_fact_is_moved_by_keys_and_by_the_pointer_after_its_effect_was_told(sit: Sit) -> None:
@@ -218,7 +218,7 @@ def test_a_fact_is_moved_by_keys_and_by_the_pointer_after_its_effect_was_told(si
     person.until(panel.card.isVisible)
     person.click(panel.card.agree)
     assert person.blueprint.document.text == before
-    assert person.steps()[-1] == "Move fact 0 of SB1 to digit 1"
+    assert person.steps()[-1] == "Move Fact 1 of SB1 to digit 1"
 
 
 def drag_digit(person: Person, digit: int, place: int) -> None:
@@ -280,13 +280,13 @@ def test_thousands_of_states_and_names_of_10_000_characters(sit: Sit, tmp_path: 
     assert "The first 200 of 9,994 facts." in panel.hint.text()
     person.window.session.show_branch("WIDE")
     person.click(panel.add)
-    assert panel.card.words.text() == "Fact 4 is added. 6,561 states change."
+    assert panel.card.words.text() == "Digit 4 is added. 6,561 states change."
     person.press(Key.Key_Escape)
     person.window.session.show_branch("ODD")
     assert panel.first.isVisible()
     person.click(panel.first)
     assert panel.card.words.text() == (
-        "Fact 0 is added. 2 states keep their names; the value stands beside."
+        "Digit 0 is added. 2 states keep their names; the value stands beside."
     )
     person.click(panel.card.agree)
     assert person.blueprint["ODD"].facts("bc") == ("0",)

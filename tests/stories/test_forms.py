@@ -64,7 +64,7 @@ def test_a_fact_is_described_in_its_form(sit: Sit) -> None:
         "on": "0", "critical": True, "sensors": ["tracker", "left, near", "camera"],
         "aggregation": "k_of_n", "k": 2, "max_age": 0.5,
     }  # fmt: skip
-    assert "Set max. age of fact 1 of REGISTRATION to 0.5 s" in person.steps()
+    assert "Set max. age of digit 1 of REGISTRATION to 0.5 s" in person.steps()
     for _ in range(len(person.steps())):
         person.window.session.history.undo()
     assert person.blueprint.document.text == REGISTRATION.read_text()
@@ -116,7 +116,7 @@ def test_a_fact_of_a_selected_state_is_clicked_on_the_canvas(sit: Sit) -> None:
     person.choose_in_menu("What Fact 3 means…")
     form = person.window.properties.fact
     assert form.isVisible()
-    assert form.who() == "fact 2 of SB1"
+    assert form.who() == "digit 2 of SB1"
 
 
 def test_a_value_of_a_wrong_kind_is_reported_and_kept(sit: Sit, tmp_path: Path) -> None:

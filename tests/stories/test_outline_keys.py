@@ -41,12 +41,12 @@ def test_f2_on_a_fact_edits_its_name_in_place(sit: Sit, branch: str) -> None:
     person.press(Key.Key_F2)
     field = editor(person)
     assert field is not None
-    assert field.accessibleName() == "Name of fact 0"
+    assert field.accessibleName() == "Name of digit 0"
     person.type("Speed")
     person.press(Key.Key_Return)
     person.until(lambda: "Speed" in texts(tree))
     assert session.blueprint[branch].fact_name(0) == "Speed"
-    assert person.steps() == ["Name fact 0 “Speed”"]
+    assert person.steps() == ["Name digit 0 “Speed”"]
     assert session.fact == (branch, 0)
     assert person.window.properties.fact.name.text() == "Speed"
     # The name that stands there without being written is not written either.

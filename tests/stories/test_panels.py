@@ -90,7 +90,7 @@ def test_a_sub_sb_is_detached_and_attached_in_the_header_form(sit: Sit) -> None:
     assert "on exactly while SB2 stands in its activating state, State1" in header.sentence.text()
     person.choose(header.facts[0].sub, "New")
     assert person.blueprint["SB1"].subs == {0: "SB3", 1: "SB2"}
-    assert person.steps()[-1] == "Attach SB3 to fact 0 of SB1"
+    assert person.steps()[-1] == "Attach SB3 to digit 0 of SB1"
     person.ctrl(Key.Key_Z)
     assert "SB3" not in person.blueprint.branches
     person.choose(header.facts[1].sub, "None")

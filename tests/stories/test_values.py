@@ -96,7 +96,7 @@ def test_a_value_is_renamed_after_its_effect_was_told(door: Person) -> None:
     note = shown.fact_note(0)
     assert note is not None
     assert dict(note.values) == {"s": "shut", "1": "open"}
-    assert door.steps() == ["Rename value 0 of fact 0 to s"]
+    assert door.steps() == ["Rename value 0 of Door to s"]
     door.ctrl(Key.Key_Z)
     assert door.blueprint.document.text == before
 
@@ -141,7 +141,7 @@ def test_a_click_on_a_chip_of_a_selected_state_gives_it_another_value(door: Pers
     assert list(door.blueprint["SB1"].table) == ["State_0a", "State_1a", "State_0b"]
     assert door.blueprint["SB1"].table["State_1a"]["go"] == "State_0b"
     assert door.selected() == ["SB1/State_0b"]
-    assert door.steps() == ["Set fact 0 of State_1b to 0"]
+    assert door.steps() == ["Set digit 0 of State_1b to 0"]
     door.ctrl(Key.Key_Z)
     assert door.blueprint.document.text == before
 
@@ -224,7 +224,7 @@ def test_several_states_show_what_they_share_and_change_together(door: Person) -
     QTest.keyClicks(field.field, "2")
     QTest.keyClick(field.field, Key.Key_Return)
     assert list(door.blueprint["SB1"].table) == ["State_0a", "State_2a", "State_2b"]
-    assert door.steps() == ["Set fact 0 of 2 states to 2"]
+    assert door.steps() == ["Set digit 0 of 2 states to 2"]
     assert door.selected() == ["SB1/State_2a", "SB1/State_2b"]
     door.ctrl(Key.Key_Z)
     assert door.blueprint.document.text == before

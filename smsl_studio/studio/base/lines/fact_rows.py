@@ -167,7 +167,7 @@ class FactRows(QWidget):
             return
         branch, digit = self._blueprint[fact[0]], fact[1]
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-        one.fact.setToolTip(tip_text(f"{branch.fact_name(digit)}, fact {digit} of {branch.name}"))
+        one.fact.setToolTip(tip_text(f"{branch.fact_name(digit)}, digit {digit} of {branch.name}"))
         one.value.setToolTip(tip_text(f"{branch.fact_name(digit)} takes {', '.join(values[:24])}"))
         completer = QCompleter(list(values[:64]), one.value)
         completer.setCompletionMode(QCompleter.CompletionMode.UnfilteredPopupCompletion)

@@ -104,7 +104,7 @@ class DrawVerbs:
                 blueprint = editing.add_branch(blueprint, name)
             return editing.attach_sub(blueprint, base, digit, name)
 
-        self._edit(f"Attach {name} to fact {digit} of {base}", change)
+        self._edit(f"Attach {name} to digit {digit} of {base}", change)
 
     def rename(self) -> None:
         """Edit the name of the selected element on the canvas."""

@@ -143,7 +143,7 @@ class ValueMenu(QObject):
         """The words and the edit that give the selected states a value."""
         branch, states = self._session.branch, self._states()
         who = states[0] if len(states) == 1 else counted(len(states), "state")
-        return (f"Set fact {digit} of {who} to {value}",
+        return (f"Set digit {digit} of {who} to {value}",
                 lambda bp: editing.set_value(bp, branch, states, digit, value))  # fmt: skip
 
     def _ask(self, digit: int) -> None:

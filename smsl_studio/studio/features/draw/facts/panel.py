@@ -221,7 +221,7 @@ class Facts(Panel):
         if branch is None:
             return
         note = branch.fact_note(digit) or PLAIN
-        what = f"fact {digit}"
+        what = f"digit {digit}"
         if kind == "name":
             self._session.edit(*fact_name_step(branch.name, digit, text))
         elif kind == "meaning":
@@ -265,15 +265,15 @@ class Facts(Panel):
         elif kind == "sub":
             self._session.show_branch(branch.subs.get(digit, ""))
         elif kind == "critical":
-            words = f"Let fact {digit} be critical" if not note.critical else (
-                f"Let fact {digit} be not critical")  # fmt: skip
+            words = f"Let digit {digit} be critical" if not note.critical else (
+                f"Let digit {digit} be not critical")  # fmt: skip
             self._write(digit, {"critical": None if note.critical else True}, words)
         else:
             self._open_value_menu(branch, digit, value, at)
 
     def _open_value_menu(self, branch: StateBranch, digit: int, value: str, at: QPoint) -> None:
         menu = passing_menu(self.window())
-        menu.setAccessibleName(plain_text(f"Value {value} of fact {digit}"))
+        menu.setAccessibleName(plain_text(f"Value {value} of digit {digit}"))
         note, on = branch.fact_note(digit) or PLAIN, branch.on_value(digit) == value
         default = branch.default_on_value(digit) == value
         chosen = None if note.on == value or default else value
@@ -288,7 +288,7 @@ class Facts(Panel):
             entry.setChecked(checked)
             entry.triggered.connect(
                 lambda _, change=change, step=step: self._write(
-                    digit, change, f"Set what {step} in fact {digit}"
+                    digit, change, f"Set what {step} in digit {digit}"
                 )
             )
         menu.addSeparator()
@@ -312,7 +312,7 @@ class Facts(Panel):
             return
         name, last = branch.fact_name(digit), count_of(branch) - 1
         menu = passing_menu(self.window())
-        menu.setAccessibleName(plain_text(f"Fact {digit}"))
+        menu.setAccessibleName(plain_text(f"Digit {digit}"))
         form = menu.addAction(as_it_is(f"Form of {name}"))
         form.triggered.connect(lambda: self.fact_wanted.emit(branch.name, digit))
         critical = menu.addAction("Critical")

@@ -65,9 +65,9 @@ def addition(branch: StateBranch, value: str) -> FactChange:
     digit, name = count_of(branch), branch.name
     order = [*range(digit), NEW]
     made = FactChange(
-        f"Fact {digit} is added.",
+        f"Digit {digit} is added.",
         "Add fact",
-        f"Add fact {digit} to {name}",
+        f"Add a fact to {name} as digit {digit}",
         lambda blueprint: editing.add_fact(blueprint, name, value),
     )
     return _told(made, branch, order, value)
@@ -79,7 +79,7 @@ def deletion(branch: StateBranch, digit: int) -> FactChange:
     made = FactChange(
         f"“{fact}” is taken out of the names.",
         "Delete fact",
-        f"Delete fact {digit} of {name}",
+        f"Delete {fact} of {name}",
         lambda blueprint: editing.delete_fact(blueprint, name, digit),
     )
     return _told(made, branch, [one for one in order if one != digit])
@@ -92,7 +92,7 @@ def move(branch: StateBranch, digit: int, place: int) -> FactChange:
     made = FactChange(
         f"“{fact}” becomes digit {place}.",
         "Move fact",
-        f"Move fact {digit} of {name} to digit {place}",
+        f"Move {fact} of {name} to digit {place}",
         lambda blueprint: editing.move_fact(blueprint, name, digit, place),
     )
     return _told(made, branch, order)
@@ -107,7 +107,7 @@ def renaming(
     made = FactChange(
         f"“{old}” of “{fact}” becomes “{new}”.",
         "Rename",
-        f"Rename value {old} of fact {digit} to {new}",
+        f"Rename value {old} of {fact} to {new}",
         lambda blueprint: editing.rename_value(blueprint, name, digit, old, new),
         warning=_stays(sensors, old, new),
     )

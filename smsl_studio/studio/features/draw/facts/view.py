@@ -27,7 +27,7 @@ from smsl_studio.studio.features.draw.facts.painter import FactPainter, Index
 
 Key, KEYPAD = Qt.Key, Qt.KeyboardModifier.KeypadModifier
 TIPS = {
-    "digit": "Fact {}. Click for its form, drag to move it",
+    "digit": "Digit {}. Click for its form, drag to move it",
     "name": "The plain name of the fact",
     "critical": "Whether people may be harmed if it is wrong",
     "unit": "The unit of its sensors",

@@ -166,5 +166,5 @@ def _operation(part: _BranchLines, at: int) -> Target:
 
 def _fact(part: _BranchLines, digit: int) -> Target:
     branch = part.branch
-    return Target("Fact", branch.fact_name(digit), f"fact {digit} of {branch.name}",
+    return Target("Fact", branch.fact_name(digit), f"digit {digit} of {branch.name}",
                   (branch.name, digit))  # fmt: skip

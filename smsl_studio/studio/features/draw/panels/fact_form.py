@@ -139,7 +139,7 @@ class FactForm(NoteForm):
 
     def who(self) -> str:
         """The fact in the words of an undo step."""
-        return f"fact {self._digit} of {self._branch}"
+        return f"digit {self._digit} of {self._branch}"
 
     def _show_source(
         self, blueprint: Blueprint, branch: StateBranch, note: FactNote, written: frozenset[str]

@@ -20,12 +20,12 @@ def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMe
     shown = blueprint[branch]
     name, sub = shown.fact_name(digit), shown.subs.get(digit)
     menu = QMenu(parent)
-    menu.setAccessibleName(plain_text(f"Delete fact {digit} of {branch}"))
+    menu.setAccessibleName(plain_text(f"Delete digit {digit} of {branch}"))
     if sub is not None:
         detach = menu.addAction(as_it_is(f"Detach {sub} from {name}"))
         detach.triggered.connect(
             lambda: session.edit(
-                f"Detach {sub} from fact {digit} of {branch}",
+                f"Detach {sub} from digit {digit} of {branch}",
                 lambda bp: editing.detach_sub(bp, branch, sub),
             )
         )
@@ -33,7 +33,7 @@ def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMe
         clear = menu.addAction(as_it_is(f"Delete what is written about {name}"))
         clear.triggered.connect(
             lambda: session.edit(
-                f"Delete what is written about fact {digit} of {branch}",
+                f"Delete what is written about digit {digit} of {branch}",
                 lambda bp: editing.set_note(bp, branch, "_facts", str(digit), None),
             )
         )

@@ -16,6 +16,6 @@ def fact_name_step(
     An empty text, or the default name (such as “Fact 1”), removes the name.
     """
     name = "" if text == f"Fact {digit + 1}" else text
-    words = f"Name fact {digit} “{name}”" if name else f"Leave fact {digit} without a name"
+    words = f"Name digit {digit} “{name}”" if name else f"Leave digit {digit} without a name"
     changes = {(branch, str(digit)): {"name": name or None}}
     return words, lambda blueprint: change_notes(blueprint, "_facts", changes)

@@ -88,7 +88,7 @@ class HeaderFacts(QWidget):
     ) -> None:
         sub = branch.subs.get(digit)
         fact.chip.show_tag(str(digit), VALUE, sub is not None)
-        fact.chip.setToolTip(tip_text(f"Edit what fact {digit} means and where it comes from"))
+        fact.chip.setToolTip(tip_text(f"Edit what digit {digit} means and where it comes from"))
         fact.name.settle(branch.fact_name(digit))
         fact.name.setToolTip(tip_text(f"{branch.fact_name(digit)}. Type to name this fact."))
         fact.sub.accent = sub is not None
@@ -99,17 +99,17 @@ class HeaderFacts(QWidget):
             fact.sub.clear()
             fact.sub.addItems(["None", *names, "New"])
         fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
-        fact.sub.setToolTip(tip_text(f"Sub-SB of fact {digit}: {sub or 'none'}"))
+        fact.sub.setToolTip(tip_text(f"Sub-SB of digit {digit}: {sub or 'none'}"))
         fact.sub.update()
 
     def _new_row(self, digit: int) -> HeaderFactRow:
         fact = HeaderFactRow(Tag(self._tokens), Field(), Combo(height=28))
-        fact.chip.press_with_keys(f"Edit fact {digit}")
+        fact.chip.press_with_keys(f"Edit digit {digit}")
         fact.chip.clicked.connect(lambda: self.wanted.emit(digit))
         fact.name.setProperty("role", "flat")
-        fact.name.setAccessibleName(plain_text(f"Name of fact {digit}"))
+        fact.name.setAccessibleName(plain_text(f"Name of digit {digit}"))
         fact.name.editingFinished.connect(lambda: self._typed(digit))
-        fact.sub.setAccessibleName(plain_text(f"Sub-SB of fact {digit}"))
+        fact.sub.setAccessibleName(plain_text(f"Sub-SB of digit {digit}"))
         fact.sub.setFixedWidth(108)
         fact.sub.setFont(text_font(12))
         fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.choice(at)))

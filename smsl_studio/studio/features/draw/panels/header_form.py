@@ -196,7 +196,7 @@ class HeaderForm(Panel):
                 blueprint = editing.detach_sub(blueprint, name, before)
             return editing.attach_sub(blueprint, name, digit, made) if made else blueprint
 
-        words = f"Attach {made} to fact {digit} of {name}" if made else f"Detach {before}"
+        words = f"Attach {made} to digit {digit} of {name}" if made else f"Detach {before}"
         if not self._try(words, change, self.refusal.say):
             self._facts.show_facts(self._session.blueprint, self._session.blueprint[name])
 

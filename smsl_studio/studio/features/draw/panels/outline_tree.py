@@ -307,7 +307,7 @@ class OutlineDelegate(QStyledItemDelegate):
         editor = QLineEdit(parent)
         editor.setProperty("role", "flat")
         digit = line_of(index).digit
-        what = "the State Branch" if digit is None else f"fact {digit}"
+        what = "the State Branch" if digit is None else f"digit {digit}"
         editor.setAccessibleName(f"Name of {what}")
         editor.setStyleSheet("background: palette(base);")
         return editor

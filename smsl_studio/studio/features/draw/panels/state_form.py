@@ -68,7 +68,7 @@ class StateForm(NoteForm):
             "safe", SwitchLine("Safe state", "Whether the procedure may rest in this state")
         ).field
         self.note = self.add(
-            "note", BoxLine("Note", "What people should know about this state")
+            "note", BoxLine("Description", "What people should know about this state")
         ).field
         self.column.addWidget(self.odd)
         self.kept = KeptValues("Kept in this state")

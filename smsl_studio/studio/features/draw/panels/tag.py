@@ -54,7 +54,7 @@ class Tag(QWidget):
     def show_tag(self, text: str, kind: str, sub: bool) -> None:
         """Show this text and kind of chip, with a bar if ``sub`` is true."""
         self._text, self._kind, self._sub = text, kind, sub
-        words = self._button or (f"Fact {text}" if kind == VALUE else text)
+        words = self._button or (f"Digit {text}" if kind == VALUE else text)
         self.setAccessibleName(plain_text(words + (", with a sub-SB" if sub else "")))
         self.update()
 
