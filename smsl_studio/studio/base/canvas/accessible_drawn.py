@@ -59,8 +59,9 @@ class DrawnAccessible(LeafAccessible):
         return QAccessible.Role.Note if self.key.kind == "note" else QAccessible.Role.Grouping
 
     def state(self) -> QAccessible.State:
-        """Whether it is selected."""
+        """Whether it is selected, and whether its canvas is shown."""
         found, canvas = QAccessible.State(), self._canvas
+        found.invisible = canvas is None or not canvas.isVisible()
         found.selectable = True
         found.selected = canvas is not None and canvas.drawn.chosen == self.key
         return found

@@ -240,11 +240,12 @@ class StateAccessible(QAccessibleInterface):
         return QAccessible.Role.ListItem
 
     def state(self) -> QAccessible.State:
-        """Whether the state is selected."""
+        """Whether the state is selected, and whether its canvas is shown."""
         found = QAccessible.State()
         found.selectable = True
         sheet = self._parent.sheet
         if sheet is not None and self.isValid():
+            found.invisible = not self.canvas.isVisible()
             found.selected = sheet.looks.node(self.index).selected
         return found
 
@@ -280,11 +281,12 @@ class OperationAccessible(LeafAccessible):
         return QAccessible.Role.ListItem
 
     def state(self) -> QAccessible.State:
-        """Whether the operation is selected."""
+        """Whether the operation is selected, and whether its canvas is shown."""
         found = QAccessible.State()
         found.selectable = True
         sheet = self.canvas.sheet if self.isValid() else None
         if sheet is not None:
+            found.invisible = not self.canvas.isVisible()
             found.selected = sheet.looks.edge(sheet.picture.edge(self.address)).selected
         return found
 

@@ -182,6 +182,18 @@ def test_a_screen_reader_finds_them_after_the_states(drawer: Drawer) -> None:
     assert tree.childCount() == 6
 
 
+def test_what_a_hidden_canvas_has_is_not_told_as_shown(drawer: Drawer) -> None:
+    """A screen reader read the states of the hidden Run page beside those of the drawing."""
+    tree = CanvasAccessible(drawer.canvas)
+    children = [tree.child(index) for index in range(tree.childCount())]
+    everything = [tree, *children, children[0].child(0)]
+    assert not any(one.state().invisible for one in everything)
+    drawer.canvas.hide()
+    assert all(one.state().invisible for one in everything)
+    drawer.canvas.show()
+    assert not any(one.state().invisible for one in everything)
+
+
 def test_an_edit_of_a_note_keeps_the_routes(drawer: Drawer) -> None:
     sheet, picture = drawer.sheet, drawer.sheet.picture
     change = {"1": {"text": "Other words"}}
