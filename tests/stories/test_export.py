@@ -149,6 +149,17 @@ def test_the_view_is_what_is_seen(sit: Sit, tmp_path: Path, name: str, state: st
     assert [name for name in person.blueprint["SB1"].table if name in words] == inside
 
 
+@pytest.mark.parametrize(("zoom", "told"), [(1.0, False), (0.5, True)])
+def test_the_dialog_says_that_the_picture_has_more_than_a_canvas_from_afar(
+    sit: Sit, hfsm: Path, zoom: float, told: bool
+) -> None:
+    person = sit(hfsm)
+    person.window.canvas.camera.motion = False
+    person.window.canvas.zoom_to(zoom)
+    dialog = open_dialog(person)
+    assert ("shortens names and facts" in dialog.facts.text()) == told
+
+
 def test_the_scale_is_that_of_the_pixels(sit: Sit, hfsm: Path, tmp_path: Path) -> None:
     person = sit(hfsm)
     dialog = open_dialog(person)

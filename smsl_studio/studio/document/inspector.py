@@ -1,7 +1,8 @@
 """Inspector: inspects the blueprint in a second thread after every change.
 
 The rules are pure functions of a frozen blueprint, so a large one does not freeze the window.
-Findings of a blueprint that is no longer shown are dropped.
+Findings of a blueprint that is no longer shown are dropped. Those of the last ones are kept,
+because an undo shows the same blueprint again.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
 
+KEPT = 40
+"""The findings of so many blueprints are kept. An undo shows those of its blueprint at once."""
 WAIT = 120
 """Milliseconds from an edit to its inspection; another edit in that time starts the wait again."""
 
@@ -34,12 +37,14 @@ class Inspector(QObject):
         self._beside = Beside(self)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
-        self._timer.setInterval(WAIT)
         self._timer.timeout.connect(self._inspect)
         self._wanted: Blueprint | None = None
         self.findings: tuple[Finding, ...] = ()
+        self._known: dict[int, tuple[Blueprint, tuple[Finding, ...]]] = {}
+        """The last inspected blueprints with their findings, by the id of the blueprint."""
         self.current = False
         """Whether ``findings`` belong to the blueprint that is shown."""
+        session.opened.connect(self._known.clear)
         session.blueprint_changed.connect(lambda *_: self._changed())
         self._changed()
 
@@ -57,14 +62,20 @@ class Inspector(QObject):
     def _changed(self) -> None:
         self.current = False
         self.started.emit()
-        self._timer.start()
+        self._timer.start(0 if id(self._session.blueprint) in self._known else WAIT)
 
     def _inspect(self) -> None:
         blueprint = self._wanted = self._session.blueprint
         self._beside.drop()
+        if id(blueprint) in self._known:
+            self._arrived(*self._known[id(blueprint)])
+            return
         self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
 
     def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
         if blueprint is self._session.blueprint and blueprint is self._wanted:
             self.findings, self.current = findings, True
+            self._known[id(blueprint)] = blueprint, findings
+            while len(self._known) > KEPT:
+                del self._known[next(iter(self._known))]
             self.found.emit(findings)

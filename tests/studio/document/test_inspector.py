@@ -86,3 +86,45 @@ def test_a_save_while_it_inspects_loses_nothing(
     inspector._inspect()
     session.saved(replace(session.blueprint))
     qtbot.waitUntil(lambda: inspector.current)
+
+
+def test_undo_and_redo_bring_the_findings_back_without_an_inspection(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    qtbot.waitUntil(lambda: inspector.current)
+    before = inspector.findings
+    session.edit("Add", partial(add, 0))
+    qtbot.waitUntil(lambda: inspector.current)
+    after = inspector.findings
+    assert after != before
+    seen: list[Blueprint] = []
+    monkeypatch.setattr(room, "inspect", seen.append)
+    for _ in range(2):
+        session.history.undo()
+        assert not inspector.current
+        qtbot.waitUntil(lambda: inspector.current)
+        assert inspector.findings == before
+        session.history.redo()
+        qtbot.waitUntil(lambda: inspector.current)
+        assert inspector.findings == after
+    assert seen == []
+
+
+def test_only_the_findings_of_the_last_blueprints_are_kept(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(room, "KEPT", 2)
+    for number in range(4):
+        session.edit("Add", partial(add, number))
+        qtbot.waitUntil(lambda: inspector.current)
+    seen: list[Blueprint] = []
+
+    def watched(blueprint: Blueprint) -> tuple[Finding, ...]:
+        seen.append(blueprint)
+        return ()
+
+    monkeypatch.setattr(room, "inspect", watched)
+    for _ in range(3):
+        session.history.undo()
+        qtbot.waitUntil(lambda: inspector.current)
+    assert len(seen) == 2

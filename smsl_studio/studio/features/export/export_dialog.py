@@ -24,6 +24,12 @@ FORMS = {"SVG": ".svg", "PNG": ".png", "PDF": ".pdf"}
 SCALES = {"1 ×": 1.0, "2 ×": 2.0, "3 ×": 3.0, "4 ×": 4.0}
 
 
+FULLER = (
+    "The canvas is zoomed out and shortens names and facts. The picture has them whole where there "
+    "is room."
+)
+
+
 @dataclass(frozen=True)
 class FileChoices:
     """What was chosen last, for the next time."""
@@ -109,7 +115,8 @@ class ExportDialog(PictureDialog):
         sized = f"{wide * scale:,.0f} × {high * scale:,.0f} pixels"
         if scale < choices.scale:
             sized += f", at {scale:g} × because larger files cannot be opened by many programs"
-        self.facts.setText(words.get(choices.form, sized))
+        told = words.get(choices.form, sized)
+        self.facts.setText(f"{told}. {FULLER}" if self.subject.shortened else told)
 
     def _export(self) -> None:
         choices = self.choices

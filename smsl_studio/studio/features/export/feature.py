@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.feature import Feature, Shell
@@ -98,7 +99,10 @@ class ExportFeature(Feature):
 
         session, seen = self._parts.session, self._canvas.seen
         view = seen.left(), seen.top(), seen.right(), seen.bottom()
-        return Subject(what, session.blueprint, session.branch, session.selection, view)
+        sheet = self._canvas.sheet
+        shortened = sheet is not None and sheet.level < Level.FULL
+        chosen = session.selection
+        return Subject(what, session.blueprint, session.branch, chosen, view, shortened)
 
     def _copied(self) -> Subject:
         from smsl_studio.studio.features.export.subject import BRANCH, SELECTION

@@ -33,7 +33,8 @@ class Subject:
     """What is drawn of a blueprint: ``view``, ``selection``, ``branch`` or ``all``.
 
     ``branch`` is the SB that is shown, ``view`` the visible part of its drawing (left, top, right,
-    bottom, in scene units). It keeps the blueprint as it was when it was asked for.
+    bottom, in scene units). It keeps the blueprint as it was when it was asked for. ``shortened``
+    says that the canvas shows less of names and facts than the picture, because it is zoomed out.
     """
 
     what: str
@@ -41,6 +42,7 @@ class Subject:
     branch: str
     selection: tuple[Address, ...]
     view: Rect
+    shortened: bool = False
 
     def pages(self, theme: str) -> list[str]:
         """The pictures as SVG, one for each page of a PDF or of paper."""
