@@ -38,7 +38,7 @@ class FactShape(NamedTuple):
 
     ``width`` is the number of characters of one fact. ``opaque`` says that the names cannot be
     split into facts, so each state has one fact: its own name. ``misfits`` are the states whose
-    fact string does not fit (rule R05). ``written`` is NUM_FACTS. 0 says that names carry no facts.
+    fact string does not fit (rule R05). ``written`` is NUM_FACTS.
     """
 
     num_facts: int
@@ -83,8 +83,6 @@ def shape_of(states: Iterable[str], num_facts: int | None) -> FactShape:
         if misfits or common == 0:
             return FactShape(1, 0, opaque=True, misfits=misfits or tuple(names))
         return FactShape(common, 1)
-    if num_facts == 0:
-        return FactShape(1, 0, opaque=True, written=0)
     if num_facts < 1:
         return FactShape(1, 0, opaque=True, misfits=tuple(names), written=num_facts)
     if common == 0 or common % num_facts:

@@ -118,9 +118,8 @@ HEADER = {
         },
         "NUM_FACTS": {
             "type": ["integer", "null"],
-            "minimum": 0,
-            "description": "How many facts a state's name carries; it divides the fact string. "
-            "0: names carry none.",
+            "minimum": 1,
+            "description": "How many facts a state's name carries; it divides the fact string.",
         },
         "NUM_STATES": {
             "type": ["integer", "null"],

@@ -61,8 +61,8 @@ def random_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
 
 APART = {
     "excerpt": "it gives a text, which ``paste`` puts in again",
+    "give_facts": "it takes the blueprint before and after",
     "keep_activating": "it takes the blueprint before and after",
-    "keep_plain_names": "it takes the blueprint before and after",
     "keep_last": "it takes a path to a key that is written twice",
     "set_imports": "it takes other files, and test_editing_imports.py has them",
 }

@@ -54,8 +54,7 @@ def test_without_num_facts_every_character_is_a_fact() -> None:
         (["State00", "State01", "State1"], None, ("State1",)),
         (["State00", "State01", "State1"], 2, ("State1",)),
         (["State000", "State111"], 2, ("State000", "State111")),
-        (["State0"], 0, ()),
-        (["State0"], -1, ("State0",)),
+        (["State0"], 0, ("State0",)),
         (["State", "State_"], None, ("State", "State_")),
     ],
 )

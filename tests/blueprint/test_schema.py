@@ -105,7 +105,7 @@ def test_what_cannot_be_opened_is_not_valid(path: str, value: Any) -> None:
     [
         ("SB HEADER INITIAL", 5),
         ("SB HEADER NUM_FACTS", "3"),
-        ("SB HEADER NUM_FACTS", -1),
+        ("SB HEADER NUM_FACTS", 0),
         ("SB HEADER SUB_SBS", {"SB2": "x"}),
         ("SB HEADER SUB_SBS", ["SB2"]),
         ("SB _facts x", {}),

@@ -68,7 +68,7 @@ PLANTED = [
     ("R05", "E", "SB", "NUM_FACTS is 2, which does not divide", """{"SB": {
   "HEADER": {^"NUM_FACTS": 2},
   "State_000": {"a": "State_100"}, "State_100": {"b": "State_000"}}}"""),
-    ("R05", "I", "SB", "NUM_FACTS is 0, so the names carry no facts", """{"SB": {
+    ("R05", "E", "SB", "NUM_FACTS is 0", """{"SB": {
   "HEADER": {^"NUM_FACTS": 0}, "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R05", "W", "SB", "each state has one fact, its own name", """{^"SB": {
   "Open": {"a": "Closed"}, "Closed": {"b": "Open"}}}"""),

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.fact_table import fill_facts as fill_facts
     from smsl_studio.blueprint.editing.fact_values import rename_value as rename_value
     from smsl_studio.blueprint.editing.fact_values import set_value as set_value
+    from smsl_studio.blueprint.editing.given_facts import give_facts as give_facts
     from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
     from smsl_studio.blueprint.editing.headers import detach_sub as detach_sub
     from smsl_studio.blueprint.editing.headers import keep_activating as keep_activating
@@ -46,7 +47,6 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
-    from smsl_studio.blueprint.editing.plain_names import keep_plain_names as keep_plain_names
     from smsl_studio.blueprint.editing.renames import rename as rename
     from smsl_studio.blueprint.editing.renames import rename_operations as rename_operations
     from smsl_studio.blueprint.editing.templates import add_recovery as add_recovery
@@ -71,9 +71,9 @@ _HOMES = {
     "excerpt": "excerpts",
     "expand_fact": "templates",
     "fill_facts": "fact_table",
+    "give_facts": "given_facts",
     "keep_activating": "headers",
     "keep_last": "notes",
-    "keep_plain_names": "plain_names",
     "move_fact": "digits",
     "paste": "pasted_text",
     "paste_states": "pasted_table",

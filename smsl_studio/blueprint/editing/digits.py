@@ -173,7 +173,7 @@ def _refuse_opaque(branch: StateBranch) -> None:
     """Raise EditRefused if the states have facts of another kind, which a new one would hide."""
     given = [state for state, note in branch.notes.states.items() if note.facts]
     misfit = next((state for state in branch.table if state not in given), "")
-    if branch.header.num_facts:
+    if branch.header.num_facts is not None:
         odd = branch.shape.misfits[0]
         raise EditRefused(
             f"the name {odd!r} cannot be cut into {branch.header.num_facts} facts of equal length",

@@ -130,11 +130,8 @@ def _check_state(branch: StateBranch, key: str, value: object) -> None:
 def _check_num_facts(branch: StateBranch, value: object) -> None:
     if value is None:
         return
-    if type(value) is not int or value < 0:
-        raise EditRefused(
-            "NUM_FACTS must be a whole number, 0 or more",
-            advice="Write 0 if the names carry no facts.",
-        )
+    if type(value) is not int or value < 1:
+        raise EditRefused("NUM_FACTS must be a whole number above 0", advice="Write 1 or more.")
     shape = shape_of(branch.table, value)
     if branch.table and shape.misfits:
         raise EditRefused(

@@ -147,8 +147,6 @@ def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
     for branch in blueprint:
         yield from _odd(branch, "NUM_FACTS", "R05")
         shape = branch.shape
-        if shape.written == 0 and shape.opaque and branch.table:
-            yield _no_facts(branch)
         if not shape.misfits:
             continue
         if shape.written is None:
@@ -167,17 +165,6 @@ def _opaque(branch: StateBranch) -> Remark:
         "the names of the states do not carry facts of one length, such as "
         f"{some(branch.shape.misfits)}; each state has one fact, its own name",
         advice="name the states by their facts, or give each its facts in _states",
-    )
-
-
-def _no_facts(branch: StateBranch) -> Remark:
-    return Remark(
-        "R05",
-        NOTE,
-        branch.address,
-        "NUM_FACTS is 0, so the names carry no facts; each state has one fact, its own name",
-        advice="add facts, or name the states by their facts and leave NUM_FACTS out",
-        below=(HEADER, "NUM_FACTS"),
     )
 
 

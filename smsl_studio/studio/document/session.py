@@ -201,7 +201,7 @@ class Session(QObject):
                 raise self._broken.refusal
             before = self._blueprint
             after = editing.keep_activating(before, change(before), self._kept)
-            after = editing.keep_plain_names(before, after)
+            after = editing.give_facts(before, after)
             after = self.places.completed(before, after)
         except StudioError as error:
             self.refused.emit(error)

@@ -64,7 +64,7 @@ class HeaderForm(Panel):
             "Activating", "ACTIVATING", "The state in which the SB turns its base's fact on"
         )
         self.facts_line = NumberLine(
-            "Facts", "NUM_FACTS: how many facts a state's name carries", NumberBounds(0, whole=True)
+            "Facts", "NUM_FACTS: how many facts a state's name carries", NumberBounds(1, whole=True)
         )
         self.states_line = NumberLine(
             "States", "NUM_STATES: if it is written, it must be the number of states",
