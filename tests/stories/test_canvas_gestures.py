@@ -658,6 +658,56 @@ def test_tab_goes_on_from_the_state_that_was_added(hfsm: Drawer) -> None:
     assert hfsm.steps() == 3
 
 
+def test_tab_in_the_last_field_adds_the_operation_and_asks_for_the_next_one(hfsm: Drawer) -> None:
+    text = hfsm.session.blueprint.document.text
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Tab)
+    for operation, state in (("One", "StateA11"), ("Two", "StateB11"), ("Three", "State000")):
+        hfsm.write(operation, Key.Key_Tab)
+        hfsm.write(state, Key.Key_Tab)
+    hfsm.key(Key.Key_Escape)
+    table = hfsm.table()
+    assert table["State111"] == {"One": "StateA11"}
+    assert table["StateA11"] == {"Two": "StateB11"}
+    assert table["StateB11"] == {"Three": "State000"}
+    assert hfsm.steps() == 3
+    while hfsm.steps():
+        hfsm.session.history.undo()
+    assert hfsm.session.blueprint.document.text == text
+
+
+def test_shift_tab_leads_back_to_the_name_of_the_operation(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Tab)
+    hfsm.write("One", Key.Key_Tab)
+    hfsm.key(Key.Key_Backtab, Modifier.ShiftModifier)
+    card = hfsm.editor.field
+    assert isinstance(card, ConnectCard)
+    assert card.operation.hasFocus()
+    assert hfsm.steps() == 0
+    hfsm.key(Key.Key_Tab)
+    hfsm.write("", Key.Key_Backspace)
+    hfsm.key(Key.Key_Tab)
+    assert "no target" in card.complaint
+    assert hfsm.editor.field is card, "what is refused stays, and nothing goes on"
+
+
+def test_tab_goes_on_from_a_new_state_while_it_is_named(hfsm: Drawer) -> None:
+    hfsm.double_click(QPoint(500, 620))
+    hfsm.write("StateA11", Key.Key_Tab)
+    assert hfsm.table()["StateA11"] == {}
+    hfsm.write("One", Key.Key_Tab)
+    hfsm.write("State000")
+    assert hfsm.table()["StateA11"] == {"One": "State000"}
+    assert hfsm.steps() == 2
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_F2)
+    hfsm.write("Renamed", Key.Key_Tab)
+    assert hfsm.editor.field is not None, "a name that is changed is not followed by an operation"
+    hfsm.key(Key.Key_Escape)
+    assert hfsm.steps() == 2
+
+
 def test_quick_add_offers_the_names_in_use(hanoi: Drawer) -> None:
     hanoi.session.select((Address("SB1", "State_aaa", "Op_1b"),))
     hanoi.key(Key.Key_Delete)

@@ -16,13 +16,14 @@ class NameLine(QLineEdit):
     """A line edit in the code font.
 
     Signals: ``done`` (Enter), ``left`` (Esc), ``moved`` (+1 or -1 for the arrows down and up),
-    ``tabbed`` (Tab).
+    ``tabbed`` (Tab), ``tabbed_back`` (Shift+Tab).
     """
 
     done = Signal()
     left = Signal()
     moved = Signal(int)
     tabbed = Signal()
+    tabbed_back = Signal()
 
     def __init__(self, parent: QWidget, tokens: Tokens, hint: str) -> None:
         super().__init__(parent)
@@ -38,7 +39,7 @@ class NameLine(QLineEdit):
         self.setMinimumHeight(28)
 
     def event(self, event: QEvent) -> bool:
-        """Keep letters from the window's shortcuts while a name is typed, and emit ``tabbed``."""
+        """Keep letters from the window's shortcuts while a name is typed, and emit the signals of Tab."""
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
             # While a name is edited, plain keys belong to the field, not to the window's shortcuts.
             if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
@@ -49,7 +50,7 @@ class NameLine(QLineEdit):
             and event.type() is QEvent.Type.KeyPress
             and event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
         ):
-            self.tabbed.emit()
+            (self.tabbed if event.key() == Qt.Key.Key_Tab else self.tabbed_back).emit()
             return True
         return super().event(event)
 

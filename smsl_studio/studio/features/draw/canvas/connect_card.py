@@ -23,9 +23,11 @@ class ConnectCard(PassingCard):
     caller and gets no field. Otherwise the second field names a state, which may be new. ``commit``
     takes (operation, target) and returns why they are refused, or the empty text. ``target_for``
     suggests the target for an operation name. ``target_picked`` says that a click chose it.
+    Tab leads to the target, and from there adds the operation; then ``gone_on`` is emitted.
     """
 
     target_picked = Signal(str)
+    gone_on = Signal()
 
     def __init__(
         self,
@@ -49,7 +51,7 @@ class ConnectCard(PassingCard):
         self.target.setVisible(target is not None)
         self.choices = Choices(self, tokens)
         self.error = error_label(self, tokens)
-        self._to = Label("to state: type it, or click one", self)
+        self._to = Label("to state: type or click one. Tab goes on", self)
         self._to.setFont(text_font(11, 500))
         tint(self._to, tokens.tx3)
         self._to.setVisible(target is not None)
@@ -73,14 +75,16 @@ class ConnectCard(PassingCard):
         self.operation.textEdited.connect(self._filter)
         self.operation.moved.connect(self.choices.move_choice)
         self.operation.tabbed.connect(self._tab)
-        self.target.tabbed.connect(self.operation.setFocus)
+        self.operation.tabbed_back.connect(self._tab)
+        self.target.tabbed.connect(self._go_on)
+        self.target.tabbed_back.connect(self.operation.setFocus)
         self.target.textEdited.connect(self._target_typed)
         self.choices.chosen.connect(self._choose)
 
-    def commit(self) -> None:
-        """Add the operation. If that is refused, show why and keep what was typed."""
+    def commit(self) -> bool:
+        """Add the operation. If that is refused, show why, keep what was typed and return False."""
         if self._closing:
-            return
+            return False
         chosen = self.choices.current
         if chosen and self.operation.hasFocus():
             self._take(chosen)
@@ -89,6 +93,7 @@ class ConnectCard(PassingCard):
             self._complain(reason)
         else:
             self.close_field()
+        return not reason
 
     def pick_target(self, state: str) -> bool:
         """Lead to this state, which was clicked. False if the target is fixed.
@@ -154,6 +159,10 @@ class ConnectCard(PassingCard):
         if not self.target.isHidden():
             self.target.setFocus()
             self.target.selectAll()
+
+    def _go_on(self) -> None:
+        if self.commit():
+            self.gone_on.emit()
 
     def _choose(self, name: str) -> None:
         self._take(name)

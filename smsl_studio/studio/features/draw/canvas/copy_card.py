@@ -81,6 +81,7 @@ class CopyCard(PassingCard):
             self.chips.changed.connect(self._chosen)
             self.chips.tabbed.connect(self.name.setFocus)
             self.name.tabbed.connect(self.chips.setFocus)
+            self.name.tabbed_back.connect(self.chips.setFocus)
 
     def take_focus(self) -> None:
         """Give the keyboard to the chips, else to the name."""

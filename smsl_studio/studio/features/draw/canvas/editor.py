@@ -143,7 +143,7 @@ class CanvasEditor(QObject):
                 self.session.select((Address(branch, name),))
             return done
 
-        self._name(suggested, "State", commit, self._field_place(QPointF(*place), 108.0))
+        self._name_new(suggested, commit, QPointF(*place))
 
     def _first_branch_and_state(self, at: QPointF) -> None:
         """Ask for the first state of a file without SBs; the SB is added with it, as one step."""
@@ -171,7 +171,7 @@ class CanvasEditor(QObject):
                 self.session.select((Address("SB1", name),))
             return reason
 
-        self._name("State0", "State", commit, self._field_place(QPointF(*place), 108.0))
+        self._name_new("State0", commit, QPointF(*place))
 
     def rename(self, address: Address) -> None:
         """Edit the name of a state or operation on the canvas, which scrolls to it."""
@@ -291,13 +291,19 @@ class CanvasEditor(QObject):
             return False
         return True
 
+    def _name_new(self, text: str, commit: Callable[[str], str], at: QPointF) -> None:
+        """Ask for the name of a new state at a scene point. Tab goes on from it."""
+        field = self._name(text, "State", commit, self._field_place(at, 108.0))
+        field.go_on_with(self.quick_add.go_on)
+
     def _name(
         self, text: str, hint: str, commit: Callable[[str], str], place: tuple[QPointF, int]
-    ) -> None:
+    ) -> NameField:
         field = NameField(self.canvas, self.canvas.tokens, text, hint, commit)
         at, width = place
         field.setMinimumWidth(width)
         self.open_card(field, at, centred=True)
+        return field
 
     def _field_closed(self) -> None:
         self.canvas.show_pending(None)

@@ -51,6 +51,10 @@ class NameField(TextCard):
         if not self.take(self.field.text().strip()):
             self.field.setFocus()
 
+    def go_on_with(self, then: Callable[[], object]) -> None:
+        """Let Tab take the name over as Enter does, and then call ``then``."""
+        self.field.tabbed.connect(lambda: self.take(self.field.text().strip()) and then())
+
     def settle(self) -> None:
         """Commit a changed name; close the field unless that is refused."""
         text = self.field.text().strip()

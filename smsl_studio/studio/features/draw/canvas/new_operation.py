@@ -73,6 +73,7 @@ class NewOperation:
             self._canvas.show_pending(source, Address(branch, state), at)
 
         card.target_picked.connect(lead_to)
+        card.gone_on.connect(self._canvas.quick_add_wanted)
         if pattern:
             card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
         self._open(card, QPointF(self._canvas.mapFromScene(at)))
