@@ -583,6 +583,42 @@ def test_the_arrowhead_of_a_selected_operation_can_be_dragged_elsewhere(hfsm: Dr
     assert hfsm.steps() == 1
 
 
+@pytest.mark.parametrize("zoom", [0.7, 1.0, 1.6])
+def test_who_comes_along_a_line_takes_its_arrowhead_without_a_click_before(
+    hfsm: Drawer, zoom: float
+) -> None:
+    hfsm.canvas.zoom_to(zoom)
+    hfsm.canvas.reveal(Address("SB1", "State100"), smooth=False)
+    label = hfsm.label_of("State000", "Operation000")
+    tip = hfsm.tip_of("State000", "Operation000")
+    hfsm.hover(label)
+    for share in (0.5, 0.7, 0.8, 0.9, 0.95):
+        hfsm.hover(QPointF(label + (tip - label) * share).toPoint())
+    near = tip + QPoint(-2, 0)
+    hfsm.hover(near)
+    assert hfsm.canvas.gestures.handle is None, "the handle of the target does not cover it"
+    assert "another state" in hfsm.hands_on.toolTip()
+    target = hfsm.place("State110")
+    QTest.mousePress(hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, near)
+    for share in (0.1, 0.5, 1.0):
+        QTest.mouseMove(hfsm.hands_on, QPointF(near + (target - near) * share).toPoint())
+    QTest.mouseRelease(hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, target)
+    QApplication.processEvents()
+    assert hfsm.table()["State000"]["Operation000"] == "State110"
+    assert hfsm.steps() == 1
+    assert hfsm.selected() == ["State000/Operation000"]
+
+
+def test_who_comes_from_the_state_still_takes_its_handle(hfsm: Drawer) -> None:
+    tip, place = hfsm.tip_of("State000", "Operation000"), hfsm.place("State100")
+    hfsm.hover(place)
+    hfsm.hover(tip)
+    assert hfsm.canvas.hand.hover.handle_at(hfsm.canvas.mapToScene(tip)) is not None
+    hfsm.drag(tip, hfsm.place("State111"))
+    hfsm.write("Direct")
+    assert hfsm.table()["State100"]["Direct"] == "State111"
+
+
 @pytest.mark.parametrize("off", [0, 8, 15, 22])
 def test_beside_the_arrowhead_of_a_selected_operation_nothing_is_drawn(
     hfsm: Drawer, off: int

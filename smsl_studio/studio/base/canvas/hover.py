@@ -12,6 +12,7 @@ from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, takes
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.chips import fact_words
 from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.tips import tip_text
@@ -19,6 +20,8 @@ from smsl_studio.studio.base.tips import tip_text
 REACH = 15.0
 """How far outside a node the pointer still counts as on it (pixels), so that it can reach the
 handle."""
+GRIP = 10.0
+"""A press within this distance of its arrowhead takes an operation by its end (pixels)."""
 CLEAR = 32.0
 """The smallest distance between the middles of a handle and the grip (pixels)."""
 
@@ -36,7 +39,8 @@ class Hover:
             return
         point = canvas.mapToScene(at.toPoint())
         state = sheet.state_at(point.x(), point.y())
-        if state < 0 and canvas.editing:
+        at_arrow = state < 0 and self._is_at_arrow(sheet, point)
+        if state < 0 and canvas.editing and not at_arrow:
             state = self._kept_hover(point)
         drawn = canvas.drawn_at(point) if state < 0 else None
         edge = -1 if state >= 0 or drawn is not None else sheet.edge_at(point.x(), point.y())
@@ -57,8 +61,23 @@ class Hover:
             canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
         if taken:
             canvas.viewport().setToolTip("Drag to draw an operation from here")
+        if at_arrow and self._is_at_tip(sheet, edge, point, GRIP):
+            canvas.viewport().setToolTip("Drag to let it lead to another state")
         if self._line.bend_at(point) >= 0:
             canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
+
+    def _is_at_arrow(self, sheet: Sheet, point: QPointF) -> bool:
+        """Whether the pointer has come along the line of an operation to its arrowhead.
+
+        There also lies the handle of the target, for those who come from the state.
+        """
+        edge = sheet.looks.hovered_edge
+        if edge < 0 or not self._canvas.editing or edge != sheet.edge_at(point.x(), point.y()):
+            return False
+        return self._is_at_tip(sheet, edge, point, REACH)
+
+    def _is_at_tip(self, sheet: Sheet, edge: int, point: QPointF, pixels: float) -> bool:
+        return is_near(self._canvas, point, QPointF(*sheet.geometry.shape(edge).tip), pixels)
 
     def handle_at(self, point: QPointF) -> QPointF | None:
         """The handle that a press at a scene point takes; None for none."""

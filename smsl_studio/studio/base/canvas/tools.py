@@ -22,12 +22,9 @@ from smsl_studio.studio.base.canvas.gestures import (
     selection_after,
 )
 from smsl_studio.studio.base.canvas.handles import is_near
-from smsl_studio.studio.base.canvas.hover import Hover
+from smsl_studio.studio.base.canvas.hover import GRIP, Hover
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
-
-GRIP = 10.0
-"""A press within this distance takes the grip (pixels)."""
 
 
 class Hand:
@@ -82,9 +79,7 @@ class Hand:
         assert sheet is not None
         at = canvas.mapToScene(event.position().toPoint())
         if canvas.editing:
-            if self.line.edge >= 0 and is_near(canvas, at, canvas.gestures.grip, GRIP):
-                return Retarget(canvas, self.hover, event, self.line.edge)
-            on_line = self.line.press(event, at)
+            on_line = self._grip_at(event, at) or self.line.press(event, at)
             if on_line is not None:
                 return on_line
             handle = self.hover.handle_at(at)
@@ -106,8 +101,15 @@ class Hand:
             if not canvas.editing:
                 canvas.edge_clicked.emit(address)
             self.show_grip()
-            return self.line.press_line(event, at)
+            return self._grip_at(event, at) or self.line.press_line(event, at)
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
+
+    def _grip_at(self, event: QMouseEvent, at: QPointF) -> Retarget | None:
+        """The gesture of a press on the arrowhead of the selected operation."""
+        canvas, edge = self._canvas, self.line.edge
+        if edge < 0 or not is_near(canvas, at, canvas.gestures.grip, GRIP):
+            return None
+        return Retarget(canvas, self.hover, event, edge)
 
     def _is_picked(self, event: QMouseEvent) -> bool:
         """Whether an open card takes the state below the pointer."""
