@@ -16,7 +16,7 @@ from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
 from smsl_studio.studio.features.export.export_dialog import ExportDialog
 from tests.stories.conftest import Sit
 from tests.stories.counted import CountedHand
-from tests.stories.person import SAMPLES, Person
+from tests.stories.person import SAMPLES
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
 PAGE = Path(__file__).parents[2] / "docs" / "gestures.md"

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
+from PySide6.QtCore import Qt
+
+from smsl_studio.blueprint.address import Address
 from tests.stories.conftest import Sit
 from tests.stories.test_recovery import add, die, offer_to
 
@@ -64,6 +68,21 @@ def test_a_long_sentence_gives_way_before_what_stands_beside_it(sit: Sit) -> Non
     for part in (*line.run[:5], *line.run_right):
         assert part.width() >= part.fontMetrics().horizontalAdvance(part.text()), part.text()
     assert why in line.words
+
+
+def test_a_message_about_a_name_of_10_000_characters_can_be_read(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "names.json"
+    name = f"State{'x' * 9_992}000"
+    path.write_text(json.dumps({"SB1": {name: {}, "State1": {name: name}}}))
+    person = sit(path)
+    toast = person.window.toast
+    person.window.session.select((Address("SB1", name),))
+    person.ctrl(Qt.Key.Key_C)
+    assert toast.words.startswith("Copied Statexxx")
+    assert toast.words.endswith("xxx000.")
+    assert len(toast.words) < 100
+    assert toast.height() < 100
+    assert toast.width() <= person.window.width()
 
 
 def test_an_empty_window_has_no_empty_parts_in_its_status_line(sit: Sit) -> None:

@@ -14,7 +14,7 @@ from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.keys_back import KeysBack
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.base.words import brief, capital
 
 REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
 TOP = 40
@@ -75,7 +75,7 @@ class Toast(QWidget):
 
     def say(self, sentence: str) -> None:
         """Show that something went well."""
-        self._show(sentence, "", "", max(SAID_MS, READING_MS * len(sentence)))
+        self._show(sentence, "", "", max(SAID_MS, READING_MS * len(brief(sentence))))
 
     def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
         """Show what was done, with a button that reacts to it, such as Undo."""
@@ -142,6 +142,7 @@ class Toast(QWidget):
         self.severity = severity
         self._of_step = self._fresh = False
         self.button.hide()
+        sentence, advice = brief(sentence), brief(advice)
         self._sentence.setText(sentence)
         self._advice.setText(advice)
         self._advice.setVisible(bool(advice))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
@@ -10,6 +11,10 @@ from smsl_studio.legible import plain_text
 
 BLANK = "none"
 """What a screen reader says for an empty cell of a table."""
+
+_LONG = re.compile(r"\S{81,}")
+_MOST = 600
+"""The length of a sentence (characters) that is not shown whole."""
 
 
 def counted(number: int, one: str, many: str = "") -> str:
@@ -79,6 +84,12 @@ def capital(sentence: str) -> str:
     is_file = "." in first or "/" in first
     said = sentence if is_file else sentence[:1].upper() + sentence[1:]
     return said if said.endswith((".", "?", ":")) or not said else f"{said}."
+
+
+def brief(sentence: str) -> str:
+    """The sentence with very long names cut, so that the words around them can be read."""
+    said = _LONG.sub(lambda name: f"{name[0][:40]}…{name[0][-20:]}", sentence)
+    return said if len(said) <= _MOST else f"{said[: _MOST - 1]}…"
 
 
 def as_it_is(text: str) -> str:

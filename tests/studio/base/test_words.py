@@ -7,7 +7,7 @@ import pytest
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import Place
 from smsl_studio.inspection.rules.finding import Finding, Severity
-from smsl_studio.studio.base.words import capital, counted, first_lines, tally, worst
+from smsl_studio.studio.base.words import brief, capital, counted, first_lines, tally, worst
 
 HERE = Address("SB1", "State0")
 
@@ -47,6 +47,15 @@ def test_the_gravest_letter_of_an_address_wins_and_notes_are_no_mark() -> None:
 )
 def test_sentences(said: str, sentence: str) -> None:
     assert capital(said) == sentence
+
+
+def test_a_name_that_is_too_long_leaves_the_words_around_it_in_sight() -> None:
+    assert brief("Copied State_aaa as a picture.") == "Copied State_aaa as a picture."
+    path = "/home/stein/procedures/registration/2026/outer.json was saved"
+    assert brief(path) == path
+    said = brief(f"Copied State_{'x' * 9_994}_end as a picture.")
+    assert said == f"Copied State_{'x' * 34}…{'x' * 16}_end as a picture."
+    assert len(brief("word " * 2_000)) == 600
 
 
 def test_of_many_lines_the_first_are_said_and_how_many_more_there_are() -> None:

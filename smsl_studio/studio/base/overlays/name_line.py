@@ -39,7 +39,7 @@ class NameLine(QLineEdit):
         self.setMinimumHeight(28)
 
     def event(self, event: QEvent) -> bool:
-        """Keep letters from the window's shortcuts while a name is typed, and emit the signals of Tab."""
+        """Keep letters from the window's shortcuts while a name is typed, and tell of Tab."""
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
             # While a name is edited, plain keys belong to the field, not to the window's shortcuts.
             if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
