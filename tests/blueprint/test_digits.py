@@ -11,12 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.blueprint import editing as edit
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.json_form import parse_json, write_json
+from tests.blueprint.values import in_form, read
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 NAMED: dict[str, Any] = {
@@ -36,15 +35,6 @@ NAMED: dict[str, Any] = {
     },
     "B": {"T0": {"go": "T1"}, "T1": {}, "_operations": {"go": {"requires": {"A/0": "1"}}}},
 }  # fmt: skip
-
-
-def read(values: Any) -> Blueprint:
-    return read_blueprint(parse_json(write_json(values), "f.json"))
-
-
-def in_form(blueprint: Blueprint, form: str) -> Blueprint:
-    text = form_named(form).write(blueprint.document.values)
-    return read_blueprint(form_named(form).parse(text, f"f.{form}"))
 
 
 def test_a_fact_is_added_to_every_name_and_all_that_names_a_state_follows() -> None:

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.json_form import parse_json, write_json
+from tests.blueprint.values import in_form, read
 
 VALUED: dict[str, Any] = {
     "_hazards": [{"name": "both", "facts": {"A/0": "0", "A/1": "1", "B/0": "1"}}],
@@ -36,15 +36,6 @@ BESIDE: dict[str, Any] = {
     "A": {"Idle": {"go": "Ready"}, "Ready": {},
           "_states": {"Idle": {"facts": ["no"], "title": "rest"}, "Ready": {"facts": ["yes"]}}},
 }  # fmt: skip
-
-
-def read(values: Any) -> Blueprint:
-    return read_blueprint(parse_json(write_json(values), "f.json"))
-
-
-def in_form(blueprint: Blueprint, form: str) -> Blueprint:
-    text = form_named(form).write(blueprint.document.values)
-    return read_blueprint(form_named(form).parse(text, f"f.{form}"))
 
 
 def test_a_renamed_value_is_followed_by_all_that_names_it() -> None:

@@ -12,20 +12,15 @@ from hypothesis import strategies as st
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing.pasted_table import LONGEST, is_table, read_states
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.json_form import parse_json, write_json
+from tests.blueprint.values import read
 
 SMALL: dict[str, Any] = {
     "SB1": {"HEADER": {"NUM_STATES": 2}, "Idle": {"go": "Ready"}, "Ready": {},
             "_layout": {"Idle": [0, 0], "Ready": [200, 0]}},
 }  # fmt: skip
-
-
-def read(values: Any) -> Blueprint:
-    return read_blueprint(parse_json(write_json(values), "f.json"))
 
 
 def test_rows_make_states_and_operations_beside_those_that_stand() -> None:

@@ -22,6 +22,7 @@ from smsl_studio.studio.shell.application import make_window
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window
 from smsl_studio.studio.shell.windows import Windows
+from tests.stories.at_canvas import Drawer, sample
 from tests.stories.person import Person
 
 Sit = Callable[..., Person]
@@ -81,3 +82,15 @@ def sit(
             pane.run.close()
         window.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def hfsm(qtbot: QtBot) -> Drawer:
+    """A canvas on the paper's small hierarchy."""
+    return Drawer(qtbot, sample("hfsm.json"))
+
+
+@pytest.fixture
+def hanoi(qtbot: QtBot) -> Drawer:
+    """A canvas on the corrected Tower of Hanoi."""
+    return Drawer(qtbot, sample("hanoi-corrected.json"))

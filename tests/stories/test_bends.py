@@ -18,17 +18,12 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.curves import meets
 from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.base.canvas.line_marks import LineMarks
-from tests.stories.at_canvas import LEFT, Drawer, sample
+from tests.stories.at_canvas import LEFT, Drawer
 from tests.stories.test_canvas_gestures import drag_to
 from tests.studio.base.canvas.test_canvas import alike, on_screen, painted_anew
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
 STATE, OP = "State100", "Operation100B"
-
-
-@pytest.fixture
-def hfsm(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hfsm.json"))
 
 
 def shape(person: Drawer, state: str = STATE, operation: str = OP) -> EdgeShape:

@@ -24,16 +24,6 @@ def empty(qtbot: QtBot) -> Drawer:
     return Drawer(qtbot)
 
 
-@pytest.fixture
-def hfsm(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hfsm.json"))
-
-
-@pytest.fixture
-def hanoi(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hanoi-corrected.json"))
-
-
 def turn(
     person: Drawer, at: QPoint, notches: int, modifiers: Qt.KeyboardModifier = Modifier.NoModifier
 ) -> None:

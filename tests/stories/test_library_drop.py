@@ -26,7 +26,7 @@ from smsl_studio.studio.features.draw.canvas.library_drop import KIND, library_d
 from smsl_studio.studio.features.draw.canvas.library_verbs import LibraryVerbs
 from smsl_studio.studio.features.draw.panels import library_list
 from smsl_studio.studio.features.draw.panels.library import LibraryEntry
-from tests.stories.at_canvas import Drawer, sample
+from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 from tests.studio.base.canvas.test_canvas import alike, on_screen, painted_anew
@@ -62,16 +62,6 @@ class Dragger:
 
     def leave(self) -> None:
         QApplication.sendEvent(self.person.hands_on, QDragLeaveEvent())
-
-
-@pytest.fixture
-def hfsm(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hfsm.json"))
-
-
-@pytest.fixture
-def hanoi(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hanoi-corrected.json"))
 
 
 def between(person: Drawer, a: str, b: str, share: float) -> QPoint:

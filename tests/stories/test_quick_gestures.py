@@ -5,26 +5,15 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtTest import QTest
-from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
-from tests.stories.at_canvas import Drawer, sample
+from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
 Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton
 HFSM = SAMPLES / "hfsm.json"
-
-
-@pytest.fixture
-def hfsm(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hfsm.json"))
-
-
-@pytest.fixture
-def hanoi(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hanoi-corrected.json"))
 
 
 # Siblings

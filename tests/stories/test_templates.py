@@ -13,22 +13,12 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.studio.features.draw.canvas.library_verbs import LibraryVerbs
 from smsl_studio.studio.features.draw.canvas.template_drop import TEMPLATES
-from tests.stories.at_canvas import Drawer, sample
+from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
 from tests.stories.test_library_drop import Dragger
 
 Key = Qt.Key
-
-
-@pytest.fixture
-def hanoi(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hanoi-corrected.json"))
-
-
-@pytest.fixture
-def hfsm(qtbot: QtBot) -> Drawer:
-    return Drawer(qtbot, sample("hfsm.json"))
 
 
 def drop(person: Drawer, template: str, at: QPoint) -> str:

@@ -1,4 +1,4 @@
-"""The accessible interface of something drawn on a canvas that has nothing inside."""
+"""The accessible interfaces of what is drawn on a canvas, and of what has nothing inside."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Any
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 
 
-class LeafAccessible(QAccessibleInterface):
-    """An interface without a Qt object and without children. Subclasses say what is read out."""
+class PartAccessible(QAccessibleInterface):
+    """An interface without a Qt object. Subclasses say what is read out and what is inside."""
 
     def __init__(self, parent: QAccessibleInterface) -> None:
         super().__init__()
-        self._parent = parent
+        self._above = parent
 
     def object(self) -> Any:
         """None: it is no Qt object."""
@@ -20,11 +20,18 @@ class LeafAccessible(QAccessibleInterface):
 
     def window(self) -> Any:
         """The window that the canvas lies in."""
-        return self._parent.window()
+        return self._above.window()
 
     def parent(self) -> QAccessibleInterface:
         """The interface that it is a child of."""
-        return self._parent
+        return self._above
+
+    def setText(self, kind: QAccessible.Text, text: str) -> None:
+        """Ignored: the words follow the blueprint and cannot be set from outside."""
+
+
+class LeafAccessible(PartAccessible):
+    """A part without children."""
 
     def childCount(self) -> int:
         """0: it has no children."""
@@ -41,6 +48,3 @@ class LeafAccessible(QAccessibleInterface):
     def childAt(self, x: int, y: int) -> Any:
         """None: it has no children."""
         return None
-
-    def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Ignored: the words follow the blueprint and cannot be set from outside."""

@@ -20,7 +20,7 @@ from shiboken6 import isValid
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.accessible import state_words, words_for
 from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
-from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible
+from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible, PartAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.sheet import Sheet
@@ -156,11 +156,11 @@ class CanvasAccessible(QAccessibleInterface):
         return found
 
 
-class StateAccessible(QAccessibleInterface):
+class StateAccessible(PartAccessible):
     """One state, read as "State_1100, active, 7 operations out"."""
 
     def __init__(self, parent: CanvasAccessible, index: int) -> None:
-        super().__init__()
+        super().__init__(parent)
         self._parent, self.index = parent, index
         self._children: dict[Address, OperationAccessible] = {}
 
@@ -172,18 +172,6 @@ class StateAccessible(QAccessibleInterface):
     def isValid(self) -> bool:
         """Whether the canvas still shows a state with this number."""
         return self._parent.isValid() and self.index < self._parent.states
-
-    def object(self) -> Any:
-        """None: a state is no Qt object."""
-        return None
-
-    def window(self) -> Any:
-        """The window that the canvas lies in."""
-        return self._parent.window()
-
-    def parent(self) -> QAccessibleInterface:
-        """The interface of the canvas."""
-        return self._parent
 
     @property
     def operations(self) -> tuple[Address, ...]:
@@ -224,9 +212,6 @@ class StateAccessible(QAccessibleInterface):
         if kind == QAccessible.Text.Name and self.isValid():
             return state_words(self.canvas, self.index)
         return ""
-
-    def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Ignored: names follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
         """The rectangle of the node on the screen (pixels); empty if the state is gone."""
