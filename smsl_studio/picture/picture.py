@@ -15,6 +15,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
+from smsl_studio.picture.chip_kinds import chip_kind
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
@@ -82,6 +83,7 @@ class Picture:
         self.operations = tuple(chain.from_iterable(table.values()))
         self.prefix = shared_prefix(self.branch.operation_names)
         self._faces: dict[int, Face] = {}
+        self._chip_kinds: dict[tuple[int, str], str] = {}
         self._kinds: dict[int, str] = {}
 
     def __len__(self) -> int:
@@ -229,13 +231,6 @@ class Picture:
             found = self._faces[state] = self._face_of(self.names[state])
         return found
 
-    @cached_property
-    def _binary(self) -> tuple[bool, ...]:
-        branch = self.branch
-        if branch.shape.opaque or not branch.table:
-            return ()
-        return tuple(set(values) <= {"0", "1"} for values in branch.alphabet)
-
     def _face_of(self, name: str) -> Face:
         branch = self.branch
         note = branch.state_note(name)
@@ -244,7 +239,7 @@ class Picture:
         if not branch.shape.opaque:
             facts = branch.facts(name)
             shown = enumerate(facts[:MOST_CHIPS])
-            chips = tuple(self._chip(name, d, value) for d, value in shown)
+            chips = tuple(self._chip(d, value) for d, value in shown)
             if len(facts) > MOST_CHIPS:  # the beginning and the end distinguish states
                 facts = (*facts[: MOST_CHIPS // 2], "…", *facts[-MOST_CHIPS // 2 :])
             short = "".join(facts) if branch.shape.width else " ".join(facts)
@@ -257,13 +252,13 @@ class Picture:
             activating=name == branch.activating,
         )
 
-    def _chip(self, state: str, digit: int, value: str) -> Chip:
+    def _chip(self, digit: int, value: str) -> Chip:
         sub = self.branch.subs.get(digit, "")
         text = self._meaning(digit, value) if self._words else value
-        two_valued = digit < len(self._binary) and (self._binary[digit] or bool(sub))
-        if not two_valued:
-            return Chip(text, "value", sub)
-        return Chip(text, "on" if self.branch.is_on(state, digit) else "off", sub)
+        key = digit, value
+        if key not in self._chip_kinds:
+            self._chip_kinds[key] = chip_kind(self.branch, digit, value)
+        return Chip(text, self._chip_kinds[key], sub)
 
     def _meaning(self, digit: int, value: str) -> str:
         note = self.branch.fact_note(digit)

@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.chip_kinds import OFF, ON, VALUE, chip_kind
 from smsl_studio.picture.picture import MOST_CHIPS
 from smsl_studio.studio.base.theme import Tokens, mono_font
 from smsl_studio.studio.base.tips import tip_text
 
 CHIP, GAP = 20, 5
-ON, OFF, VALUE = "on", "off", "value"
 MOST_VALUES = 8
 """So many values of a fact are named in a tooltip."""
 
@@ -24,12 +24,8 @@ MOST_VALUES = 8
 def kind_of(branch: StateBranch, state: str, digit: int) -> str:
     """How to paint a digit of a state: ``on`` (filled), ``off`` (outlined), or ``value`` if
     there are several values."""
-    values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-    if not set(values) <= {"0", "1"} and digit not in branch.subs and len(values) != 2:
-        return VALUE
-    if not set(values) <= {"0", "1"} and branch.fact_note(digit) is None:
-        return VALUE
-    return ON if branch.is_on(state, digit) else OFF
+    facts = branch.facts(state)
+    return chip_kind(branch, digit, facts[digit]) if digit < len(facts) else VALUE
 
 
 def fact_words(branch: StateBranch, digit: int, value: str) -> str:

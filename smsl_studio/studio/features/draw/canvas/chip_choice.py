@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.names import fact_choices
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.chips import CHIP, OFF, ON, VALUE, fact_words, paint_chip
+from smsl_studio.picture.chip_kinds import OFF, ON, VALUE
+from smsl_studio.studio.base.chips import CHIP, fact_words, paint_chip
 from smsl_studio.studio.base.paint.ink import NO_BRUSH
 from smsl_studio.studio.base.theme import Tokens, mono_font
 from smsl_studio.studio.base.tips import tip_text

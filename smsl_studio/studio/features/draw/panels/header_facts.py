@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.chips import VALUE
+from smsl_studio.picture.chip_kinds import VALUE
 from smsl_studio.studio.base.controls import Combo, Field, label
 from smsl_studio.studio.base.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text

@@ -26,7 +26,8 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.chips import VALUE, paint_chip
+from smsl_studio.picture.chip_kinds import VALUE
+from smsl_studio.studio.base.chips import paint_chip
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import Tokens, mono_font

@@ -7,7 +7,8 @@ from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPaint
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.chips import VALUE, paint_chip
+from smsl_studio.picture.chip_kinds import VALUE
+from smsl_studio.studio.base.chips import paint_chip
 from smsl_studio.studio.base.theme import Tokens, mono_font
 from smsl_studio.studio.base.tips import tip_text
 
