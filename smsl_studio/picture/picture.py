@@ -263,5 +263,23 @@ class Picture:
     def _meaning(self, digit: int, value: str) -> str:
         note = self.branch.fact_note(digit)
         meaning = note.values.get(value, "") if note is not None else ""
-        long = len(meaning) > LONGEST_WORD
-        return f"{meaning[: LONGEST_WORD - 1]}…" if long else meaning or value
+        if meaning:
+            return _cut(meaning, LONGEST_WORD)
+        if not self._has_words:
+            return value
+        # Between words a lone digit would say nothing, so its fact is named beside it.
+        room = max(LONGEST_WORD - len(value) - 2, 4)
+        return f"{_cut(self.branch.fact_name(digit), room)}: {value}"
+
+    @cached_property
+    def _has_words(self) -> bool:
+        return has_words(self.branch)
+
+
+def has_words(branch: StateBranch) -> bool:
+    """Whether any fact of an SB has a name, or a value with a meaning."""
+    return any(note.name or note.values for note in branch.notes.facts.values())
+
+
+def _cut(text: str, most: int) -> str:
+    return f"{text[: most - 1]}…" if len(text) > most else text

@@ -333,13 +333,21 @@ def test_words_instead_of_digits_are_a_view_that_is_remembered(sit: Sit) -> None
     text = person.blueprint.document.text
     action = person.window.actions_table["words"]
     action.trigger()
-    assert shown_chips(person) == ["fixed", "0", "0"]
+    assert shown_chips(person) == ["fixed", "Fact 2: 0", "Fact 3: 0"]
     assert action.isChecked()
     assert person.blueprint.document.text == text
     again = sit(HFSM)
     assert again.window.canvas.words
     again.window.actions_table["words"].trigger()
     assert shown_chips(again) == ["1", "0", "0"]
+
+
+def test_where_no_fact_has_words_the_digits_stay_and_this_is_said(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    before = shown_chips(person)
+    person.window.actions_table["words"].trigger()
+    assert shown_chips(person) == before
+    assert "has a name or a meaning yet" in person.window.canvas.overlays.word.text
 
 
 def shown_chips(person: Person) -> list[str]:

@@ -65,6 +65,26 @@ def test_the_first_samples_are_offered_where_nothing_is_drawn(sit: Sit) -> None:
     assert person.window.files.path is None, "a sample is opened as a copy"
 
 
+def test_a_sample_that_is_opened_in_an_empty_sub_sb_leaves_the_drawing_alone(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    person.window.session.edit("Add SB9", lambda bp: editing.add_branch(bp, "SB9"))
+    assert person.window.files.save()
+    person.window.session.show_branch("SB9")
+    drawn = person.blueprint
+    person.click(person.window.canvas.overlays.empty.sample)
+    person.choose_in_menu("hanoi.json")
+    person.until(lambda: len(list(person.windows)) == 2)
+    assert person.blueprint is drawn
+    assert person.window.files.path == path
+    other = next(one for one in person.windows if one is not person.window)
+    assert isinstance(other, Window)
+    assert other.session.blueprint == sample("hanoi.json")
+    assert (other.files.path, other.mode) == (None, "draw")
+
+
 def test_open_edit_save_changes_only_what_was_edited(sit: Sit, tmp_path: Path) -> None:
     path = copy_of("registration.json", tmp_path)
     before = path.read_bytes()

@@ -210,6 +210,9 @@ class Shell(Protocol):
     def new_window(self) -> None:
         """Open another window."""
 
+    def copy_beside(self, path: Path) -> None:
+        """Open a copy of a sample in another window."""
+
     def open_palette(self) -> None:
         """Open the command palette."""
 

@@ -160,6 +160,12 @@ class Window(QMainWindow):
         """Show another empty window, a little below this one."""
         self._beside().set_mode("draw")
 
+    def copy_beside(self, path: Path) -> None:
+        """Open a copy of a sample in another window, a little below this one."""
+        window = self._beside()
+        window.files.open_copy(path)
+        window.set_mode("draw")
+
     def _beside(self) -> Window:
         window = Window(self._windows)
         window.move(self.pos() + QPoint(32, 32))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu
@@ -33,8 +35,8 @@ def fill_recent(files: Files, menu: QMenu) -> None:
         menu.addAction("No file was opened yet").setEnabled(False)
 
 
-def fill_samples(files: Files, menu: QMenu) -> None:
+def fill_samples(open_copy: Callable[[Path], object], menu: QMenu) -> None:
     """Fill a menu with the samples; each opens as a copy."""
     menu.clear()
     for path in samples():
-        menu.addAction(as_it_is(path.name), partial(files.open_copy, path))
+        menu.addAction(as_it_is(path.name), partial(open_copy, path))

@@ -134,7 +134,7 @@ class DrawFeature(Feature):
         )
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
-            "new": ("Open sample", lambda menu: fill_samples(files, menu)),
+            "new": ("Open sample", lambda menu: fill_samples(files.open_copy, menu)),
             "sub_sb": ("Insert template", lambda menu: fill_templates(self._actions, menu)),
         }
 
@@ -335,8 +335,12 @@ class DrawFeature(Feature):
         menu.popup(self._shell.corner_below("align"))
 
     def _offer_samples(self) -> None:
-        menu = passing_menu(self._parts.window)
-        fill_samples(self._parts.files, menu)
+        """Open the menu of the samples. The hint also stands in an empty SB of a drawing, and a
+        sample must not take the place of that."""
+        files, menu = self._parts.files, passing_menu(self._parts.window)
+        drawn = any(branch.table for branch in self._parts.session.blueprint)
+        here = files.is_draft and not drawn
+        fill_samples(files.open_copy if here else self._shell.copy_beside, menu)
         button = self.canvas.overlays.empty.sample
         menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
 

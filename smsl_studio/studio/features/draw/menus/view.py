@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from smsl_studio.picture.picture import has_words
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
@@ -42,6 +43,11 @@ def view_actions(
         """Show words on the chips, or digits again; this is remembered."""
         canvas.set_words(not canvas.words)
         windows.settings.store_text("words", "shown" if canvas.words else "")
+        sheet = canvas.sheet
+        if canvas.words and sheet is not None and not has_words(sheet.picture.branch):
+            canvas.say(
+                "No fact here has a name or a meaning yet. Write them in the table of facts."
+            )
 
     canvas.set_words(windows.settings.text_of("words") == "shown")
 
