@@ -91,13 +91,48 @@ def test_a_letter_begins_a_new_text_in_the_chosen_cell(sit: Sit) -> None:
     assert note(person).name != "disk 1"
 
 
+def test_tab_names_one_fact_after_the_other(sit: Sit) -> None:
+    person = sit(HFSM)
+    click_cell(person, 0, "name")
+    view = facts(person).view
+    for digit, name in enumerate(("Plan", "Clamp", "Door")):
+        assert view.looks.edited == (digit, ("name", ""))
+        QTest.keyClicks(view.field, name)
+        QTest.keyClick(view.field, Key.Key_Tab)
+    assert view.looks.edited is None
+    click_cell(person, 2, "name")
+    QTest.keyClick(view.field, Key.Key_Tab, SHIFT)
+    assert view.looks.edited == (1, ("name", ""))
+    QTest.keyClicks(view.field, "Gate")
+    QTest.keyClick(view.field, Key.Key_Return)
+    branch = person.blueprint["SB1"]
+    assert [branch.fact_name(digit) for digit in range(3)] == ["Plan", "Gate", "Door"]
+
+
+def test_tab_names_one_fact_after_the_other_in_properties(sit: Sit) -> None:
+    person = sit(HFSM)
+    rows = person.window.properties.header.facts
+    person.click(rows[0].name)
+    rows[0].name.selectAll()
+    for name in ("Plan", "Clamp"):
+        person.type(name)
+        person.press(Key.Key_Tab)
+    person.until(rows[2].name.hasFocus)
+    person.press(Key.Key_Backtab, [SHIFT])
+    person.until(rows[1].name.hasFocus)
+    person.type("Gate")
+    person.press(Key.Key_Return)
+    branch = person.blueprint["SB1"]
+    assert [branch.fact_name(digit) for digit in range(2)] == ["Plan", "Gate"]
+
+
 def test_tab_goes_to_the_next_cell_and_escape_gives_up(sit: Sit) -> None:
     person = sit(REGISTRATION)
     click_cell(person, 0, "name")
     view = facts(person).view
     QTest.keyClicks(view.field, "Plan")
-    QTest.keyClick(view.field, Key.Key_Tab)
-    assert view.looks.edited == (0, ("unit", ""))
+    QTest.keyClick(view.field, Key.Key_Return)
+    click_cell(person, 0, "unit")
     QTest.keyClicks(view.field, "mm")
     QTest.keyClick(view.field, Key.Key_Tab, SHIFT)
     assert view.looks.edited == (0, ("name", ""))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtWidgets import QWidget
 
 from tests.stories.conftest import Sit
@@ -27,7 +27,9 @@ def look_close(person: Person, at: str) -> None:
     canvas = person.window.canvas
     canvas.camera.motion = False
     canvas.zoom_to(1.5)
-    canvas.reveal(person.blueprint.resolve(at))
+    rect = canvas.rect_of(person.blueprint.resolve(at))
+    assert rect is not None
+    canvas.camera.go(rect.center(), 1.5, smooth=False)
 
 
 @pytest.mark.parametrize(("selected", "key"), [("", True), ("SB1/State_bbb", False)])
@@ -91,6 +93,49 @@ def test_f2_names_a_state_where_it_then_is(sit: Sit) -> None:
     assert field is not None
     person.window.canvas.camera.finish()
     assert field.geometry().adjusted(-8, -20, 8, 20).contains(person.place("SB1/State_aaa"))
+
+
+def at_the_rim(person: Person, state: str) -> None:
+    """Scroll so that a state stands whole, but close to the right border."""
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    canvas.zoom_to(1.5)
+    canvas.reveal(person.blueprint.resolve(state))
+    rect = canvas.rect_of(person.blueprint.resolve(state))
+    assert rect is not None
+    wide = canvas.viewport().width() / canvas.zoom
+    canvas.camera.go(QPointF(rect.right() + 12 - wide / 2, rect.center().y()), 1.5, smooth=False)
+
+
+def test_f2_on_what_is_in_view_moves_nothing(sit: Sit) -> None:
+    person = sit(HANOI)
+    at_the_rim(person, "SB1/State_bbb")
+    assert is_in_view(person, "SB1/State_bbb")
+    person.window.session.select([person.blueprint.resolve("SB1/State_bbb")])
+    centre = person.window.canvas.camera.centre
+    person.press(Key.Key_F2)
+    assert person.window.editor.field is not None
+    assert person.window.canvas.camera.centre == centre
+    person.press(Key.Key_Escape)
+    assert person.window.canvas.camera.centre == centre
+
+
+def test_tab_scrolls_only_as_far_as_the_new_state_needs(sit: Sit) -> None:
+    person = sit(HANOI)
+    at_the_rim(person, "SB1/State_bbb")
+    person.window.session.select([person.blueprint.resolve("SB1/State_bbb")])
+    canvas = person.window.canvas
+    before = canvas.camera.centre
+    person.press(Key.Key_Tab)
+    person.press(Key.Key_Return)
+    (added,) = person.selected()
+    target = person.blueprint["SB1"].table["State_bbb"][added.split("/")[-1]]
+    assert is_in_view(person, f"SB1/{target}")
+    assert is_in_view(person, "SB1/State_bbb")
+    moved = canvas.camera.centre - before
+    view = canvas.clear_view
+    assert abs(moved.x()) < view.width() / 2
+    assert abs(moved.y()) < view.height() / 2
 
 
 def test_f3_and_a_click_on_a_finding_scroll_to_it(sit: Sit) -> None:

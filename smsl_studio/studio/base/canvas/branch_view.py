@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
+from smsl_studio.picture.levels import FULL_SIZE
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
 from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
@@ -19,6 +20,8 @@ from smsl_studio.studio.base.theme import Tokens
 
 TOP = 40
 """The height at the top that is kept free for the breadcrumb (pixels)."""
+RIM = 8
+"""The pixels that are left beside an element that was scrolled to."""
 
 
 class BranchView(DrawnStage):
@@ -154,17 +157,37 @@ class BranchView(DrawnStage):
         self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
     def reveal(self, address: Address, smooth: bool = True) -> None:
-        """Scroll to a state or operation if it is not in view. The zoom stays."""
+        """Scroll to a state or operation, as far as it takes to see it whole. The zoom stays."""
         rect = self.rect_of(address)
         if rect is not None:
-            self.reveal_point(rect.center(), smooth)
+            self.camera.finish()
+            self._scroll_to(rect, self._whole_view, smooth)
 
     def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
-        """Scroll a scene point to the middle if it is not in ``clear_view``. The zoom stays."""
+        """Scroll as far as it takes to see a state at a scene point whole. The zoom stays."""
         self.camera.finish()
         if not self.clear_view.contains(at):
-            self.camera.keep("")
-            self.camera.go(at, self.zoom, smooth)
+            across, down = FULL_SIZE
+            state = QRectF(at.x() - across / 2, at.y() - down / 2, across, down)
+            self._scroll_to(state, self._whole_view, smooth)
+
+    @property
+    def _whole_view(self) -> QRectF:
+        """The visible part of the scene without a rim and without what floats at the top."""
+        view = self.viewport().rect().adjusted(RIM, self.top_room(), -RIM, -RIM)
+        return self.mapToScene(view).boundingRect()
+
+    def _scroll_to(self, rect: QRectF, view: QRectF, smooth: bool) -> None:
+        """Bring a part of the scene into a part of the view. What is far away gets to the
+        middle."""
+        across = _way(rect.left(), rect.right(), view.left(), view.right())
+        down = _way(rect.top(), rect.bottom(), view.top(), view.bottom())
+        if not across and not down:
+            return
+        far = abs(across) > view.width() / 2 or abs(down) > view.height() / 2
+        nearer = self.camera.centre + QPointF(across, down)
+        self.camera.keep("")
+        self.camera.go(rect.center() if far else nearer, self.zoom, smooth)
 
     def show_in_middle(self, address: Address, least: float) -> None:
         """Scroll a state or operation to the middle. A zoom below ``least`` rises to it."""
@@ -204,3 +227,13 @@ class BranchView(DrawnStage):
         view = self.viewport().rect()
         across, down = min(70, view.width() // 3), min(64, view.height() // 3)
         return self.mapToScene(view.adjusted(across, down, -across, -down)).boundingRect()
+
+
+def _way(first: float, last: float, low: float, high: float) -> float:
+    """How far a view from ``low`` to ``high`` must move to show ``first`` to ``last``.
+
+    What is longer than the view is shown around its middle.
+    """
+    if last - first > high - low:
+        first = last = (first + last) / 2
+    return max(last - high, 0.0) + min(first - low, 0.0)

@@ -150,9 +150,12 @@ class FactView(QListView):
         self.viewport().update()
 
     def _go(self, row: int, step: int) -> None:
-        """Edit the next cell in which one types, also in the next line."""
+        """Edit the next cell in which one types, also in the next line. From a name it is the name
+        of the next fact, because facts are named one after the other.
+        """
+        kinds = ("name",) if self._cell[0] == "name" else TYPED
         keys = [(at, c.key) for at in range(max(row - 1, 0), min(row + 2, len(self.facts.lines)))
-                for c in self._cells(at) if c.kind in TYPED]  # fmt: skip
+                for c in self._cells(at) if c.kind in kinds]  # fmt: skip
         here = (row, self._cell)
         at = keys.index(here) + step if here in keys else -1
         if 0 <= at < len(keys):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
@@ -76,12 +77,20 @@ class HeaderFacts(QWidget):
                 self._grid.removeWidget(widget)
                 widget.hide()
                 widget.deleteLater()
-        while len(self.rows) < count:
-            self.rows.append(self._new_row(len(self.rows)))
+        if len(self.rows) < count:
+            self.rows += [self._new_row(digit) for digit in range(len(self.rows), count)]
+            self._order_keys()
         self.setVisible(count > 0)
         others = [name for name in blueprint.branches if name != branch.name]
         for digit, fact in enumerate(self.rows):
             self._show_fact(branch, digit, fact, others)
+
+    def _order_keys(self) -> None:
+        """Let Tab go from name to name first, because facts are named one after the other."""
+        order: list[QWidget] = [fact.name for fact in self.rows]
+        order += [widget for fact in self.rows for widget in (fact.chip, fact.sub)]
+        for before, after in pairwise(order):
+            QWidget.setTabOrder(before, after)
 
     def _show_fact(
         self, branch: StateBranch, digit: int, fact: HeaderFactRow, others: list[str]
