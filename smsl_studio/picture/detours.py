@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from smsl_studio.picture.obstacles import FEW, Ints, Obstacles, pieces_hit
+from smsl_studio.picture.obstacles import Ints, Obstacles, pieces_hit
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, border, rounded
 from smsl_studio.picture.strands import START_GAP, TIP_GAP
 
@@ -34,8 +34,8 @@ _APART = 6.0
 _RADII = (40.0, 22.0, 10.0, 5.0, 1.0)
 MOST_PASSED = 28
 """With more nodes than this in the way, there is no detour."""
-MOST_PASSED_OF_MANY = 4
-"""The same among very many nodes (see ``obstacles.FEW``)."""
+FEW, MOST_PASSED_OF_MANY = 100, 4
+"""The same among more nodes than the first number."""
 _TIE = 1e-6
 _BESIDE = 90.0
 """No line lies farther (pixels of a mark) beside the way that it follows."""

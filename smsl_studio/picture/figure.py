@@ -106,7 +106,10 @@ class Figure:
 
     def _geometry(self) -> Geometry:
         style = LineStyle(1.0, self.level is not Level.FULL)
-        return Geometry(self.picture, self.boxes, style, self.label_size, self.lines)
+        found = Geometry(self.picture, self.boxes, style, self.label_size, self.lines)
+        if self.shows_nodes:
+            found.prepare(range(len(self.picture.operations)))
+        return found
 
     @cached_property
     def _layouts(self) -> dict[int, EdgeLayout]:

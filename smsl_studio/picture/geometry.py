@@ -13,11 +13,11 @@ import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture import bends, labels, loops
+from smsl_studio.picture.clear_pairs import ClearPairs
 from smsl_studio.picture.curves import (
     Between,
     LineStyle,
     around,
-    breadth,
     in_row,
     shapes_of,
     strands_of,
@@ -57,6 +57,7 @@ class Geometry:
     ) -> None:
         self.picture, self.boxes, self.style = picture, boxes, style
         self._obstacles = Obstacles(boxes)
+        self._clears = ClearPairs(self._obstacles, style, self.box)
         self._drawn = drawn
         self._label_size = label_size
         self._shapes: dict[int, EdgeShape] = {}
@@ -71,6 +72,7 @@ class Geometry:
         self._middle = self._centre()
         self._places: labels.LabelPlaces | None = None
         self._lines = labels.LinePieces({})
+        self._choice: labels.LabelChoice | None = None
         self.small = picture.small
         if self.small:
             self._route_small(former)
@@ -85,10 +87,13 @@ class Geometry:
 
     def prepare(self, edges: Iterable[int]) -> None:
         """Route all of these edges that are not routed yet, together."""
+        edges = list(edges)
         for edge in edges:
             if edge not in self._shapes and edge not in self._strands:
                 self._plan(edge)
         self._draw()
+        if anew := [edge for edge in edges if edge not in self._labels]:
+            self._choice = self._choice_of(anew)
 
     def label(self, edge: int) -> labels.Rect | None:
         """Return the place of an edge's label (left, top, right, bottom), None while it is
@@ -120,21 +125,19 @@ class Geometry:
         released.
         """
         concerned: dict[int, None] = {}
-        if self._work is not None:
-            self._work.clear.clear()
+        self._clears.known.clear()
         for state in states:
-            self._obstacles.moved(state)
             self._box.pop(state, None)
             concerned.update(dict.fromkeys(self.picture.edges_of(state)))
         for edge in concerned:
-            self._shapes.pop(edge, None)
-            self._labels.pop(edge, None)
+            self.redraw(edge)
         return list(concerned)
 
     def redraw(self, edge: int) -> None:
         """Drop the line of an edge whose layout has changed."""
         self._shapes.pop(edge, None)
         self._labels.pop(edge, None)
+        self._choice = None
 
     def box(self, state: int) -> NodeBox:
         """Return the box of a state, with its rounded corners."""
@@ -227,23 +230,10 @@ class Geometry:
             work.bent[pair.a, pair.b] = reach
 
     def _clear(self, pair: Between) -> bool:
-        """Return whether all lines between two states are clear of other nodes without a detour, or
-        need not be, because the picture is very large.
+        """Return whether the lines between two states need no detour. In a very large picture none
+        is sought.
         """
-        if not self.picture.careful:
-            return True
-        ends, clear = (pair.a, pair.b), self._work.clear if self._work is not None else {}
-        found = clear.get(ends)
-        if found is None:
-            source, target = self.box(pair.a), self.box(pair.b)
-            if self._former is not None:
-                found = self._former.clear(pair, source, target)
-            if found is None:
-                line = np.array([[source.x, source.y], [target.x, target.y]])
-                gap = GAP * self.style.unit + breadth(pair, source, target, self.style)
-                found = not len(self._obstacles.met(line, gap, ends))
-            clear[ends] = found
-        return found
+        return not self.picture.careful or self._clears.holds(pair, self._former)
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
         """Return the line of an edge whose target is missing: a short arrow down."""
@@ -269,11 +259,13 @@ class Geometry:
             shapes=dict(self._shapes),
             labels=dict(self._labels),
             sizes=dict(work.sizes),
-            clear=dict(work.clear),
+            clear=dict(self._clears.known),
             bent=dict(work.bent),
         )
 
     def _route_all(self, work: Routing) -> None:
+        if self._former is None and self.picture.careful:
+            self._clears.look([self._pair(a, b) for a, b in self.picture.pairs()])
         passing: list[Passing] = []
         looping: dict[int, None] = {}
         for edge, (a, b) in enumerate(
@@ -311,8 +303,12 @@ class Geometry:
                 self._place(edge)
         for state in looping:
             self._route_loops(state)
-        self._lines = labels.LinePieces(self._shapes)
-        for edge in sorted(self._shapes, key=self._label_order):
+        if looping:
+            self._lines = labels.LinePieces(self._shapes)
+        order = sorted(self._shapes, key=self._label_order)
+        if self._former is None:
+            self._choice = self._choice_of(edge for edge in order if edge not in self._labels)
+        for edge in order:
             self._place(edge)
 
     def _label_order(self, edge: int) -> tuple[int, float, int]:
@@ -347,10 +343,19 @@ class Geometry:
             if rect is not None:
                 places.take(rect)
             return
-        compact = self.style.compact
-        rect = self._labels[edge] = labels.place(edge, shape, size, places, self._lines, compact)
+        if self._choice is None or not self._choice.knows(edge):
+            self._choice = self._choice_of([edge])
+        rect = self._labels[edge] = self._choice.take(edge)
         if former is not None:
             former.label_moved(edge, rect)
+
+    def _choice_of(self, edges: Iterable[int]) -> labels.LabelChoice:
+        """Return the choice of places for the labels of edges whose lines are known."""
+        shapes = {edge: self._shapes[edge] for edge in edges}
+        sizes = [self._label_size(edge) for edge in shapes]
+        if self._places is None:
+            self._places = self._fresh_places()
+        return labels.LabelChoice(shapes, sizes, self._places, self._lines, self.style.compact)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)

@@ -6,21 +6,21 @@ selected or lit. Pure geometry.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
+from smsl_studio.picture.label_candidates import candidates
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
 """Left, top, right, bottom."""
-SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
-EARLY_SHARES = (0.4, 0.34, 0.46, 0.28, 0.52, 0.58, 0.22, 0.64, 0.7)
-"""Compact edges come in opposite pairs, so labels near the start do not meet."""
-LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
-BESIDE_GAP = 6.0
+_AT_ONCE, _RECTS_AT_ONCE = 200, 4_000
+"""So many labels are compared with all lines at once, and so many places with all nodes."""
+_MOST_OFTEN = 3
+"""So many places of each label are compared with the lines beforehand."""
 
 
 def meet(a: Rect, b: Rect) -> bool:
@@ -31,28 +31,17 @@ def meet(a: Rect, b: Rect) -> bool:
 class LabelPlaces:
     """The places that are taken, in a grid of cells. No label covers a node or another label.
 
-    ``boxes`` has the nodes, an (n, 4) array of centres and half sizes. They are sorted into cells
-    with numpy, because a loop over thousands of nodes is slow.
+    ``boxes`` has the nodes, an (n, 4) array of centres and half sizes.
     """
 
     def __init__(self, boxes: Floats, unit: float) -> None:
         self.unit = unit
         self._cell = 96.0 * unit
-        if len(boxes):
-            self._cell = max(self._cell, float(boxes[:, 2:].max()) * 2.0 + 4.0 * unit)
         self._cells: dict[tuple[int, int], list[Rect]] = {}
         margin = 2.0 * unit
         self._nodes = np.hstack(
             [boxes[:, :2] - boxes[:, 2:] - margin, boxes[:, :2] + boxes[:, 2:] + margin]
         )
-        at = np.floor(boxes[:, :2] / self._cell).astype(np.int64)
-        key = at[:, 0] * 1_000_003 + at[:, 1]
-        order = np.argsort(key, kind="stable")
-        sorted_ = key[order]
-        starts = np.nonzero(np.diff(sorted_, prepend=sorted_[:1] - 1))[0]
-        stops = np.append(starts[1:], len(order))[: len(starts)]
-        cells = zip(sorted_[starts].tolist(), starts.tolist(), stops.tolist(), strict=True)
-        self._rows = {k: order[i:j] for k, i, j in cells}
 
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
@@ -63,24 +52,31 @@ class LabelPlaces:
 
     def is_free(self, rect: Rect) -> bool:
         """Return whether a rectangle covers no node and no taken place."""
+        return self.is_untaken(rect) and bool(self.off_nodes(np.array([rect]))[0])
+
+    def is_untaken(self, rect: Rect) -> bool:
+        """Return whether a rectangle covers no taken place."""
         for cell in self._over(rect):
             if any(meet(rect, other) for other in self._cells.get(cell, ())):
                 return False
-        return not self._covers_node(rect)
+        return True
 
-    def _covers_node(self, rect: Rect) -> bool:
-        """Return whether a rectangle covers a node. A node reaches at most half a cell beyond the
-        cell of its centre, so only near cells are searched.
-        """
-        left, top, right, bottom = rect
-        half = self._cell / 2
-        for x, y in self._over((left - half, top - half, right + half, bottom + half)):
-            rows = self._rows.get(x * 1_000_003 + y)
-            if rows is None:
-                continue
-            if any(meet(rect, other) for other in self._nodes[rows].tolist()):
-                return True
-        return False
+    def off_nodes(self, rects: Floats) -> NDArray[np.bool_]:
+        """Return for each rectangle, (n, 4), whether it covers no node."""
+        found = np.ones(len(rects), dtype=bool)
+        if not len(rects):
+            return found
+        low, high = rects[:, :2].min(axis=0), rects[:, 2:].max(axis=0)
+        near = self._nodes[((self._nodes[:, 2:] > low) & (self._nodes[:, :2] < high)).all(axis=1)]
+        for first in range(0, len(rects) if len(near) else 0, _RECTS_AT_ONCE):
+            some = slice(first, first + _RECTS_AT_ONCE)
+            one = rects[some, :, None]
+            covers = one[:, 0] < near[:, 2]
+            covers &= one[:, 2] > near[:, 0]
+            covers &= one[:, 1] < near[:, 3]
+            covers &= one[:, 3] > near[:, 1]
+            found[some] = ~covers.any(axis=1)
+        return found
 
     def _over(self, rect: Rect) -> list[tuple[int, int]]:
         left, top, right, bottom = (int(v // self._cell) for v in rect)
@@ -90,117 +86,125 @@ class LabelPlaces:
 class LinePieces:
     """The straight pieces of all lines in one array, to count the lines that a label covers."""
 
-    def __init__(self, shapes: dict[int, EdgeShape]) -> None:
+    def __init__(self, shapes: Mapping[int, EdgeShape]) -> None:
         pieces = [shape.pieces for shape in shapes.values()]
-        self._pieces = np.vstack(pieces) if pieces else np.zeros((0, 4))
+        found = np.vstack(pieces) if pieces else np.zeros((0, 4))
         self._owners = np.repeat(np.array(list(shapes), dtype=int), [len(p) for p in pieces])
+        self._start, end = found[:, :2], found[:, 2:]
+        step = end - self._start
+        self._step = np.where(np.abs(step) < 1e-9, 1e-9, step)
+        self._low, self._high = np.minimum(self._start, end), np.maximum(self._start, end)
 
     def covered(self, edge: int, rects: Sequence[Rect]) -> list[int]:
         """Return for each rectangle how many pieces of other lines than ``edge`` it covers."""
-        if not len(self._pieces):
+        if not len(self._owners):
             return [0] * len(rects)
-        box = np.array(rects)
-        a, b = self._pieces[:, :2], self._pieces[:, 2:]
-        low, high = np.minimum(a, b), np.maximum(a, b)
-        near = (
-            (high[:, 0] > box[:, 0].min())
-            & (low[:, 0] < box[:, 2].max())
-            & (high[:, 1] > box[:, 1].min())
-            & (low[:, 1] < box[:, 3].max())
-            & (self._owners != edge)
-        )
-        if not near.any():
+        left, top, right, bottom = zip(*rects, strict=True)
+        near = self._near((min(left), min(top)), (max(right), max(bottom)))
+        near = near[self._owners[near] != edge]
+        if not len(near):
             return [0] * len(rects)
-        start = a[near][None]
-        step = b[near][None] - start
-        step = np.where(np.abs(step) < 1e-9, 1e-9, step)
-        t1 = (box[:, None, :2] - start) / step
-        t2 = (box[:, None, 2:] - start) / step
-        enter = np.minimum(t1, t2).max(axis=2)
-        leave = np.maximum(t1, t2).min(axis=2)
-        hits = (enter < leave) & (leave > 0.0) & (enter < 1.0)
-        counts: list[int] = hits.sum(axis=1).tolist()
+        box = np.array(rects)[:, None]
+        counts: list[int] = self._covers(box, near[None]).sum(axis=1).tolist()
         return counts
 
+    def covered_by_each(
+        self, edges: Sequence[int], rects: Sequence[Rect], margin: float
+    ) -> list[tuple[int, int]]:
+        """Return the same for one rectangle of each edge, and for that with a margin."""
+        inner, wide = np.zeros((2, len(rects)), dtype=np.intp)
+        own, box = np.array(edges, dtype=np.intp), np.array(rects).reshape(-1, 4)
+        wider = box + margin * np.array([-1.0, -1.0, 1.0, 1.0])
+        for first in range(0, len(rects), _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            one = wider[some, :, None]
+            near = self._high[:, 0] > one[:, 0]
+            near &= self._low[:, 0] < one[:, 2]
+            near &= self._high[:, 1] > one[:, 1]
+            near &= self._low[:, 1] < one[:, 3]
+            near &= self._owners != own[some, None]
+            label, piece = np.nonzero(near)
+            for counts, of in ((inner, box), (wide, wider)):
+                hit = self._covers(of[some][label], piece)
+                counts[some] = np.bincount(label[hit], minlength=len(near))
+        return list(zip(inner.tolist(), wide.tolist(), strict=True))
 
-def place(
-    edge: int,
-    shape: EdgeShape,
-    size: tuple[float, float],
-    places: LabelPlaces,
-    lines: LinePieces,
-    compact: bool,
-) -> Rect | None:
-    """Take and return the best free place of one label, or None if there is none."""
-    best: tuple[float, Rect] | None = None
-    unit = places.unit
-    for cost, make in _candidates(shape, size, unit, compact):
-        if best is not None and cost >= best[0]:
-            break
-        rect = make()
-        if rect is not None and places.is_free(rect):
-            near = lines.covered(edge, [rect, _wider(rect, 4.0 * unit)])
-            total = cost + near[0] * 0.6 + min(near[1], 1) * 0.3
+    def _near(self, low: Point, high: Point) -> NDArray[np.intp]:
+        """Return the pieces whose own rectangle meets a rectangle."""
+        near = self._high[:, 0] > low[0]
+        near &= self._low[:, 0] < high[0]
+        near &= self._high[:, 1] > low[1]
+        near &= self._low[:, 1] < high[1]
+        return np.nonzero(near)[0]
+
+    def _covers(self, box: Floats, piece: NDArray[np.intp]) -> NDArray[np.bool_]:
+        start, step = self._start[piece], self._step[piece]
+        t1, t2 = (box[..., :2] - start) / step, (box[..., 2:] - start) / step
+        enter = np.minimum(t1, t2).max(axis=-1)
+        leave = np.maximum(t1, t2).min(axis=-1)
+        hits: NDArray[np.bool_] = (enter < leave) & (leave > 0.0) & (enter < 1.0)
+        return hits
+
+
+class LabelChoice:
+    """The choice of a place for each label of some lines.
+
+    ``shapes`` has all lines whose label may be asked for, ``sizes`` the sizes of the labels.
+    """
+
+    def __init__(
+        self,
+        shapes: Mapping[int, EdgeShape],
+        sizes: Sequence[tuple[float, float]],
+        places: LabelPlaces,
+        lines: LinePieces,
+        compact: bool,
+    ) -> None:
+        self._places, self._lines, self._margin = places, lines, 4.0 * places.unit
+        self._found: dict[int, list[tuple[float, Rect]]] = {}
+        self._covered: dict[tuple[int, Rect], tuple[int, int]] = {}
+        for some in candidates(shapes, sizes, places.unit, compact):
+            free = some.fits.copy()
+            free[free] = places.off_nodes(some.rects[free])
+            first: list[tuple[int, Rect]] = []
+            for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
+                chosen = zip(some.costs[ok].tolist(), map(tuple, rects[ok].tolist()), strict=True)
+                own = self._found[edge] = list(chosen)
+                first += [(edge, rect) for _, rect in own[:_MOST_OFTEN]]
+            self._covered |= self._counted(first)
+
+    def _counted(self, of: Sequence[tuple[int, Rect]]) -> dict[tuple[int, Rect], tuple[int, int]]:
+        """Count what some places cover: the best of each label, because most labels take these."""
+        edges, rects = [edge for edge, _ in of], [rect for _, rect in of]
+        return dict(zip(of, self._lines.covered_by_each(edges, rects, self._margin), strict=True))
+
+    def knows(self, edge: int) -> bool:
+        """Return whether the label of an edge may be asked for."""
+        return edge in self._found
+
+    def take(self, edge: int) -> Rect | None:
+        """Take and return the best free place of one label, or None if there is none."""
+        best: tuple[float, Rect] | None = None
+        for cost, rect in self._found[edge]:
+            if best is not None and cost >= best[0]:
+                break
+            if not self._places.is_untaken(rect):
+                continue
+            inner, wide = self._covered.get((edge, rect)) or self._lines.covered(
+                edge, [rect, _wider(rect, self._margin)]
+            )
+            total = cost + inner * 0.6 + min(wide, 1) * 0.3
             if best is None or total < best[0]:
                 best = total, rect
-    if best is None:
-        return None
-    places.take(best[1])
-    return best[1]
+        if best is None:
+            return None
+        self._places.take(best[1])
+        return best[1]
 
 
 def _wider(rect: Rect, margin: float) -> Rect:
     left, top, right, bottom = rect
     return left - margin, top - margin, right + margin, bottom + margin
-
-
-Candidate = tuple[float, Callable[[], "Rect | None"]]
-
-
-def _candidates(
-    shape: EdgeShape, size: tuple[float, float], unit: float, compact: bool
-) -> list[Candidate]:
-    """Return possible places with their costs: on the line, from its middle outwards, and beside a
-    steep line.
-
-    Each place is a function that computes it, because usually the first one is free.
-    """
-    found: list[Candidate] = []
-    low, high = 0.0, shape.length
-    if shape.way == "lane":
-        low, high = _long_side(shape)
-    beside = bool(shape.side) and not compact
-    shares = LANE_SHARES if shape.way == "lane" else EARLY_SHARES if compact else SHARES
-
-    def on_line(along: float) -> Rect | None:
-        """Return the rectangle of the label on the line, or None if it would hide too much of the
-        line.
-        """
-        fits = _fits(shape, along, size, unit)
-        return _centred(shape.at(along), size) if fits else None
-
-    for order, share in enumerate(shares):
-        along = low + (high - low) * share
-        cost = order * 0.12
-        if beside:
-            found.append((cost, partial(_beside, shape, along, size, unit)))
-        found.append((cost + (1.5 if beside else 0.0), partial(on_line, along)))
-        if shape.way in ("curve", "bent", "detour"):
-            found.append((cost + 2.2, partial(outside, shape, along, size, unit)))
-    if shape.way in ("line", "curve", "bent", "detour"):
-        # A label that hardly fits stands in the middle of the line without its arrowhead.
-        found.append((0.3, partial(on_line, (shape.length - 8.0 * unit) / 2)))
-    found.sort(key=lambda candidate: candidate[0])
-    return found
-
-
-def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> bool:
-    """Return whether enough of the line stays visible, and all of its arrowhead."""
-    dx, dy = shape.direction(along)
-    # The words are narrower than the label, by 4 pixels on each side.
-    half = size[0] / 2 - 3.0 * unit
-    reach = min(half / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
-    return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
 
 
 def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:
@@ -227,24 +231,3 @@ def _centred(point: Point, size: tuple[float, float]) -> Rect:
     x, y = point
     w, h = size[0] / 2, size[1] / 2
     return x - w, y - h, x + w, y + h
-
-
-def _beside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
-    """Return a rectangle beside a steep line, on the side away from the next line."""
-    x, y = shape.at(along)
-    _, dy = shape.direction(along)
-    # With y down, (-dy, dx) points to the right of the direction (dx, dy).
-    to_right = (-dy if shape.side > 0 else dy) > 0
-    gap = BESIDE_GAP * unit - 4.0 * unit
-    left = x + gap if to_right else x - gap - size[0]
-    return left, y - size[1] / 2, left + size[0], y + size[1] / 2
-
-
-def _long_side(shape: EdgeShape) -> tuple[float, float]:
-    """Return the lengths between which the middle stretch of a lane runs, without its corners."""
-    steps = np.diff(shape.lengths)
-    i = int(steps.argmax())
-    inner = steps[1:-1]
-    if len(inner):
-        i = 1 + int(inner.argmax())
-    return float(shape.lengths[i]), float(shape.lengths[i + 1])

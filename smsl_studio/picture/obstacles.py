@@ -1,6 +1,4 @@
-"""Obstacles: the nodes of a picture in a grid of cells, so that few of them are compared with a
-line. Pure geometry.
-"""
+"""Obstacles: the nodes of a picture, and which of them a line meets. Pure geometry."""
 
 from __future__ import annotations
 
@@ -12,33 +10,17 @@ from numpy.typing import NDArray
 from smsl_studio.picture.shape import Floats
 
 Ints = NDArray[np.intp]
-FEW = 100
-"""So many nodes, or cells, are compared at once."""
+_AT_ONCE = 500
+"""So many lines are compared with all nodes at once."""
 _SAMPLES = 33
 """So many points of a piece that passes a corner are compared with it."""
 
 
 class Obstacles:
-    """The nodes that lines lead around. ``boxes`` is an (n, 4) array of centres and half sizes.
-
-    Nodes that move are told with ``moved``, after their box has changed.
-    """
+    """The nodes that lines lead around. ``boxes`` is an (n, 4) array of centres and half sizes."""
 
     def __init__(self, boxes: Floats) -> None:
         self.boxes = boxes
-        self._half = boxes[:, 2:].max() if len(boxes) else 1.0
-        self._cell = max(float(self._half) * 2.0, 1e-3)
-        self._rows: dict[tuple[int, int], list[int]] = {}
-        if len(boxes) > FEW:
-            cells = np.floor(boxes[:, :2] / self._cell).astype(np.int64).tolist()
-            for row, (x, y) in enumerate(cells):
-                self._rows.setdefault((x, y), []).append(row)
-
-    def moved(self, row: int) -> None:
-        """Note that a node stands elsewhere now. It may be found at its old place too."""
-        if len(self.boxes) > FEW:
-            x, y = np.floor(self.boxes[row, :2] / self._cell).astype(np.int64).tolist()
-            self._rows.setdefault((x, y), []).append(row)
 
     def near(self, line: Floats, gap: float, skip: Sequence[int] = ()) -> Ints:
         """Return the nodes that are nearer than ``gap`` to the rectangle around a line, in order.
@@ -46,28 +28,28 @@ class Obstacles:
         ``skip`` has the nodes to leave out.
         """
         low, high = line.min(axis=0) - gap, line.max(axis=0) + gap
-        rows = self._around(low, high)
-        boxes = self.boxes if rows is None else self.boxes[rows]
+        boxes = self.boxes
         apart = np.abs(boxes[:, :2] - (low + high) / 2) - boxes[:, 2:] - (high - low) / 2
-        inside = (apart < 0.0).all(axis=1)
-        found = np.nonzero(inside)[0] if rows is None else rows[inside]
+        found = np.nonzero((apart < 0.0).all(axis=1))[0]
         for row in skip:
             found = found[found != row]
         return found
 
-    def _around(self, low: Floats, high: Floats) -> Ints | None:
-        """Return the nodes in the cells of a rectangle, None if that would be most of them."""
-        if len(self.boxes) <= FEW:
-            return None
-        left, top = np.floor((low - self._half) / self._cell).astype(np.int64).tolist()
-        right, bottom = np.floor((high + self._half) / self._cell).astype(np.int64).tolist()
-        if (right - left + 1) * (bottom - top + 1) > FEW:
-            return None
-        found: set[int] = set()
-        for x in range(left, right + 1):
-            for y in range(top, bottom + 1):
-                found.update(self._rows.get((x, y), ()))
-        return np.array(sorted(found), dtype=np.intp)
+    def stop_each(self, ends: Ints, gaps: Floats) -> NDArray[np.bool_]:
+        """Return for each pair of nodes, (n, 2), whether another node is nearer than its gap to
+        the straight line between their centres.
+        """
+        found = np.zeros(len(ends), dtype=bool)
+        for first in range(0, len(ends), _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            pair = ends[some]
+            hit = pieces_hit(
+                self.boxes[pair[:, 0], :2], self.boxes[pair[:, 1], :2], self.boxes, gaps[some]
+            )
+            every = np.arange(len(pair))
+            hit[every, pair[:, 0]] = hit[every, pair[:, 1]] = False
+            found[some] = hit.any(axis=1)
+        return found
 
     def met(self, line: Floats, gap: float, skip: Sequence[int] = ()) -> Ints:
         """Return the nodes that a line of points, (n, 2), meets, or passes nearer than ``gap`` in x
@@ -101,14 +83,16 @@ class Obstacles:
         return [at not in blocked for at in range(len(lines))]
 
 
-def pieces_hit(start: Floats, end: Floats, boxes: Floats, gap: float) -> NDArray[np.bool_]:
+def pieces_hit(start: Floats, end: Floats, boxes: Floats, gap: float | Floats) -> NDArray[np.bool_]:
     """Return for each straight piece, from ``start`` to ``end``, and each box whether they meet.
+
+    Boxes are wider by ``gap`` on each side, which may be another one for each piece.
 
     A piece that only touches the border of a box does not meet it.
     """
     a, step = start[:, None, :], (end - start)[:, None, :]
     step = np.where(np.abs(step) < 1e-9, 1e-9, step)
-    reach = boxes[:, 2:] + gap
+    reach = boxes[:, 2:] + np.asarray(gap).reshape(-1, 1, 1)
     t1, t2 = (boxes[:, :2] - reach - a) / step, (boxes[:, :2] + reach - a) / step
     enter = np.minimum(t1, t2).max(axis=2)
     leave = np.maximum(t1, t2).min(axis=2)

@@ -169,6 +169,13 @@ class Picture:
         there = self.source[edges] == a
         return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
 
+    def pairs(self) -> list[tuple[int, int]]:
+        """Return the pairs of different states with edges between them, the lower number first."""
+        lines = (self.target >= 0) & (self.source != self.target)
+        source, target = self.source[lines], self.target[lines]
+        low, high = np.minimum(source, target).tolist(), np.maximum(source, target).tolist()
+        return list(dict.fromkeys(zip(low, high, strict=True)))
+
     def address(self, edge: int) -> Address:
         """Return the address of an edge."""
         return Address(self.branch.name, self.names[self.source[edge]], self.operations[edge])

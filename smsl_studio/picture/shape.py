@@ -33,10 +33,13 @@ class EdgeShape:
     @cached_property
     def lengths(self) -> Floats:
         """The length from the start to each point, (n,)."""
+        if len(self.points) == 2:
+            (ax, ay), (bx, by) = self.points.tolist()
+            return np.array([0.0, np.hypot(bx - ax, by - ay)])
         steps = np.hypot(*(self.points[1:] - self.points[:-1]).T)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
-    @property
+    @cached_property
     def length(self) -> float:
         """The length of the whole line."""
         return float(self.lengths[-1])
@@ -76,6 +79,8 @@ class EdgeShape:
     def cut(self, start: float, end: float) -> Floats:
         """Return the part of the line between two lengths along it, (n, 2)."""
         start, end = max(start, 0.0), min(end, self.length)
+        if len(self.points) == 2:
+            return np.array([self.at(start), self.at(max(end, start))])
         inside = self.points[(self.lengths > start) & (self.lengths < end)]
         return np.vstack([[self.at(start)], inside, [self.at(max(end, start))]])
 

@@ -11,7 +11,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.detours import GAP, MOST_PASSED, shortest_way
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.obstacles import FEW, Obstacles
+from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats
 from smsl_studio.smsl.json_form import parse_json, write_json
@@ -133,16 +133,17 @@ def test_a_line_with_very_many_nodes_in_its_way_gets_no_detour() -> None:
     assert shortest_way((0.0, 0.0), (9000.0, 0.0), Obstacles(wall), 8.0) == []
 
 
-def test_nodes_near_a_line_are_found_among_many_and_after_a_move() -> None:
+def test_lines_with_a_node_in_their_way_are_found_together_and_one_by_one() -> None:
     dice = random.Random(3)
-    boxes = boxes_of(4 * FEW, dice, 5.0, 4000.0)
+    boxes = boxes_of(300, dice, 5.0, 4000.0)
     obstacles = Obstacles(boxes)
-    for _ in range(60):
-        start = np.array([dice.uniform(0, 6000), dice.uniform(0, 4000)])
-        aside = np.array([dice.uniform(-400, 400), dice.uniform(-300, 300)])
-        line = np.vstack([start, start + aside])
-        row = dice.randrange(len(boxes))
-        boxes[row, :2] = start + 30.0
-        obstacles.moved(row)
-        one = [at for at in range(len(boxes)) if meets(line, boxes[at : at + 1], (), 8.0)]
-        assert obstacles.met(line, 8.0).tolist() == one
+    ends = np.array([dice.sample(range(len(boxes)), 2) for _ in range(900)])
+    gaps = np.array([dice.uniform(0.0, 60.0) for _ in ends])
+    lines = [boxes[pair, :2] for pair in ends]
+    each = [
+        meets(line, boxes, pair, gap)
+        for line, pair, gap in zip(lines, ends.tolist(), gaps.tolist(), strict=True)
+    ]
+    assert obstacles.stop_each(ends, gaps).tolist() == each
+    assert any(each)
+    assert not all(each)

@@ -93,7 +93,8 @@ class EdgePainter:
 
     def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:
         """The rectangles of these edges' names. A name below the label of a change is left out."""
-        found = {edge: rect for edge in edges if (rect := sheet.geometry.label(edge)) is not None}
+        label = sheet.geometry.label
+        found = {edge: rect for edge in edges if (rect := label(edge)) is not None}
         if not sheet.looks.marks.changes:
             return found
         lit = self._over.shown().values()

@@ -1,0 +1,166 @@
+"""The places that the labels of some lines may take, best first. Pure geometry.
+
+All places of many labels are computed together, with the same result as one label at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.picture.shape import EdgeShape, Floats
+
+Size = tuple[float, float]
+SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
+EARLY_SHARES = (0.4, 0.34, 0.46, 0.28, 0.52, 0.58, 0.22, 0.64, 0.7)
+"""Compact edges come in opposite pairs, so labels near the start do not meet."""
+LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
+BESIDE_GAP = 6.0
+_ON, _BESIDE, _OUTSIDE, _MIDDLE = range(4)
+_LEADING = ("line", "curve", "bent", "detour")
+"""The ways from one node to another that are no lanes."""
+
+
+class _Pattern(NamedTuple):
+    """The costs, kinds and shares of the candidates of one sort of line, each (k,)."""
+
+    costs: Floats
+    kinds: NDArray[np.intp]
+    shares: Floats
+
+
+@cache
+def _pattern(way: str, beside: bool, compact: bool) -> _Pattern:
+    found: list[tuple[float, int, float]] = []
+    shares = LANE_SHARES if way == "lane" else EARLY_SHARES if compact else SHARES
+    for order, share in enumerate(shares):
+        cost = order * 0.12
+        if beside:
+            found.append((cost, _BESIDE, share))
+        found.append((cost + (1.5 if beside else 0.0), _ON, share))
+        if way in _LEADING:
+            found.append((cost + 2.2, _OUTSIDE, share))
+    if way in _LEADING:
+        # A label that hardly fits stands in the middle of the line without its arrowhead.
+        found.append((0.3, _MIDDLE, 0.5))
+    found.sort(key=lambda candidate: candidate[0])
+    costs, kinds, parts = zip(*found, strict=True)
+    return _Pattern(np.array(costs), np.array(kinds), np.array(parts))
+
+
+class LabelCandidates(NamedTuple):
+    """The possible places of some labels, those of least cost first.
+
+    They lie on the line, from its middle outwards, then beside it. ``fits`` says for each place,
+    (n, k), whether it leaves enough of its line to be seen.
+    """
+
+    edges: Sequence[int]
+    costs: Floats
+    rects: Floats
+    fits: NDArray[np.bool_]
+
+
+def candidates(
+    shapes: Mapping[int, EdgeShape], sizes: Sequence[Size], unit: float, compact: bool
+) -> list[LabelCandidates]:
+    """Return the possible places of the labels of some edges, with lines of one sort together.
+
+    ``sizes`` has the sizes of the labels, in the order of ``shapes``.
+    """
+    alike: dict[tuple[str, bool], list[tuple[int, Size]]] = {}
+    for (edge, shape), size in zip(shapes.items(), sizes, strict=True):
+        way = shape.way if shape.way in (*_LEADING, "lane") else ""
+        alike.setdefault((way, bool(shape.side) and not compact), []).append((edge, size))
+    found = []
+    for (way, beside), group in alike.items():
+        pattern = _pattern(way, beside, compact)
+        lines = _LineArrays([shapes[edge] for edge, _ in group])
+        wide = np.array([size for _, size in group], dtype=np.float64)
+        rects, fits = _places(lines, wide, pattern, unit, way == "lane")
+        found.append(LabelCandidates([edge for edge, _ in group], pattern.costs, rects, fits))
+    return found
+
+
+class _LineArrays:
+    """Some lines in arrays, with as many points as the longest has."""
+
+    def __init__(self, shapes: Sequence[EdgeShape]) -> None:
+        count = np.array([len(shape.points) for shape in shapes])
+        self._points = np.zeros((len(shapes), int(count.max()), 2))
+        self._lengths = np.full(self._points.shape[:2], np.inf)
+        for at, shape in enumerate(shapes):
+            self._points[at, : len(shape.points)] = shape.points
+            self._lengths[at, : len(shape.points)] = shape.lengths
+        self._rows = np.arange(len(shapes))[:, None]
+        self.length = self._lengths[self._rows[:, 0], count - 1][:, None]
+        self._inner = self._lengths[:, 1:].copy()
+        self._inner[self._rows[:, 0], count - 2] = np.inf
+        self.side = np.array([shape.side for shape in shapes])[:, None]
+        self.out = np.array([shape.out for shape in shapes])[:, None]
+
+    def at(self, along: Floats) -> Floats:
+        """Return the points at lengths along each line, (n, k) -> (n, k, 2)."""
+        after = 1 + (self._inner[:, None, :] <= along[:, :, None]).sum(axis=2)
+        low, high = self._lengths[self._rows, after - 1], self._lengths[self._rows, after]
+        step = np.where(high > low, high - low, 1.0)
+        share = np.where(high > low, np.clip((along - low) / step, 0.0, 1.0), 0.0)[:, :, None]
+        before = self._points[self._rows, after - 1]
+        found: Floats = before + (self._points[self._rows, after] - before) * share
+        return found
+
+    def direction(self, along: Floats) -> Floats:
+        """Return the directions at lengths along each line, of length 1."""
+        reach = np.maximum(self.length * 0.02, 1e-6)
+        step = self.at(np.minimum(along + reach, self.length)) - self.at(
+            np.maximum(along - reach, 0.0)
+        )
+        size = np.hypot(step[:, :, 0], step[:, :, 1])
+        found: Floats = step / np.where(size > 0.0, size, 1.0)[:, :, None]
+        return found
+
+    def long_side(self) -> tuple[Floats, Floats]:
+        """Return the lengths between which the middle stretch of a lane runs."""
+        known = np.isfinite(self._lengths)
+        steps = np.diff(np.where(known, self._lengths, 0.0), axis=1)
+        steps[~known[:, 1:]] = -1.0
+        # The first and the last piece lead to the nodes.
+        last = (steps >= 0.0).sum(axis=1) - 1
+        inner = steps.copy()
+        inner[:, 0] = -1.0
+        inner[self._rows[:, 0], last] = -1.0
+        at = np.where(last > 1, inner.argmax(axis=1), steps.argmax(axis=1))
+        rows = self._rows[:, 0]
+        return self._lengths[rows, at][:, None], self._lengths[rows, at + 1][:, None]
+
+
+def _places(
+    lines: _LineArrays, size: Floats, pattern: _Pattern, unit: float, lane: bool
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return all places, (n, k, 4), and whether each of them leaves enough of its line."""
+    low, high = lines.long_side() if lane else (0.0, lines.length)
+    along = low + (high - low) * pattern.shares
+    along = np.where(pattern.kinds == _MIDDLE, (lines.length - 8.0 * unit) / 2, along)
+    centre, heading = lines.at(along), lines.direction(along)
+    dx, dy = heading[:, :, 0], heading[:, :, 1]
+    w, h = size[:, :1], size[:, 1:]
+    # With y down, (-dy, dx) points to the right of the direction (dx, dy).
+    nx, ny = -dy * lines.out, dx * lines.out
+    away = np.abs(nx) * w / 2 + np.abs(ny) * h / 2 + unit
+    to_right = np.where(lines.side > 0, -dy, dy) > 0
+    aside = np.where(to_right, 1.0, -1.0) * ((BESIDE_GAP - 4.0) * unit + w / 2)
+    outside, beside = pattern.kinds == _OUTSIDE, pattern.kinds == _BESIDE
+    x = centre[:, :, 0] + np.where(outside, nx * away, np.where(beside, aside, 0.0))
+    y = centre[:, :, 1] + np.where(outside, ny * away, 0.0)
+    # The words are narrower than the label, by 4 pixels on each side.
+    reach = np.minimum(
+        (w / 2 - 3.0 * unit) / np.maximum(np.abs(dx), 1e-6), h / 2 / np.maximum(np.abs(dy), 1e-6)
+    )
+    whole = (along - reach >= -2.0 * unit) & (along + reach <= lines.length - 7.0 * unit)
+    return np.stack([x - w / 2, y - h / 2, x + w / 2, y + h / 2], axis=2), (
+        whole | outside | beside
+    )
