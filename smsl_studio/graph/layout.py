@@ -1,9 +1,9 @@
 """The places of the states of a State Branch in a drawing.
 
-There are four layouts: a triangle (Hanoi), columns (small procedures), a layout by distances
-(larger ones), and a grid for more than ``MOST_SPREAD`` states. The shape of the graph decides, and
-never its names. All are pure functions of the branch, so the same branch is always drawn in the
-same way.
+There are three layouts: a triangle (Hanoi), an arrangement in columns or by distances, and a grid
+for more than ``MOST_SPREAD`` states. The shape of the graph decides. All are pure functions of the
+branch, in whole numbers where places are compared, so the same branch is always drawn in the same
+way on every machine.
 """
 
 from __future__ import annotations
@@ -15,14 +15,15 @@ from itertools import count
 from typing import cast
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.arrangement import BEST, arranged
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.columns import in_columns
 from smsl_studio.graph.shape import distances
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
-SMALL = 60
-"""With more states than this, columns are not readable."""
+_KEY = "_places"
+QUICK = 24
+"""An arrangement of more states takes too long to be found anew at every edit."""
 MOST_SPREAD = 8_000
 """The largest number of states for a layout by distances. More states stand in a grid, those
 nearest to INITIAL first.
@@ -64,31 +65,40 @@ def place_states(
     return {name: fixed[name] for name in branch.table}
 
 
-def place_anew(branch: StateBranch) -> dict[str, Point]:
-    """Return the centre of each state's node (pixels), computed without ``_layout``."""
-    triangle = in_triangle(branch)
-    return _place_freely(branch) if triangle is None else triangle
+def place_anew(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
+    """Return the centre of each state's node (pixels), computed without ``_layout``.
+
+    ``kind`` is one of ``arrangement.KINDS``. The result is kept in the branch's own dictionary, as
+    its graph is, because it takes long.
+    """
+    kept: dict[str, dict[str, Point]] = branch.__dict__.setdefault(_KEY, {})
+    if kind not in kept:
+        kept[kind] = _placed(branch, kind)
+    return dict(kept[kind])
+
+
+def _placed(branch: StateBranch, kind: str) -> dict[str, Point]:
+    if not branch.table:
+        return {}
+    triangle = in_triangle(branch) if kind == BEST else None
+    if triangle is not None:
+        return triangle
+    return _grid(branch) if len(branch.table) > MOST_SPREAD else arranged(branch, kind)
 
 
 def is_placed(branch: StateBranch, places: Mapping[str, Point]) -> bool:
     """Return whether ``place_states`` gives all states of an SB these places.
 
-    A spread takes long. It is not computed if a place is in none of its cells.
+    It may be False though it does, if there are more than ``QUICK`` states: their arrangement is
+    not computed only to compare it.
     """
     if branch.notes.layout:
         return _are_equal(places, place_states(branch))
     found = in_triangle(branch)
     if found is None:
-        if SMALL < len(branch.table) <= MOST_SPREAD:
-            from smsl_studio.graph.spread import CELL_X, CELL_Y
-
-            if any(
-                abs(x - round(x / CELL_X) * CELL_X) > TENTH
-                or abs(y - round(y / CELL_Y) * CELL_Y) > TENTH
-                for x, y in places.values()
-            ):
-                return False
-        found = _place_freely(branch)
+        if QUICK < len(branch.table) <= MOST_SPREAD:
+            return False
+        found = place_anew(branch)
     return _are_equal(places, found)
 
 
@@ -98,17 +108,6 @@ def _are_equal(places: Mapping[str, Point], others: Mapping[str, Point]) -> bool
         abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
         for name, (x, y) in places.items()
     )
-
-
-def _place_freely(branch: StateBranch) -> dict[str, Point]:
-    """Return the places of states that are in no triangle."""
-    if len(branch.table) <= SMALL:
-        return in_columns(branch)
-    if len(branch.table) > MOST_SPREAD:
-        return _grid(branch)
-    from smsl_studio.graph.spread import by_distance
-
-    return by_distance(branch)
 
 
 def is_grid(branch: StateBranch) -> bool:

@@ -4,8 +4,10 @@ node.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import product
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -19,7 +21,9 @@ Cell = tuple[int, int]
 EDGE = 190.0
 """The mean distance between neighbours, in pixels."""
 CELL_X, CELL_Y = 150.0, 90.0
-_PIVOTS, _ROUNDS = 32, 8
+_PIVOTS, _ROUNDS, _TURNS = 32, 8, 60
+_EXACT, _FINE = 2.0**20, 2.0**16
+"""How finely matrices and axes are written. A product of a million such numbers is exact."""
 BLOCK = 4
 """The side of a block, in cells. Each block keeps one cell for which it knows the full rings."""
 
@@ -63,7 +67,11 @@ def _pivot_distances(graph: BranchGraph, first: int) -> tuple[list[int], Array]:
 
 
 def _pivot_mds(steps: Array) -> Array:
-    """Return places on the two main axes of the doubly centred squared distances to the pivots."""
+    """Return places on the two main axes of the doubly centred squared distances to the pivots.
+
+    The matrices hold whole numbers so small that every sum is exact. So the result does not depend
+    on the order in which a machine adds.
+    """
     squares = steps**2
     centred = -0.5 * (
         squares
@@ -71,14 +79,38 @@ def _pivot_mds(steps: Array) -> Array:
         - squares.mean(axis=1, keepdims=True)
         + squares.mean()
     )
-    values, vectors = np.linalg.eigh(centred.T @ centred)
-    axes = vectors[:, np.argsort(values)[::-1][:2]]
+    largest = max(float(np.abs(centred).max()), 1e-9)
+    centred = np.round(centred * (_EXACT / largest))
+    axes = np.round(np.array(_main_axes((centred.T @ centred).tolist())).T * _FINE)
     axes = axes * np.where(axes[np.abs(axes).argmax(axis=0), [0, 1]] < 0, -1.0, 1.0)
-    places = centred @ axes
-    lengths = np.linalg.norm(places[:, None, :] - places[None, :1, :], axis=2)[:, 0]
+    places = (centred @ axes) / _FINE
+    lengths = _length(places - places[:1])
     wanted = np.abs(steps[:, 0])
-    scale = (lengths @ wanted) / max(float(lengths @ lengths), 1e-9)
+    scale = math.fsum(lengths * wanted) / max(math.fsum(lengths**2), 1e-9)
     return np.asarray(places * scale)
+
+
+def _main_axes(matrix: list[list[float]]) -> list[list[float]]:
+    """Return the two main axes of a symmetric matrix, each of length 1, by power iteration with
+    exact sums.
+    """
+    axes: list[list[float]] = []
+    for number in range(2):
+        axis = [1.0 if i == number else 1.0 / (i + 2 + number) for i in range(len(matrix))]
+        for _ in range(_TURNS):
+            for other in axes:
+                along = math.fsum(map(mul, axis, other))
+                axis = [a - along * b for a, b in zip(axis, other, strict=True)]
+            axis = [math.fsum(map(mul, row, axis)) for row in matrix]
+            size = math.sqrt(math.fsum(map(mul, axis, axis))) or 1.0
+            axis = [a / size for a in axis]
+        axes.append(axis)
+    return axes
+
+
+def _length(gap: Array) -> Array:
+    """Return the length of each of some vectors, (..., 2)."""
+    return np.asarray(np.sqrt(gap[..., 0] ** 2 + gap[..., 1] ** 2))
 
 
 def _stress(places: Array, pivots: list[int], steps: Array) -> Array:
@@ -87,13 +119,15 @@ def _stress(places: Array, pivots: list[int], steps: Array) -> Array:
     """
     weights = 1.0 / np.maximum(steps, 1.0) ** 2
     weights[np.asarray(pivots), np.arange(len(pivots))] = 0.0
-    total = np.maximum(weights.sum(axis=1), 1e-9)[:, None]
+    # Sums are made one by one, because numpy adds in an order that depends on the machine.
+    total = np.maximum(sum(weights.T, np.zeros(len(steps))), 1e-9)[:, None]
     for _ in range(_ROUNDS):
-        anchors = places[pivots]
-        gap = places[:, None, :] - anchors[None, :, :]
-        length = np.maximum(np.linalg.norm(gap, axis=2), 1e-6)
-        wanted = anchors[None, :, :] + gap * (steps / length)[:, :, None]
-        places = (weights[:, :, None] * wanted).sum(axis=1) / total
+        moved = np.zeros_like(places)
+        for number, pivot in enumerate(pivots):
+            gap = places - places[pivot]
+            share = steps[:, number] / np.maximum(_length(gap), 1e-6)
+            moved += weights[:, number, None] * (places[pivot] + gap * share[:, None])
+        places = moved / total
     return np.asarray(places)
 
 
@@ -101,12 +135,13 @@ def _turned(places: Array, initial: int, goal: int) -> Array:
     """Return the places turned so that ACTIVATING is to the right of INITIAL, and INITIAL in the
     upper half.
     """
-    way = places[goal] - places[initial]
-    length = float(np.hypot(*way))
+    x, y = (places[goal] - places[initial]).tolist()
+    length = math.sqrt(x * x + y * y)
     if length > 1e-6:
-        cos, sin = way / length
-        places = places @ np.array([[cos, -sin], [sin, cos]])
-    if places[initial, 1] > places[:, 1].mean() + 1e-6:
+        cos, sin = x / length, y / length
+        across, down = places[:, 0], places[:, 1]
+        places = np.stack([across * cos + down * sin, down * cos - across * sin], axis=1)
+    if 2.0 * places[initial, 1] > places[:, 1].min() + places[:, 1].max() + 1e-6:
         places = places * np.array([1.0, -1.0])
     return np.asarray(places - places.min(axis=0))
 

@@ -12,8 +12,10 @@ from operator import ne
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.graph.arrangement import MOST_STATES
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.layout import SMALL, is_placed, place_states
+from smsl_studio.graph.layered import words_of
+from smsl_studio.graph.layout import is_placed, place_states
 
 Position = tuple[float, float]
 
@@ -117,20 +119,25 @@ def _is_bent(before: StateBranch | None, after: StateBranch) -> bool:
 def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
     """Whether everything that a layout depends on is equal.
 
-    Comparing two layouts themselves would be too slow. Only columns depend on names, and they have
-    at most ``SMALL`` states.
+    Comparing two layouts themselves would be too slow.
     """
     if a is b:
         return True
     if list(a.table) == list(b.table):
         if a.initial != b.initial:
             return False
-    elif len(b.table) <= SMALL or _ends(a) != _ends(b):
+    elif _ends(a) != _ends(b):
         return False
     one, other = a.notes.layout, b.notes.layout
     if (one or other) and list(map(one.get, a.table)) != list(map(other.get, b.table)):
         return False
-    return graph_of(a).is_like(graph_of(b))
+    if not graph_of(a).is_like(graph_of(b)):
+        return False
+    # Names change a layout only by their lengths, and by their facts.
+    if len(b.table) > MOST_STATES:
+        return True
+    facts = [branch.facts(name) for branch in (a, b) for name in branch.table]
+    return words_of(a) == words_of(b) and facts[: len(a.table)] == facts[len(a.table) :]
 
 
 def _ends(branch: StateBranch) -> tuple[int | None, int | None]:

@@ -1,0 +1,129 @@
+"""The arrangement of an SB: of several layouts the one that costs a reader least.
+
+There are layers by the steps from INITIAL, layers by the longest chains, and a layout by
+distances. In each of them the states settle to where fewer lines cross. Parts that no operation
+joins stand one below another, the part of INITIAL on top.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from smsl_studio.blueprint.elements import Header
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.build import BranchGraph, graph_of
+from smsl_studio.graph.crossings import CROSSING, Floats, Ties, cost_of, is_clear, ties_of
+from smsl_studio.graph.fact_rows import in_fact_rows
+from smsl_studio.graph.layered import in_layers, words_of
+from smsl_studio.graph.layers import by_chains, by_steps
+from smsl_studio.graph.settling import STEP, settle
+from smsl_studio.graph.shape import islands
+from smsl_studio.graph.spread import CELL_X, CELL_Y, by_distance
+
+Point = tuple[float, float]
+BEST, LAYERS, DISTANCE = "best", "layers", "distance"
+KINDS = (BEST, LAYERS, DISTANCE)
+MOST_STATES, MOST_PAIRS = 150, 180
+"""With more states, or pairs of states with operations, states do not settle: it would take
+seconds.
+"""
+WORTH = 1.15
+"""How many times cheaper than columns a layout by distances must be, and by at least a crossing."""
+FEW_PAIRS = 100
+"""Up to so many pairs of states, all layouts settle, else only the one by distances."""
+LETTER, NARROWEST, WIDEST, HIGH = 7.0, 108.0, 320.0, 54.0
+"""The width of a letter of a name, and the sizes of nodes (pixels)."""
+CHIP, AROUND = 22.0, 8.0
+PART = 172.0
+"""Pixels between two parts of a drawing."""
+_ALONE = 6
+"""The number of single states in a row."""
+
+
+def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
+    """Return the centre of each state's node in whole pixels, INITIAL's part at the top left."""
+    if kind == BEST and len(branch.table) <= MOST_STATES:
+        rows = in_fact_rows(branch, ties_for(branch))
+        if rows is not None:
+            return rows
+    parts = sorted(islands(branch), key=lambda part: (branch.initial not in part, -len(part)))
+    places: dict[str, Point] = {}
+    lowest, alone = -PART, list[str]()
+    for number, part in enumerate(parts):
+        if len(part) == 1 and number:
+            alone += part
+            continue
+        own = _part(branch, part) if len(parts) > 1 else branch
+        names, at = graph_of(own).names, _best_of(own, kind)
+        at = at - at.min(axis=0) + (0.0, lowest + PART)
+        lowest = float(at[:, 1].max())
+        places |= zip(names, map(tuple, at.tolist()), strict=True)
+    for number, name in enumerate(alone):
+        row, column = divmod(number, _ALONE)
+        places[name] = (column * 2.0 * STEP[0], lowest + (row + 1) * PART)
+    return {name: places[name] for name in branch.table}
+
+
+def _part(branch: StateBranch, states: Sequence[str]) -> StateBranch:
+    """Return an SB of some states. Its INITIAL is that of the whole one, or the first state."""
+    first = branch.initial if branch.initial in states else states[0]
+    last = branch.activating if branch.activating in states else states[-1]
+    header = Header(initial=first, activating=last)
+    return StateBranch(branch.name, {name: branch.table[name] for name in states}, header)
+
+
+def _best_of(branch: StateBranch, kind: str) -> Floats:
+    """Return the centres of the nodes of an SB in which operations join all states, (n, 2)."""
+    graph = graph_of(branch)
+    ties = ties_for(branch)
+    most = len(graph) <= MOST_STATES and len(ties.pairs) <= MOST_PAIRS
+    few = most and len(ties.pairs) <= FEW_PAIRS
+    found: list[tuple[float, int, Floats]] = []
+
+    def take(begin: Floats, across: bool) -> None:
+        """Let states settle from here, and keep the result with its cost."""
+        settles = few or (most and (across or kind == LAYERS))
+        at = settle(ties, begin, across=across) if settles else begin
+        cost = cost_of(ties, at) if most else -float(len(found))
+        if across and most:
+            # Columns are easier to follow, so they are left only for a good reason.
+            cost = max(cost * WORTH, cost + CROSSING)
+        found.append((cost, len(found), at))
+
+    for begin, across in _starts(branch, graph, ties, kind):
+        take(begin, across)
+        if not across and most and is_clear(ties, found[-1][2]):
+            return found[-1][2]
+    if few and kind == BEST and len(graph) > 2:
+        take(min(found[:-1], key=lambda one: one[:2])[2], True)
+    return min(found, key=lambda one: one[:2])[2]
+
+
+def _starts(
+    branch: StateBranch, graph: BranchGraph, ties: Ties, kind: str
+) -> Iterator[tuple[Floats, bool]]:
+    """Yield the layouts before states settle, and whether states may leave their columns."""
+    start = graph.index.get(branch.initial, 0)
+    if kind == LAYERS or len(graph) <= (MOST_STATES if kind == BEST else 2):
+        steps, chains = by_steps(graph, start), by_chains(graph, start)
+        yield in_layers(graph, ties, steps), False
+        if chains != steps:
+            yield in_layers(graph, ties, chains), False
+    if kind != LAYERS and len(graph) > 2:
+        near = by_distance(branch)
+        at = np.array([near[name] for name in graph.names]).reshape(-1, 2)
+        # States that do not settle stay in their narrower cells.
+        roomy = len(ties.pairs) <= MOST_PAIRS and len(graph) <= MOST_STATES
+        yield (np.round(at / (CELL_X, CELL_Y)) * STEP * 2.0 if roomy else at), True
+
+
+def ties_for(branch: StateBranch) -> Ties:
+    """Return the pairs of states of an SB, with the size that its nodes will about have."""
+    graph = graph_of(branch)
+    far = by_steps(graph, graph.index.get(branch.initial, 0))
+    chips = max((len(branch.facts(name)) for name in graph.names), default=0)
+    wide = max(words_of(branch)[0] * LETTER + 24.0, chips * CHIP + 20.0, NARROWEST)
+    half = np.full((len(graph), 2), (min(wide, WIDEST) / 2.0 + AROUND, HIGH / 2.0 + AROUND))
+    return ties_of(graph, far, half)

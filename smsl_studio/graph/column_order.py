@@ -1,0 +1,137 @@
+"""The order of the states in each column of a layered layout, so that few lines cross.
+
+A line that passes a column has a knot in it, which is sorted like a state. Sweeps sort every column
+by the mean place of the neighbours, and neighbours in a column change places while that helps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from random import Random
+
+import numpy as np
+
+from smsl_studio.graph.crossings import Ties
+from smsl_studio.stop import heed
+
+STARTS, SWEEPS = 5, 10
+MOST_KNOTS = 2_000
+"""With more knots than this, lines have none: it would take too long."""
+
+
+@dataclass(frozen=True, eq=False)
+class OrderedColumns:
+    """The columns from left to right. Numbers from ``states`` on are knots.
+
+    ``left`` and ``right`` have the neighbours of each in the columns beside it, with weights.
+    """
+
+    states: int
+    columns: list[list[int]]
+    left: list[list[tuple[int, float]]]
+    right: list[list[tuple[int, float]]]
+
+
+def columns_of(ties: Ties, layer: Sequence[int]) -> OrderedColumns:
+    """Return the columns in the order of numbers, with knots for the lines that pass columns."""
+    count = len(layer)
+    columns: list[list[int]] = [[] for _ in range(max(layer, default=-1) + 1)]
+    for state, at in enumerate(layer):
+        columns[at].append(state)
+    left: list[list[tuple[int, float]]] = [[] for _ in range(count)]
+    right: list[list[tuple[int, float]]] = [[] for _ in range(count)]
+    spans = sum(max(abs(layer[a] - layer[b]) - 1, 0) for a, b in ties.pairs.tolist())
+    for pair, weight in zip(ties.pairs.tolist(), ties.weight.tolist(), strict=True):
+        last, end = sorted(pair, key=layer.__getitem__)
+        if layer[end] - layer[last] > 1 and spans > MOST_KNOTS:
+            continue
+        for at in range(layer[last] + 1, layer[end] + 1):
+            to = end
+            if at < layer[end]:
+                to = len(left)
+                left.append([])
+                right.append([])
+                columns[at].append(to)
+            right[last].append((to, weight))
+            left[to].append((last, weight))
+            last = to
+    return OrderedColumns(count, columns, left, right)
+
+
+def in_order(given: OrderedColumns) -> OrderedColumns:
+    """Return the columns in the best order that several starts find."""
+    best: tuple[float, list[list[int]]] | None = None
+    for start in range(STARTS):
+        heed()
+        columns = [_begin(column, start) for column in given.columns]
+        for sweep in range(SWEEPS):
+            _sweep(given, columns, sweep % 2 == 0)
+            _transpose(given, columns)
+            crossings = _crossings(given, columns)
+            if best is None or crossings < best[0]:
+                best = crossings, [list(column) for column in columns]
+            if not best[0]:
+                break
+    return OrderedColumns(given.states, best[1] if best else [], given.left, given.right)
+
+
+def _begin(column: list[int], start: int) -> list[int]:
+    if start == 0:
+        return list(column)
+    if start == 1:
+        return column[::-1]
+    return Random(start).sample(column, len(column))
+
+
+def _sweep(given: OrderedColumns, columns: list[list[int]], onwards: bool) -> None:
+    """Sort each column by the mean place of the neighbours in the column before it."""
+    order = range(1, len(columns)) if onwards else range(len(columns) - 2, -1, -1)
+    near = given.left if onwards else given.right
+    for number in order:
+        column = columns[number]
+        before = {v: i for i, v in enumerate(columns[number - 1 if onwards else number + 1])}
+        keys: dict[int, float] = {}
+        for slot, v in enumerate(column):
+            weight = sum(w for _, w in near[v])
+            total = sum(before[u] * w for u, w in near[v])
+            # Without neighbours it stays where it is.
+            share = len(before) / len(column)
+            keys[v] = round(total / weight if weight else slot * share, 6)
+        column.sort(key=keys.__getitem__)
+
+
+def _transpose(given: OrderedColumns, columns: list[list[int]]) -> None:
+    """Let neighbours of a column change places while fewer lines cross."""
+    for number, column in enumerate(columns):
+        sides = [
+            (near, {v: i for i, v in enumerate(columns[other])})
+            for near, other in ((given.left, number - 1), (given.right, number + 1))
+            if 0 <= other < len(columns)
+        ]
+        better = True
+        while better:
+            better = False
+            for slot in range(len(column) - 1):
+                v, u = column[slot], column[slot + 1]
+                gain = 0.0
+                for near, place in sides:
+                    for a, wa in near[v]:
+                        for b, wb in near[u]:
+                            gain += wa * wb * ((place[a] > place[b]) - (place[a] < place[b]))
+                if gain > 0:
+                    column[slot], column[slot + 1] = u, v
+                    better = True
+
+
+def _crossings(given: OrderedColumns, columns: list[list[int]]) -> float:
+    found = 0.0
+    for one, other in pairwise(columns):
+        place = {v: i for i, v in enumerate(other)}
+        lines = [(i, place[u], w) for i, v in enumerate(one) for u, w in given.right[v]]
+        if lines:
+            p, q, w = np.array(lines, dtype=np.float64).T
+            crossed = (p[:, None] < p[None]) & (q[:, None] > q[None])
+            found += float((crossed * (w[:, None] * w[None])).sum())
+    return found

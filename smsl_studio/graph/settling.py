@@ -1,0 +1,117 @@
+"""Settling: states move one by one to where their lines cross fewer others.
+
+States stand on a lattice, so every place is a pair of whole numbers. A move is made only if it
+makes the layout cheaper (see ``crossings``), so it ends, and it always ends in the same way.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+
+import numpy as np
+
+from smsl_studio.graph.crossings import CROSSING, Floats, Ties, costs_at
+from smsl_studio.stop import heed
+
+STEP = np.array([109.0, 52.0])
+"""The lattice: half the distance of two columns, and half that of two rows (pixels)."""
+GAP = np.array([38.0, 20.0])
+"""The room between two nodes, in addition to that around each (pixels)."""
+ROUNDS = 8
+WIDE, NARROW = (4, 6), (2, 4)
+"""How many steps of the lattice a state looks across and down: few in a graph of many pairs."""
+MANY_PAIRS = 100
+_PARTNERS = 6
+
+
+def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = True) -> Floats:
+    """Return places at which no state, and no two that change places, can stand better.
+
+    States of ``stays`` do not move. Without ``across`` every state keeps its x.
+    """
+    at = at.copy()
+    reach = WIDE if len(ties.pairs) <= MANY_PAIRS else NARROW
+    moves = _steps(reach[0] if across else 0, reach[1]) * STEP
+    fixed = set(stays)
+    movable = [i for i in range(len(at)) if i not in fixed and len(ties.of[i])]
+    waiting = set(movable)
+    for _ in range(ROUNDS):
+        changed: set[int] = set()
+        for state in [i for i in movable if i in waiting]:
+            heed()
+            if _moved(ties, at, state, moves, across):
+                changed.update(_near(ties, state))
+        for state in [i for i in movable if i in waiting]:
+            heed()
+            other = _swapped(ties, at, state, fixed, across)
+            if other >= 0:
+                changed.update(_near(ties, state), _near(ties, other))
+        waiting = changed
+        if not waiting:
+            break
+    return at
+
+
+def _steps(across: int, down: int) -> Floats:
+    """Return the steps to near places of the lattice, nearest first. The first one is no step."""
+    found = itertools.product(range(-across, across + 1), range(-down, down + 1))
+    near = sorted(found, key=lambda p: (abs(p[0]) + abs(p[1]), p))
+    return np.array(near, dtype=np.float64)
+
+
+def _near(ties: Ties, state: int) -> list[int]:
+    return [state, *ties.others(state).tolist()]
+
+
+def _moved(ties: Ties, at: Floats, state: int, moves: Floats, across: bool) -> bool:
+    """Move a state to the cheapest free place near it or near the middle of its neighbours."""
+    ends = np.sort(at[ties.others(state)], axis=0)
+    middle = np.round((ends[len(ends) // 2] - at[state]) / STEP) * STEP
+    if not across:
+        middle[0] = 0.0
+    places = np.vstack([moves, moves + middle]) + at[state]
+    free = _free(ties, at, state, places)
+    free[0] = True
+    places = places[free]
+    costs = costs_at(ties, at, state, places)
+    best = int(costs.argmin())
+    if costs[best] >= costs[0]:
+        return False
+    at[state] = places[best]
+    return True
+
+
+def _free(
+    ties: Ties, at: Floats, state: int, places: Floats
+) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    room = ties.half + ties.half[state] + GAP
+    gap = np.abs(places[:, None] - at)
+    meets = (gap[..., 0] < room[:, 0]) & (gap[..., 1] < room[:, 1])
+    meets[:, state] = False
+    return np.asarray(~meets.any(axis=1))
+
+
+def _swapped(ties: Ties, at: Floats, state: int, fixed: set[int], across: bool) -> int:
+    """Let a state and another one change places if that is cheaper. Return the other, else -1."""
+    gap = np.abs(at - at[state])
+    near = np.flatnonzero((gap[:, 0] == 0.0) | across)
+    near = near[np.argsort(gap[near].sum(axis=1), kind="stable")][: _PARTNERS + 1]
+    costs = costs_at(ties, at, state, at[near])
+    now = costs[near == state][0]
+    for other, there in zip(near.tolist(), costs.tolist(), strict=True):
+        if other == state or other in fixed or there > now + CROSSING:
+            continue
+        trial = at.copy()
+        trial[[state, other]] = at[[other, state]]
+        pair = (state, other)
+        if not all(_free(ties, trial, one, trial[one : one + 1])[0] for one in pair):
+            continue
+        before, after = (
+            sum(costs_at(ties, where, one, where[one : one + 1])[0] for one in pair)
+            for where in (at, trial)
+        )
+        if after < before:
+            at[:] = trial
+            return int(other)
+    return -1
