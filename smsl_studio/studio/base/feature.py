@@ -152,6 +152,9 @@ class DockSides(Protocol):
     def bottom_shown(self) -> bool:
         """Whether the dock at the bottom is shown."""
 
+    def bottom_folded(self) -> bool:
+        """Whether the dock at the bottom shows only its tabs."""
+
     def toggle_left(self) -> None:
         """Show or hide the dock at the left."""
 
@@ -160,6 +163,9 @@ class DockSides(Protocol):
 
     def toggle_bottom(self) -> None:
         """Show or hide the dock at the bottom."""
+
+    def fold_bottom(self) -> None:
+        """Fold the dock at the bottom to its tabs, or unfold it."""
 
     def enter_tab(self, name: str) -> bool:
         """Show the tab of this name and give it the keyboard focus.

@@ -17,13 +17,19 @@ class SmallButton(QToolButton):
 
     def __init__(self, words: str, picture: str, tokens: Tokens, size: int = 12) -> None:
         super().__init__()
-        self._picture, self._size = picture, size
+        self._size, self._tokens = size, tokens
         self.setProperty("role", "small")
         self.setFixedSize(SIDE, SIDE)
+        self.show_as(words, picture)
+
+    def show_as(self, words: str, picture: str) -> None:
+        """Show another icon, with the words of what it does now."""
+        self._picture = picture
         self.setToolTip(tip_text(words))
         self.setAccessibleName(plain_text(words))
-        self.set_tokens(tokens)
+        self.set_tokens(self._tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
+        self._tokens = tokens
         self.setIcon(icon(self._picture, tokens, self._size))

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLabel,
+    QStackedWidget,
+    QTabBar,
+    QVBoxLayout,
+    QWidget,
+)
 
 from smsl_studio.studio.base.controls import label, rule
 
@@ -42,7 +50,8 @@ class Tabs(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(head)
-        layout.addWidget(rule())
+        self._rule = rule()
+        layout.addWidget(self._rule)
         layout.addWidget(self._pages, 1)
         self.bar.currentChanged.connect(self._show)
 
@@ -52,9 +61,21 @@ class Tabs(QWidget):
         self._names.append(name)
         if tools is not None:
             self._tools[at] = tools
-            self._top.addWidget(tools)
+            self._top.insertWidget(1 + len(self._tools), tools)
         self.bar.addTab(name)
         self._show(self.bar.currentIndex())
+
+    def add_button(self, button: QWidget) -> None:
+        """Add a button at the right end that is visible with every panel."""
+        self._top.addWidget(button)
+
+    def show_pages(self, shown: bool) -> None:
+        """Show the panels below the tabs, or the tabs alone. The focus goes to the tabs then."""
+        focus = QApplication.focusWidget()
+        if not shown and focus is not None and self._pages.isAncestorOf(focus):
+            self.bar.setFocus()
+        self._pages.setVisible(shown)
+        self._rule.setVisible(shown)
 
     @property
     def names(self) -> tuple[str, ...]:

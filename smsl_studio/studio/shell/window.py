@@ -76,7 +76,7 @@ class Window(QMainWindow):
         PluginQuestions(self._windows, self).refused.connect(self.toast.refuse)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
         panels = [panel for feature in self.features for panel in feature.panels]
-        self.docks = Docks(self, panels)
+        self.docks = Docks(self, panels, self.tokens)
         pages = {mode: page for feature in self.features for mode, page in feature.pages.items()}
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
@@ -194,7 +194,8 @@ class Window(QMainWindow):
     def wear(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self.tokens = tokens
-        frame = (self.menu_row, self.mode_bar, self.toast, self.actions_table)
+        fold = self.docks.fold
+        frame = (self.menu_row, self.mode_bar, fold, self.toast, self.actions_table)
         for part in (*self.features, *frame):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()

@@ -22,7 +22,9 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.base.feature import DockPanel
 from smsl_studio.studio.base.tabs import Tabs
+from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import series
+from smsl_studio.studio.shell.frame.dock_fold import DockFold
 
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
@@ -39,7 +41,7 @@ class Docks(QObject):
     changed = Signal()
     """A dock was shown or hidden."""
 
-    def __init__(self, window: QMainWindow, panels: Sequence[DockPanel]) -> None:
+    def __init__(self, window: QMainWindow, panels: Sequence[DockPanel], tokens: Tokens) -> None:
         super().__init__(window)
         self._window, self.panels = window, tuple(panels)
         self._sides = QSplitter(Qt.Orientation.Vertical)
@@ -61,6 +63,8 @@ class Docks(QObject):
         self.right = self._dock("right", self.right_tabs, area.RightDockWidgetArea)
         self.right.setMinimumWidth(FORM)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
+        self.fold = DockFold(window, self.bottom, self.bottom_tabs, BOTTOM, tokens)
+        self.fold.changed.connect(self.changed)
         self.drawer = Drawer(window, self.words("left"))
         self._narrow = self._low = False
         self._bottom_when_high = True
@@ -85,7 +89,8 @@ class Docks(QObject):
         """Set the sizes of the design, if none are remembered."""
         sideways, upright = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self._window.resizeDocks([self.left, self.right], [LEFT, self._widths[self._tab]], sideways)
-        self._window.resizeDocks([self.bottom], [BOTTOM], upright)
+        if not self.fold.folded:
+            self._window.resizeDocks([self.bottom], [BOTTOM], upright)
 
     def show_mode(self, mode: str) -> None:
         """Show the docks in Draw mode and hide them in all others."""
@@ -175,6 +180,14 @@ class Docks(QObject):
         """Show or hide the bottom dock."""
         self._toggle(self.bottom)
 
+    def bottom_folded(self) -> bool:
+        """Whether the bottom dock shows only its tabs."""
+        return self.fold.folded
+
+    def fold_bottom(self) -> None:
+        """Fold the bottom dock to its tabs, or unfold it."""
+        self.fold.toggle()
+
     def _toggle(self, dock: QDockWidget) -> None:
         dock.setVisible(not dock.isVisible())
         self.changed.emit()
@@ -189,6 +202,8 @@ class Docks(QObject):
             if name in tabs.names:
                 dock.show()
                 tabs.show_page(name)
+                if dock is self.bottom:
+                    self.fold.put(False)
         self.changed.emit()
 
     def enter_tab(self, name: str) -> bool:

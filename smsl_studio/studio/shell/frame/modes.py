@@ -15,6 +15,8 @@ from smsl_studio.studio.shell.frame.mode_bar import ModeBar
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 DRAW = "draw"
+FOLD = "panels/fold"
+"""The setting that says whether the lower panel is folded."""
 
 
 class Modes:
@@ -75,6 +77,7 @@ class Modes:
 
     def restore(self) -> None:
         """Restore the places of the panels from the last window."""
+        self._docks.fold.put(bool(self._settings.text_of(FOLD)))
         if not self._docks.restore(self._settings.bytes_of("panels/draw")):
             self._docks.set_first_sizes()
 
@@ -82,6 +85,7 @@ class Modes:
         """Remember the places of the panels, if they are shown."""
         if self.shown == DRAW and self._body.isVisible():
             self._settings.store("panels/draw", self._docks.save())
+            self._settings.store_text(FOLD, "folded" if self._docks.fold.folded else "")
 
     def fit(self, size: QSize) -> None:
         """In a narrow window show a drawer and its button instead of the left dock.
