@@ -82,6 +82,10 @@ def _yaml_key(token: TextToken, value: list[str]) -> Iterator[Piece]:
         yield token.start, token.end, "acc"
 
 
+MANY = 5_000
+"""If more blocks than this have changed, all are coloured again when they are painted."""
+
+
 class Colours:
     """Colours the visible blocks with the colours of the theme."""
 
@@ -103,6 +107,9 @@ class Colours:
     def forget(self, block: QTextBlock, last: int) -> None:
         """Colour the blocks from this one to the number ``last`` again, because they have
         changed."""
+        if last - block.blockNumber() > MANY:
+            self._wearing += 1
+            return
         while block.isValid() and block.blockNumber() <= last:
             block.setUserState(0)
             block = block.next()

@@ -17,6 +17,7 @@ from smsl_studio.studio.features.draw.source.shown_text import (
     BOM,
     CR_SHOWN,
     exact_column,
+    is_plain,
     shown,
     shown_column,
 )
@@ -55,6 +56,9 @@ class TextSheet:
 
     def shown_lines(self, first: int, last: int) -> list[str]:
         """What is shown of some pieces, the last one included."""
+        pieces = self.pieces[first : last + 1]
+        if is_plain("".join(pieces)):
+            return [piece.removesuffix("\n") for piece in pieces]
         return [self.shown_piece(at) for at in range(first, last + 1)]
 
     def where(self, offset: int) -> tuple[int, int]:

@@ -21,9 +21,14 @@ def _pattern(characters: str) -> re.Pattern[str]:
     return re.compile(f"[{characters}]")
 
 
+def is_plain(text: str) -> bool:
+    """Whether the text is shown as it is."""
+    return not _pattern(f"\r{BOM}{_ODD}").search(text)
+
+
 def shown(text: str, first: bool = False) -> str:
     """The text as it is shown. ``first``: it begins the file, so it may have a BOM."""
-    if not _pattern(f"\r{BOM}{_ODD}").search(text):
+    if is_plain(text):
         return text
     if first:
         text = text.removeprefix(BOM)

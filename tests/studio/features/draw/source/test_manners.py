@@ -10,6 +10,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QRawFont, QTextLayout
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.base.theme import mono_font, text_font
+from smsl_studio.studio.features.draw.source.colours import MANY, pieces
 from tests.studio.features.draw.source.conftest import ALT, CTRL, HFSM, SHIFT, Writer
 
 At = Callable[..., Writer]
@@ -173,3 +174,23 @@ def test_a_name_is_shown_as_it_is_written(qapp: QApplication) -> None:
         layout.endLayout()
         shown = [glyph for run in layout.glyphRuns() for glyph in run.glyphIndexes()]
         assert shown == glyphs
+
+
+def test_after_a_large_paste_every_visible_line_has_the_colours_of_its_text(at_text: At) -> None:
+    writer = at_text()
+    editor = writer.pane.editor
+    editor.grab()
+    many = ",\n".join(f'  "State_{at}": {{"Op_{at}": "State_0"}}' for at in range(MANY + 10))
+    data = QMimeData()
+    data.setText('{"Another": {"HEADER": {"INITIAL": "State_7"},\n' + many + "\n}}\n")
+    QApplication.clipboard().setMimeData(data)
+    writer.key(Qt.Key.Key_A, CTRL)
+    writer.key(Qt.Key.Key_V, CTRL)
+    assert writer.text == data.text()
+    writer.key(Qt.Key.Key_Home, CTRL)
+    editor.grab()
+    for at in range(10):
+        block = editor.document().findBlockByNumber(at)
+        dressed = [(part.start, part.start + part.length) for part in block.layout().formats()]
+        assert dressed == [(start, end) for start, end, _ in pieces(block.text(), "json")]
+        assert dressed
