@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 
+from smsl_studio.picture.levels import Floats
 from smsl_studio.smsl.forms import form_named
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.features.draw.canvas.clipboard import KIND
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -151,3 +154,26 @@ def test_a_file_without_sbs_takes_states_in(sit: Sit) -> None:
     other.ctrl(Key.Key_V)
     assert list(other.blueprint["SB1"].table) == ["State100"]
     assert other.steps()[-1] == "Paste State100"
+
+
+def test_states_that_are_pasted_ask_for_the_size_of_all_nodes_only_a_few_times(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once for each state would be slow: the time would grow with the square of their number."""
+    person = sit()
+    whole = Sheet.halves
+    asked: list[int] = []
+
+    def counted(sheet: Sheet, states: slice | int = slice(None)) -> Floats:
+        if isinstance(states, slice):
+            asked.append(1)
+        return whole(sheet, states)
+
+    monkeypatch.setattr(Sheet, "halves", counted)
+    states = {f"State_{n:03}": {"go": f"State_{n // 2:03}"} for n in range(600)}
+    put(json.dumps(states)[1:-1])
+    person.window.canvas.setFocus()
+    person.ctrl(Key.Key_V)
+    assert len(person.blueprint["SB1"].table) == 600
+    assert len(person.selected()) == 600
+    assert len(asked) < 60

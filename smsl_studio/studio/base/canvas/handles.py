@@ -17,7 +17,7 @@ RIM = 1 / 18
 def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
     """The handles of a state as scene points: right, left, top, bottom."""
     x, y = sheet.at[state].tolist()
-    w, h = sheet.halves()[state].tolist()
+    w, h = sheet.halves(state).tolist()
     out = OUT / sheet.zoom
     return {
         "right": QPointF(x + w + out, y),
@@ -30,7 +30,7 @@ def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
 def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
     """The handle on that side of a node which is nearest to a scene point."""
     x, y = sheet.at[state].tolist()
-    w, h = sheet.halves()[state].tolist()
+    w, h = sheet.halves(state).tolist()
     dx, dy = point.x() - x, point.y() - y
     away = {
         "right": abs(w - dx),
@@ -46,7 +46,7 @@ def takes(view: QGraphicsView, sheet: Sheet, state: int, handle: QPointF, at: QP
 
     A handle lies outside the node. Inside it takes only a rim, so that small nodes can be moved.
     """
-    (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves()[state].tolist()
+    (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves(state).tolist()
     deep = min(w - abs(at.x() - x), h - abs(at.y() - y))
     return deep <= 2 * min(w, h) * RIM and is_near(view, at, handle, HANDLE_RADIUS + 1.0)
 
@@ -68,7 +68,7 @@ def pending_ends(
     """
     aim = goal.center() if goal is not None else at
     x, y = sheet.at[state].tolist()
-    w, h = sheet.halves()[state].tolist()
+    w, h = sheet.halves(state).tolist()
     dx, dy = aim.x() - x, aim.y() - y
     across = abs(dx) / w >= abs(dy) / h
     side = ("right" if dx > 0 else "left") if across else ("bottom" if dy > 0 else "top")

@@ -194,15 +194,15 @@ class Sheet:
         """The height of near nodes in mark pixels."""
         return COMPACT_SIZE[1] if self.compact else FULL_SIZE[1]
 
-    def halves(self) -> Floats:
-        """Half the width and height of every node at this level, (n, 2), in scene units."""
-        if self.level is Level.DOT:
-            size = np.broadcast_to(np.array(DOT_SIZE), self.at.shape)
-        elif self.level is Level.BOX:
-            size = np.broadcast_to(np.array(BOX_SIZE), self.at.shape)
+    def halves(self, states: slice | int = slice(None)) -> Floats:
+        """Half the width and height of every node at this level, (n, 2), in scene units; or of
+        one state, (2,)."""
+        if self.level in (Level.DOT, Level.BOX):
+            size = np.array(DOT_SIZE if self.level is Level.DOT else BOX_SIZE)
+            size = np.broadcast_to(size, self.at[states].shape)
         else:
-            widths = self.compact_widths if self.compact else self.full_widths
-            size = np.column_stack([widths, np.full(len(widths), self.height)])
+            widths = (self.compact_widths if self.compact else self.full_widths)[states]
+            size = np.stack([widths, np.full_like(widths, self.height)], axis=-1)
         return size / 2 * self.unit
 
     def extent(self) -> tuple[Floats, Floats]:

@@ -180,7 +180,7 @@ class Stage(QGraphicsView):
         if state < 0:
             return None
         x, y = sheet.at[state]
-        w, h = sheet.halves()[state]
+        w, h = sheet.halves(state)
         return QRectF(x - w, y - h, 2 * w, 2 * h)
 
     def address_at(self, at: QPointF) -> Address | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.graph.layout import place_states
@@ -46,3 +47,13 @@ def test_a_state_that_moves_leaves_no_old_lines_at_another_zoom(qapp: QApplicati
     shown.set_zoom(ZOOMS[0])
     assert shown.geometry is not first
     assert tuple(shown.geometry.boxes[source, :2]) == (900.0, 900.0)
+
+
+@pytest.mark.parametrize("zoom", [0.05, 0.2, 0.5, 1.0, 2.0])
+def test_the_size_of_one_node_is_that_among_all(qapp: QApplication, zoom: float) -> None:
+    shown = sheet()
+    shown.set_zoom(zoom)
+    every = shown.halves()
+    assert every.shape == (27, 2)
+    for state in range(27):
+        assert shown.halves(state).tolist() == every[state].tolist()

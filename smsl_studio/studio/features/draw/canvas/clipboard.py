@@ -199,12 +199,13 @@ class ClipboardVerbs:
     def _bring_into_view(self, states: Sequence[Address]) -> None:
         """Scroll to new states, or show the whole SB if they need more room than the view has."""
         canvas, rect = self._canvas, QRectF()
+        room = canvas.clear_view
         for address in states:
             rect = rect.united(canvas.rect_of(address) or rect)
-        room = canvas.clear_view
-        if rect.width() > room.width() or rect.height() > room.height():
-            canvas.fit()
-        elif not canvas.seen.contains(rect):
+            if rect.width() > room.width() or rect.height() > room.height():
+                canvas.fit()
+                return
+        if not canvas.seen.contains(rect):
             canvas.camera.keep("")
             canvas.camera.go(rect.center(), canvas.zoom)
 

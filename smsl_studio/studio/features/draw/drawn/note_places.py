@@ -39,7 +39,7 @@ def place_at(canvas: Canvas, state: str) -> Position:
     rect_x, rect_y = canvas.positions[state]
     sheet = canvas.sheet
     assert sheet is not None
-    half, high = sheet.halves()[sheet.picture.index[state]].tolist()
+    half, high = sheet.halves(sheet.picture.index[state]).tolist()
     ways = (
         (half + AWAY, -HIGH - high),
         (half + AWAY, high),
