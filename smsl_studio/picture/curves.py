@@ -28,6 +28,7 @@ __all__ = [
     "meets",
     "shapes_of",
     "strands_of",
+    "stub",
 ]
 
 OPPOSITE, PARALLEL = 16.0, 18.0
@@ -234,3 +235,11 @@ def _bent(
         edge: Strand(*ends[not there], offset, bend, normal, False)
         for edge, there, offset in _side_by_side(pair, source, target, style)
     }
+
+
+def stub(box: NodeBox, rank: float, unit: float) -> EdgeShape:
+    """Return the line of an edge whose target is missing: a short arrow down. ``rank`` counts from
+    the middle of all such edges of the node.
+    """
+    x, y = box.x + rank * 18.0 * unit, box.y + box.h
+    return EdgeShape(np.array([[x, y + unit], [x, y + 40.0 * unit]]), "stub", 1)

@@ -40,6 +40,8 @@ class Routing:
     bent: dict[tuple[int, int], Rect] = field(default_factory=dict)
     """The pairs whose lines lead around other nodes, or would if there was room, each with the
     rectangle outside which no node changes them."""
+    mark: Rect | None = None
+    """What the mark of the initial state covers."""
 
 
 class FormerLines:
@@ -132,6 +134,11 @@ class FormerLines:
         for old, shape in former.shapes.items():
             if old not in kept:
                 self.moved([shape.bounds, former.labels.get(old)])
+
+    def mark_known(self, rect: Rect) -> None:
+        """Note the new place of the initial state's mark."""
+        if rect != self._former.mark:
+            self.moved([rect, self._former.mark])
 
     def _is_kept(self, pair: Between) -> bool:
         """Return whether a pair has the same nodes at the same places, and the same edges."""

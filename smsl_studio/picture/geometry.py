@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture import bends, labels, loops
+from smsl_studio.picture import bends, initial_mark, labels, loops
 from smsl_studio.picture.clear_pairs import ClearPairs
 from smsl_studio.picture.curves import (
     Between,
@@ -21,8 +21,8 @@ from smsl_studio.picture.curves import (
     in_row,
     shapes_of,
     strands_of,
+    stub,
 )
-from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
@@ -63,6 +63,8 @@ class Geometry:
         self._shapes: dict[int, EdgeShape] = {}
         self._strands: dict[int, Strand] = {}
         self._labels: dict[int, labels.Rect | None] = {}
+        self.mark_shift = 0.0
+        """How far below its node's middle the mark of the initial state stands (scene units)."""
         self.routing: Routing | None = None
         """The routing of a small picture, for the picture after the next edit."""
         self._work: Routing | None = None
@@ -96,9 +98,7 @@ class Geometry:
             self._choice = self._choice_of(anew)
 
     def label(self, edge: int) -> labels.Rect | None:
-        """Return the place of an edge's label (left, top, right, bottom), None while it is
-        hidden.
-        """
+        """Return the place of an edge's label, None while it is hidden."""
         if edge not in self._labels:
             self._place(edge)
         return self._labels[edge]
@@ -237,11 +237,8 @@ class Geometry:
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
         """Return the line of an edge whose target is missing: a short arrow down."""
-        box, unit = self.box(state), self.style.unit
         own = [e for e in self.picture.edges_of(state) if self.picture.target[e] < 0]
-        x = box.x + (own.index(edge) - (len(own) - 1) / 2) * 18.0 * unit
-        y = box.y + box.h
-        return EdgeShape(np.array([[x, y + unit], [x, y + 40.0 * unit]]), "stub", 1)
+        return stub(self.box(state), own.index(edge) - (len(own) - 1) / 2, self.style.unit)
 
     # All edges of a small picture
 
@@ -282,11 +279,7 @@ class Geometry:
             else:
                 self._plan(edge)
         boxes = [self.box(i) for i in range(len(self.picture))]
-        lanes = in_lanes(passing, boxes, self._middle, self.style.unit)
-        for edge, lane in lanes.items():
-            ends = int(self.picture.source[edge]), int(self.picture.target[edge])
-            if all(self._obstacles.keep_clear([lane.points], GAP * self.style.unit, ends)):
-                self._shapes[edge] = lane
+        self._shapes |= in_lanes(passing, boxes, self._middle, self.style.unit, self._obstacles)
         for one in passing:
             if one.edge not in self._shapes and one.edge not in self._strands:
                 self._plan(one.edge)
@@ -298,6 +291,7 @@ class Geometry:
         self._lines = labels.LinePieces(self._shapes)
         self._places = labels.LabelPlaces(self.boxes, self.style.unit)
         bends.keep_clear(self._drawn.values(), self._places)
+        self._mark_initial(work, self._places)
         for edge, layout in self._drawn.items():
             if layout.label is not None and edge in self._shapes:
                 self._place(edge)
@@ -305,17 +299,22 @@ class Geometry:
             self._route_loops(state)
         if looping:
             self._lines = labels.LinePieces(self._shapes)
-        order = sorted(self._shapes, key=self._label_order)
+        order = sorted(self._shapes, key=lambda edge: labels.rank_of(edge, self._shapes[edge]))
         if self._former is None:
             self._choice = self._choice_of(edge for edge in order if edge not in self._labels)
         for edge in order:
             self._place(edge)
 
-    def _label_order(self, edge: int) -> tuple[int, float, int]:
-        """Return the sort key of an edge. Labels with the fewest possible places come first."""
-        shape = self._shapes[edge]
-        ways = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
-        return ways[shape.way], round(shape.length), edge
+    def _mark_initial(self, work: Routing, places: labels.LabelPlaces) -> None:
+        """Find the place of the initial state's mark, and keep labels off it."""
+        state, unit = self.picture.index.get(self.picture.branch.initial, -1), self.style.unit
+        if state < 0:
+            return
+        self.mark_shift = initial_mark.free_shift(self.box(state), self._lines, unit)
+        rect = work.mark = initial_mark.rect_of(self.box(state), self.mark_shift, unit)
+        places.take(rect)
+        if self._former is not None:
+            self._former.mark_known(rect)
 
     def _place(self, edge: int) -> None:
         if edge in self._labels:

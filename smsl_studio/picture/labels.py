@@ -19,6 +19,7 @@ Rect = tuple[float, float, float, float]
 """Left, top, right, bottom."""
 _AT_ONCE, _RECTS_AT_ONCE = 200, 4_000
 """So many labels are compared with all lines at once, and so many places with all nodes."""
+_RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
 _MOST_OFTEN = 3
 """So many places of each label are compared with the lines beforehand."""
 
@@ -26,6 +27,11 @@ _MOST_OFTEN = 3
 def meet(a: Rect, b: Rect) -> bool:
     """Return whether two rectangles overlap."""
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def rank_of(edge: int, shape: EdgeShape) -> tuple[int, float, int]:
+    """Return the sort key of an edge. Labels with the fewest possible places come first."""
+    return _RANKS[shape.way], round(shape.length), edge
 
 
 class LabelPlaces:

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from smsl_studio.picture.curves import TIP_GAP
+from smsl_studio.picture.detours import GAP
+from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.shape import EdgeShape, NodeBox, Point, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
@@ -34,18 +36,22 @@ def in_lanes(
     boxes: Sequence[NodeBox],
     middle: Point,
     unit: float,
-    taken: Sequence[NodeBox] = (),
+    obstacles: Obstacles,
 ) -> dict[int, EdgeShape]:
     """Return the lines of edges that pass other nodes, in lanes outside their row.
 
     Lanes of rows above ``middle`` run above, those of the others below; columns use left and right
     in the same way. Short edges get inner lanes, so that lanes do not cross. Edges of a row without
-    room for lanes are not in the result.
+    room for lanes are not in the result, nor those whose lane would come too near to a node.
     """
     shapes: dict[int, EdgeShape] = {}
     for key in sorted({_row(p, boxes) for p in passing}):
         row = [p for p in passing if _row(p, boxes) == key]
-        shapes |= _row_lanes(row, boxes, middle, unit, key[0] == "column")
+        lanes = _row_lanes(row, boxes, middle, unit, key[0] == "column")
+        for p in row:
+            lane = lanes.get(p.edge)
+            if lane and all(obstacles.keep_clear([lane.points], GAP * unit, (p.source, p.target))):
+                shapes[p.edge] = lane
     return shapes
 
 

@@ -19,6 +19,7 @@ from smsl_studio.picture.figure import (
 )
 from smsl_studio.picture.levels import FULL_SIZE, Level, rest_mark
 from smsl_studio.picture.picture import Chip, Face
+from smsl_studio.picture.shape import Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import box, circle, mono_text, number, polygon, polyline, text
 from smsl_studio.picture.words import elided, mono_width
@@ -43,7 +44,7 @@ def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> I
         inner = (gap - wide / 2, gap - high / 2, wide - 2 * gap, high - 2 * gap)
         yield box(inner, radius - gap, "none", colours["slate"])
     if face.initial:
-        yield from _initial(-wide / 2 - 3.0, colours)
+        yield from _initial((-wide / 2 - 3.0, figure.geometry.mark_shift), colours)
     yield from (
         _words(face, wide, colours) if figure.level is Level.FULL else _short(face, wide, colours)
     )
@@ -69,11 +70,12 @@ def _dot(figure: Figure, state: int, colours: Colours, sign: str) -> Iterator[st
     yield text((at[0], at[1] - 13.0), shown, NAME, colours["tx"], 600)
 
 
-def _initial(x: float, colours: Colours) -> Iterator[str]:
+def _initial(tip: Point, colours: Colours) -> Iterator[str]:
+    x, y = tip
     ink = colours["slate"]
-    yield polyline([(x - 14.0, 0.0), (x - 5.0, 0.0)], ink, 1.4)
-    yield circle((x - 17.0, 0.0), 5.0, ink)
-    yield polygon([(x, 0.0), (x - 7.0, -3.6), (x - 7.0, 3.6)], ink)
+    yield polyline([(x - 14.0, y), (x - 5.0, y)], ink, 1.4)
+    yield circle((x - 17.0, y), 5.0, ink)
+    yield polygon([(x, y), (x - 7.0, y - 3.6), (x - 7.0, y + 3.6)], ink)
 
 
 def _short(face: Face, wide: float, colours: Colours) -> Iterator[str]:

@@ -113,7 +113,7 @@ def test_a_way_around_a_node_meets_none() -> None:
 def test_lanes_nest_outside_their_row() -> None:
     boxes = [box(x, 0) for x in (0, 218, 436, 654)] + [box(0, 172)]
     passing = [Passing(0, 3, 0), Passing(1, 0, 3), Passing(2, 2, 0), Passing(3, 1, 3)]
-    shapes = in_lanes(passing, boxes, (327.0, 86.0), 1.0)
+    shapes = in_lanes(passing, boxes, (327.0, 86.0), 1.0, Obstacles(rows(*boxes)))
     tops = {e: float(shape.points[:, 1].min()) for e, shape in shapes.items()}
     assert tops[3] == pytest.approx(-27.0 - FIRST)
     assert sorted(tops.values()) == pytest.approx([-27 - FIRST - STEP * i for i in (3, 2, 1, 0)])
@@ -129,13 +129,13 @@ def test_lanes_nest_outside_their_row() -> None:
 
 def test_lanes_of_the_lower_row_pass_below() -> None:
     boxes = [box(x, 172) for x in (0, 218, 436)] + [box(0, 0)]
-    shapes = in_lanes([Passing(0, 0, 2)], boxes, (218.0, 86.0), 1.0)
+    shapes = in_lanes([Passing(0, 0, 2)], boxes, (218.0, 86.0), 1.0, Obstacles(rows(*boxes)))
     assert shapes[0].points[:, 1].max() == pytest.approx(172 + 27 + FIRST)
 
 
 def test_lanes_of_a_column_pass_beside_it() -> None:
     boxes = [box(0, y) for y in (0, 172, 344)] + [box(400, 0)]
-    shapes = in_lanes([Passing(0, 0, 2)], boxes, (200.0, 172.0), 1.0)
+    shapes = in_lanes([Passing(0, 0, 2)], boxes, (200.0, 172.0), 1.0, Obstacles(rows(*boxes)))
     assert shapes[0].points[:, 0].min() == pytest.approx(-54 - FIRST)
 
 
@@ -175,9 +175,11 @@ def test_a_cut_is_as_long_as_it_says(points: list[tuple[float, float]]) -> None:
 
 def test_a_row_without_room_before_the_next_one_has_no_lanes() -> None:
     boxes = [box(0, 100), box(200, 100), box(400, 100), box(200, 44), box(200, 400)]
-    assert in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0) == {}
+    assert in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0, Obstacles(rows(*boxes))) == {}
     boxes[3] = box(200, -200)
-    assert list(in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0)) == [0]
+    assert list(
+        in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0, Obstacles(rows(*boxes)))
+    ) == [0]
 
 
 def test_of_very_many_lines_between_two_states_none_is_sought_among_the_others() -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsObject, QStyleOptionGraphicsItem, QWidget
 
-from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.node_paint import MARGIN, paint_node
 
@@ -61,6 +63,8 @@ class NodeItem(QGraphicsObject):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.scale(sheet.unit, sheet.unit)
         face, look = sheet.picture.face(self.state), sheet.node_look(self.state)
+        if face.initial and sheet.picture.small and sheet.level >= Level.COMPACT:
+            look = replace(look, mark_shift=sheet.geometry.mark_shift / sheet.unit)
         paint_node(painter, face, self.size()[0], sheet.compact, look, sheet.ink)
 
 

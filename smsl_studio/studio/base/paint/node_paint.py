@@ -53,6 +53,8 @@ class NodeLook:
     change: str = ""
     """What a comparison tells: ``+``, ``-`` or ``~``."""
     facts: tuple[tuple[int, str], ...] = field(default=())
+    mark_shift: float = 0.0
+    """How far below the middle the mark of an initial state stands (mark pixels)."""
 
     @property
     def lit(self) -> bool:
@@ -129,7 +131,7 @@ def paint_node(
     if face.activating:
         _second_outline(painter, rect, radius, compact, look, ink)
     if face.initial:
-        _initial(painter, rect, ink)
+        _initial(painter, QPointF(rect.left() - 3.0, look.mark_shift), ink)
     if compact:
         _short(painter, face, width, look, ink)
     else:
@@ -211,15 +213,14 @@ def _second_outline(
     painter.drawRoundedRect(rect.adjusted(gap, gap, -gap, -gap), inner, inner)
 
 
-def _initial(painter: QPainter, rect: QRectF, ink: Ink) -> None:
-    colour = ink.tokens.slate
-    x = rect.left() - 3.0
+def _initial(painter: QPainter, tip: QPointF, ink: Ink) -> None:
+    colour, x, y = ink.tokens.slate, tip.x(), tip.y()
     painter.setPen(pen(colour, 1.4))
-    painter.drawLine(QPointF(x - 14.0, 0.0), QPointF(x - 5.0, 0.0))
+    painter.drawLine(QPointF(x - 14.0, y), QPointF(x - 5.0, y))
     painter.setPen(NO_PEN)
     painter.setBrush(colour)
-    painter.drawEllipse(QPointF(x - 17.0, 0.0), 5.0, 5.0)
-    painter.drawPolygon(QPolygonF([QPointF(x, 0), QPointF(x - 7, -3.6), QPointF(x - 7, 3.6)]))
+    painter.drawEllipse(QPointF(x - 17.0, y), 5.0, 5.0)
+    painter.drawPolygon(QPolygonF([tip, QPointF(x - 7, y - 3.6), QPointF(x - 7, y + 3.6)]))
 
 
 def _short(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:
