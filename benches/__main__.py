@@ -45,6 +45,7 @@ BENCHES = (
     "sequences",
     "walks",
     "layouts",
+    "mental_map",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -55,7 +55,7 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
         if len(part) == 1 and number:
             alone += part
             continue
-        own = _part(branch, part) if len(parts) > 1 else branch
+        own = part_of(branch, part) if len(parts) > 1 else branch
         names, at = graph_of(own).names, _best_of(own, kind)
         at = at - at.min(axis=0) + (0.0, lowest + PART)
         lowest = float(at[:, 1].max())
@@ -66,7 +66,7 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
     return {name: places[name] for name in branch.table}
 
 
-def _part(branch: StateBranch, states: Sequence[str]) -> StateBranch:
+def part_of(branch: StateBranch, states: Sequence[str]) -> StateBranch:
     """Return an SB of some states. Its INITIAL is that of the whole one, or the first state."""
     first = branch.initial if branch.initial in states else states[0]
     last = branch.activating if branch.activating in states else states[-1]
@@ -78,14 +78,14 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
     """Return the centres of the nodes of an SB in which operations join all states, (n, 2)."""
     graph = graph_of(branch)
     ties = ties_for(branch)
-    most = len(graph) <= MOST_STATES and len(ties.pairs) <= MOST_PAIRS
+    most = settles(ties)
     few = most and len(ties.pairs) <= FEW_PAIRS
     found: list[tuple[float, int, Floats]] = []
 
     def take(begin: Floats, across: bool) -> None:
         """Let states settle from here, and keep the result with its cost."""
-        settles = few or (most and (across or kind == LAYERS))
-        at = settle(ties, begin, across=across) if settles else begin
+        here = few or (most and (across or kind == LAYERS))
+        at = settle(ties, begin, across=across) if here else begin
         cost = cost_of(ties, at) if most else -float(len(found))
         if across and most:
             # Columns are easier to follow, so they are left only for a good reason.
@@ -107,16 +107,21 @@ def _starts(
     """Yield the layouts before states settle, and whether states may leave their columns."""
     start = graph.index.get(branch.initial, 0)
     if kind == LAYERS or len(graph) <= (MOST_STATES if kind == BEST else 2):
-        steps, chains = by_steps(graph, start), by_chains(graph, start)
+        steps = by_steps(graph, start)
         yield in_layers(graph, ties, steps), False
+        chains = by_chains(graph, start) if len(graph) <= MOST_STATES else steps
         if chains != steps:
             yield in_layers(graph, ties, chains), False
     if kind != LAYERS and len(graph) > 2:
         near = by_distance(branch)
         at = np.array([near[name] for name in graph.names]).reshape(-1, 2)
         # States that do not settle stay in their narrower cells.
-        roomy = len(ties.pairs) <= MOST_PAIRS and len(graph) <= MOST_STATES
-        yield (np.round(at / (CELL_X, CELL_Y)) * STEP * 2.0 if roomy else at), True
+        yield (np.round(at / (CELL_X, CELL_Y)) * STEP * 2.0 if settles(ties) else at), True
+
+
+def settles(ties: Ties) -> bool:
+    """Return whether an SB is so small that its states settle."""
+    return len(ties.half) <= MOST_STATES and len(ties.pairs) <= MOST_PAIRS
 
 
 def ties_for(branch: StateBranch) -> Ties:

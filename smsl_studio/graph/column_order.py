@@ -17,6 +17,8 @@ from smsl_studio.graph.crossings import Ties
 from smsl_studio.stop import heed
 
 STARTS, SWEEPS = 5, 10
+FEW_SWEEPS, MANY = 3, 800
+"""With more states and knots than ``MANY``, one start and few sweeps must do."""
 MOST_KNOTS = 2_000
 """With more knots than this, lines have none: it would take too long."""
 
@@ -63,12 +65,15 @@ def columns_of(ties: Ties, layer: Sequence[int]) -> OrderedColumns:
 def in_order(given: OrderedColumns) -> OrderedColumns:
     """Return the columns in the best order that several starts find."""
     best: tuple[float, list[list[int]]] | None = None
-    for start in range(STARTS):
+    many = len(given.left) > MANY
+    for start in range(1 if many else STARTS):
         heed()
         columns = [_begin(column, start) for column in given.columns]
-        for sweep in range(SWEEPS):
+        for sweep in range(FEW_SWEEPS if many else SWEEPS):
+            heed()
             _sweep(given, columns, sweep % 2 == 0)
-            _transpose(given, columns)
+            if not many:
+                _transpose(given, columns)
             crossings = _crossings(given, columns)
             if best is None or crossings < best[0]:
                 best = crossings, [list(column) for column in columns]

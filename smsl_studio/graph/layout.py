@@ -155,6 +155,12 @@ def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
     return places
 
 
+def free_places(others: Mapping[str, Point], wanted: Mapping[str, Point]) -> dict[str, Point]:
+    """Return the places of ``others``, and for each wished place the nearest free one."""
+    taken = _Grid(others.values())
+    return {**others, **{name: taken.free(at) for name, at in wanted.items()}}
+
+
 def _beside(near: list[Point], below: Point) -> Point:
     """Return the wished place for a state: the middle of its neighbours, the right of a single one,
     or ``below`` if there is none.

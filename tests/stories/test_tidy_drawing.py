@@ -7,6 +7,10 @@ import pytest
 from PySide6.QtCore import QPoint, QRectF, Qt
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.arrangement import DISTANCE, LAYERS
+from smsl_studio.graph.tidied import tidied
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -17,6 +21,11 @@ SB = "REGISTRATION"
 
 def tidy(person: Person) -> None:
     person.press(Key.Key_T, [Ctrl, Shift])
+
+
+def bend(blueprint: Blueprint, lines: list[tuple[str, str]]) -> Blueprint:
+    addresses = [Address(SB, state, operation) for state, operation in lines]
+    return editing.set_bends(blueprint, addresses, [(40.0, 40.0)])
 
 
 def move(person: Person, count: int) -> None:
@@ -104,3 +113,38 @@ def test_notes_lie_on_nothing_after_tidy(sit: Sit) -> None:
     assert person.steps() == ["Notes", f"Tidy {SB}"]
     person.ctrl(Key.Key_Z)
     assert person.blueprint.document.text == text
+
+
+def test_of_selected_states_only_they_move_and_only_their_bends_go(sit: Sit) -> None:
+    person = sit(FILE)
+    table = person.blueprint[SB].table
+    names = list(table)
+    chosen, far = names[:2], names[2:]
+    lines = [
+        (a, o)
+        for group in (chosen, far)
+        for a in group
+        for o, b in table[a].items()
+        if b in group and b != a
+    ]
+    person.window.session.edit("Bend", lambda bp: bend(bp, lines))
+    move(person, 2)
+    before = dict(person.window.canvas.positions)
+    person.window.session.select(Address(SB, name) for name in chosen)
+    tidy(person)
+    after = person.window.canvas.positions
+    assert {n for n in names if after[n] != before[n]} == set(chosen)
+    bent = person.blueprint[SB].notes.edges
+    assert bent
+    assert {a for a, _ in bent} <= set(far)
+    assert person.steps()[-1] == f"Tidy {SB}"
+
+
+def test_the_kind_of_layout_is_chosen_in_the_menu(sit: Sit) -> None:
+    person = sit(FILE)
+    branch = person.blueprint[SB]
+    for action, kind in (("tidy_layers", LAYERS), ("tidy_distance", DISTANCE)):
+        shown = dict(person.window.canvas.positions)
+        person.window.actions_table[action].trigger()
+        assert person.window.canvas.positions == tidied(branch, shown, kind=kind)
+        assert person.steps()[-1] == f"Tidy {SB}"

@@ -5,7 +5,7 @@ Both stand in ``_layout``, so no digest changes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
@@ -61,12 +61,20 @@ def place_label(
     return _changed(blueprint, address, "label", written)
 
 
-def straighten(blueprint: Blueprint, branch: str) -> Blueprint:
-    """Draw all lines and labels of an SB as if nobody had bent or moved them."""
-    branch_of(blueprint, branch)
+def straighten(
+    blueprint: Blueprint, branch: str, states: Collection[str] | None = None
+) -> Blueprint:
+    """Draw all lines and labels of an SB as if nobody had bent or moved them. With ``states``, only
+    those of operations that leave or enter one of these.
+    """
+    table = branch_of(blueprint, branch).table
     draft = Draft(blueprint)
-    for table in draft.tables(branch, "_layout"):
-        table.pop(IN_LAYOUT, None)
+    if states is not None:
+        ends = ((a, name, b) for a, own in table.items() for name, b in own.items())
+        edges_forgotten(draft, branch, [(a, o) for a, o, b in ends if a in states or b in states])
+    else:
+        for written in draft.tables(branch, "_layout"):
+            written.pop(IN_LAYOUT, None)
     _prune(draft, branch)
     return draft.done()
 

@@ -10,7 +10,8 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
-from smsl_studio.graph.layout import place_anew
+from smsl_studio.graph.arrangement import BEST, DISTANCE, LAYERS
+from smsl_studio.graph.tidied import tidied
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.actions import Action
@@ -123,30 +124,44 @@ class DrawVerbs:
         """Select all states of the SB that is shown."""
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
-    def tidy(self) -> None:
+    def tidy(self, kind: str = BEST) -> None:
         """Compute the layout of the SB anew, as one step. Bends and moved labels go, and notes
         leave states, labels, titles and other notes free.
 
-        If it would change nothing, only say so.
+        Two or more selected states are laid out alone, and nothing else moves. Otherwise the
+        drawing lies as it lay. If it would change nothing, only say so. ``kind`` is one of the
+        layouts of ``graph.arrangement``.
         """
         branch, shown = self._branch, self.canvas.positions
-        places = place_anew(branch)
+        own = {a.state for a in self._states() if a.branch == branch.name}
+        chosen = own if 1 < len(own) < len(branch.table) else None
+        places = tidied(branch, shown, chosen or (), kind)
         tidy = all(_together(at, shown.get(name)) for name, at in places.items())
-        straight = editing.straighten(self._session.blueprint, branch.name)
+        straight = editing.straighten(self._session.blueprint, branch.name, chosen)
+        bent = straight[branch.name].notes.edges != branch.notes.edges
         notes = self._notes_in_room(straight, places)
-        if tidy and not branch.notes.edges and not notes:
+        if tidy and not bent and not notes:
             self.canvas.say("The drawing is tidy already.")
-            self.canvas.fit()
+            if chosen is None:
+                self.canvas.fit()
             return
 
         def change(blueprint: Blueprint) -> Blueprint:
-            """The blueprint with all states placed anew, and its lines without bends."""
-            straight = editing.straighten(blueprint, branch.name)
+            """The blueprint with the states placed anew, and their lines without bends."""
+            straight = editing.straighten(blueprint, branch.name, chosen)
             placed = editing.set_layout(straight, branch.name, places)
             return editing.put_notes(placed, branch.name, notes) if notes else placed
 
-        if self._edit(f"Tidy {branch.name}", change):
+        if self._edit(f"Tidy {branch.name}", change) and chosen is None:
             self.canvas.fit()
+
+    def tidy_in_layers(self) -> None:
+        """Tidy, with the states in columns from left to right."""
+        self.tidy(LAYERS)
+
+    def tidy_by_distance(self) -> None:
+        """Tidy, with states near each other that few operations lie between."""
+        self.tidy(DISTANCE)
 
     def _notes_in_room(
         self, blueprint: Blueprint, places: Mapping[str, tuple[float, float]]

@@ -1,0 +1,102 @@
+"""A tidy drawing that a person finds their way in again.
+
+A tidy drawing of some states leaves all others where they are. One of all states lies as the former
+drawing lay: it is shifted and, if that helps, turned upside down. If the former drawing is about as
+good as a new one, its states settle only where they stand.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Mapping
+
+import numpy as np
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.arrangement import BEST, arranged, part_of, settles, ties_for
+from smsl_studio.graph.build import graph_of
+from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
+from smsl_studio.graph.layout import free_places, place_anew
+from smsl_studio.graph.settling import STEP, settle
+from smsl_studio.graph.triangle import in_triangle
+
+Point = tuple[float, float]
+Places = Mapping[str, Point]
+GOOD = 1.1
+"""A former drawing that costs a reader so many times as much as a new one is kept."""
+IN_ROWS = 0.8
+"""The share of states that stand in rows of a drawing that was tidy before."""
+
+
+def tidied(
+    branch: StateBranch, former: Places, chosen: Collection[str] = (), kind: str = BEST
+) -> dict[str, Point]:
+    """Return the place of each state in a tidy drawing (pixels).
+
+    ``former`` has the places of all states now. With ``chosen``, only these states move.
+    """
+    own = [name for name in branch.table if name in chosen]
+    if 0 < len(own) < len(branch.table):
+        return _some(branch, former, own, kind)
+    fresh = place_anew(branch, kind)
+    names = list(branch.table)
+    before = np.array([former[name] for name in names], dtype=np.float64).reshape(-1, 2)
+    after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
+    if not len(after) or (kind == BEST and in_triangle(branch) is not None):
+        return fresh
+    kept = _kept(branch, before, after) if kind == BEST else None
+    if kept is None:
+        kept = _as_before(before, after)
+    return {name: (float(x), float(y)) for name, (x, y) in zip(names, kept.tolist(), strict=True)}
+
+
+def _as_before(before: Floats, after: Floats) -> Floats:
+    """Return a drawing shifted, and upside down if so more states stand near where they stood."""
+    found: list[tuple[float, Floats]] = []
+    for sign in (1.0, -1.0):
+        turned = after * (1.0, sign)
+        # The middle difference: a few states that stand elsewhere do not count.
+        gap = np.sort(before - turned, axis=0)[len(after) // 2]
+        turned = turned + np.round(gap)
+        found.append((float(np.abs(before - turned).sum()), turned))
+    return found[0][1] if found[0][0] <= found[1][0] else found[1][1]
+
+
+def _kept(branch: StateBranch, before: Floats, after: Floats) -> Floats | None:
+    """Return the former drawing with its states settled, None if a new one is clearly better or the
+    former one was not tidy.
+    """
+    ties = ties_for(branch)
+    high = float(STEP[1])
+    ((rest, count),) = Counter(np.mod(np.round(before[:, 1]), high).tolist()).most_common(1)
+    if not settles(ties) or count < IN_ROWS * len(before):
+        return None
+    rows = np.round((before[:, 1] - rest) / high) * high + rest
+    at = np.stack([np.round(before[:, 0]), rows], axis=1)
+    most = max(cost_of(ties, after) * GOOD, cost_of(ties, after) + CROSSING)
+    for across in (False, True):
+        found = settle(ties, at, across=across)
+        if cost_of(ties, found) <= most:
+            return found
+    return None
+
+
+def _some(branch: StateBranch, former: Places, own: list[str], kind: str) -> dict[str, Point]:
+    """Return the places if only some states move. They are laid out alone, about where they were,
+    and then keep off the others.
+    """
+    fresh = arranged(part_of(branch, own), kind)
+    after = np.array([fresh[name] for name in own], dtype=np.float64)
+    before = np.array([former[name] for name in own], dtype=np.float64)
+    middle = np.round((before.min(axis=0) + before.max(axis=0)) / 2.0)
+    after = after + np.round(middle - (after.min(axis=0) + after.max(axis=0)) / 2.0)
+    wanted = {name: (float(x), float(y)) for name, (x, y) in zip(own, after.tolist(), strict=True)}
+    others = {name: at for name, at in former.items() if name in branch.table and name not in own}
+    placed = free_places(others, wanted)
+    ties = ties_for(branch)
+    if settles(ties):
+        numbers = graph_of(branch).index
+        at = np.array([placed[name] for name in branch.table], dtype=np.float64)
+        found = settle(ties, at, stays=[numbers[name] for name in others])
+        placed |= {name: (float(x), float(y)) for name in own for x, y in [found[numbers[name]]]}
+    return {name: placed[name] for name in branch.table}

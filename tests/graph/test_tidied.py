@@ -1,0 +1,84 @@
+"""A tidy drawing keeps what a person knows of it: what was tidy stays, what is not chosen too."""
+
+from __future__ import annotations
+
+import statistics
+from random import Random
+
+import pytest
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.arrangement import KINDS
+from smsl_studio.graph.layout import place_anew, place_states
+from smsl_studio.graph.tidied import tidied
+from tests.graph.edited import edited, random_branch
+from tests.graph.test_layout import Places, covers, cube, hanoi, sample
+
+FARM = {
+    "Home": {"walk": "Field", "drive": "Town"},
+    "Field": {"dig": "Barn", "back": "Home"},
+    "Barn": {"load": "Town"},
+    "Town": {"sell": "Home", "buy": "Shop"},
+    "Shop": {"pay": "Town"},
+}
+
+
+def farm() -> StateBranch:
+    return StateBranch("SB", dict(FARM))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_tidy_drawing_stays_as_it_is_wherever_it_lies(kind: str) -> None:
+    branch = farm()
+    fresh = tidied(branch, place_anew(branch, kind), kind=kind)
+    elsewhere = {name: (x + 1000.0, y - 300.0) for name, (x, y) in fresh.items()}
+    assert tidied(branch, elsewhere, kind=kind) == elsewhere
+
+
+def test_a_drawing_upside_down_stays_upside_down() -> None:
+    branch = sample("registration.json")["REGISTRATION"]
+    mirrored = {name: (x, -y) for name, (x, y) in place_anew(branch).items()}
+    assert tidied(branch, mirrored) == mirrored
+
+
+def test_a_triangle_stands_as_ever() -> None:
+    branch = StateBranch("SB", dict(hanoi(3)))
+    moved = {name: (y, x) for name, (x, y) in place_anew(branch).items()}
+    assert tidied(branch, moved) == place_anew(branch)
+
+
+def test_a_drawing_that_was_never_tidy_is_laid_out_anew() -> None:
+    branch = farm()
+    chance = Random(4)
+    strewn = {name: (chance.random() * 900, chance.random() * 900) for name in branch.table}
+    found = tidied(branch, strewn)
+    shape = {(x - found["Home"][0], y - found["Home"][1]) for x, y in found.values()}
+    fresh = place_anew(branch)
+    anew = {(x - fresh["Home"][0], y - fresh["Home"][1]) for x, y in fresh.values()}
+    assert shape in (anew, {(x, -y) for x, y in anew})
+
+
+def test_of_a_selection_only_the_selected_states_move() -> None:
+    branch = cube(4)
+    former = place_states(branch)
+    chosen = list(branch.table)[3:8]
+    strewn = {**former, **{name: (7.0 * i, 3.0 * i) for i, name in enumerate(chosen)}}
+    found = tidied(branch, strewn, chosen)
+    assert list(found) == list(branch.table)
+    assert {n: at for n, at in found.items() if n not in chosen} == {
+        n: at for n, at in strewn.items() if n not in chosen
+    }
+    assert not covers(found)
+
+
+def test_after_random_edits_a_tidy_drawing_is_where_it_was() -> None:
+    """The bench ``mental_map`` makes twenty times as many edits."""
+    moved: list[float] = []
+    for seed in range(5):
+        chance = Random(seed)
+        branch = random_branch(chance)
+        places: Places = tidied(branch, place_states(branch))
+        for _ in range(10):
+            branch, places, movements = edited(branch, places, chance)
+            moved.append(statistics.median(movements))
+    assert statistics.median(moved) <= 40.0
