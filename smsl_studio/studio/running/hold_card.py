@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.execution.status import DispatchStatus, Offer
+from smsl_studio.front.views.hold_advice import hold_advice
 from smsl_studio.front.views.phase_words import HOLDS, LATCHED, phase_words
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label, row
@@ -53,7 +54,9 @@ class HoldCard(QFrame):
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 10, 12, 12)
         column.setSpacing(6)
-        for part in (self._heading, self._sentence, self._room):
+        self._advice = label("", "hint")
+        self._advice.setWordWrap(True)
+        for part in (self._heading, self._sentence, self._room, self._advice):
             column.addWidget(part)
         column.addLayout(self._buttons)
         self.hide()
@@ -62,6 +65,11 @@ class HoldCard(QFrame):
     def details(self) -> str:
         """The reasons, one in each line; empty while the card is hidden."""
         return "" if self.isHidden() else self._details.text()
+
+    @property
+    def advice(self) -> str:
+        """What helps; empty if there is nothing to say."""
+        return "" if self.isHidden() else self._advice.text()
 
     def buttons(self) -> list[QPushButton]:
         """The buttons of the offers, in their order."""
@@ -87,6 +95,8 @@ class HoldCard(QFrame):
         reasons = [_plain(one) for one in status.details if one not in sentence]
         self._details.setText("\n".join(reasons))
         self._room.setVisible(bool(reasons) and not self._brief)
+        self._advice.setText(hold_advice(status))
+        self._advice.setVisible(bool(self._advice.text()))
         self._offer(offers(status))
         if self.property("kind") != kind:
             self.setProperty("kind", kind)
