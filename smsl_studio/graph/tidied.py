@@ -16,6 +16,7 @@ from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.arrangement import BEST, arranged, part_of, settles, ties_for
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
+from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.layout import free_places, place_anew
 from smsl_studio.graph.settling import STEP, settle
 from smsl_studio.graph.triangle import in_triangle
@@ -44,7 +45,9 @@ def tidied(
     after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
     if not len(after) or (kind == BEST and in_triangle(branch) is not None):
         return fresh
-    kept = _kept(branch, before, after) if kind == BEST else None
+    # Rows of facts are one picture: states that settle alone would leave their rows.
+    free = kind == BEST and in_fact_rows(branch, ties_for(branch)) is None
+    kept = _kept(branch, before, after) if free else None
     if kept is None:
         kept = _as_before(before, after)
     return {name: (float(x), float(y)) for name, (x, y) in zip(names, kept.tolist(), strict=True)}

@@ -161,7 +161,7 @@ def test_what_is_found_nowhere_is_said_in_the_words_of_the_scope(sit: Sit, noted
 @pytest.mark.parametrize(
     ("scope", "typed", "said"),
     [
-        (FACTS_TOO, "drifts", "Found in note “The drape sensor drifts when warm”"),
+        (FACTS_TOO, "drifts", "Found in description “The drape sensor drifts when warm”"),
         (FACTS_TOO, "fixed", "Found in fact, meanings “open, fixed”"),
         (EVERYTHING, "drape off", "Found in hazard, name “Drape off”"),
         (EVERYTHING, "SB2", "Found in state branch, name “SB2”"),

@@ -169,7 +169,7 @@ def test_several_states_are_marked_and_noted_together(sit: Sit) -> None:
     expected = {"safe": True, "note": "Rest here"}
     assert person.blueprint["SB1"].fields["_states"] == {"State000": expected, "State100": expected}
     assert person.steps() == [
-        "Set safe state of 2 states to yes", "Set note of 2 states to “Rest here”"
+        "Set safe state of 2 states to yes", "Set description of 2 states to “Rest here”"
     ]  # fmt: skip
     person.select("SB1/State000")
     person.write(form.title, "Start")

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.editing.renames import replaced_words
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.library.by_name import function_by_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.words import series
 
@@ -36,6 +35,8 @@ class RenameWarning:
 
 def lost_by_name(blueprint: Blueprint, chosen: Sequence[Address], new: str, loaded: Loaded) -> str:
     """Sentences about what the chosen edges of one name lose by the name ``new``."""
+    from smsl_studio.library.by_name import function_by_name
+
     old = chosen[0].operation
     if not new or new == old:
         return ""

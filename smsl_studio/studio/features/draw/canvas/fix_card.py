@@ -28,8 +28,6 @@ from smsl_studio.studio.features.draw.canvas.card_places import (
 )
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
-PADDING = 30
-"""What the frame of the button takes beside its words (pixels)."""
 
 
 class FixCard(Card):
@@ -119,6 +117,16 @@ class FixCard(Card):
             self._fresh = None
         self._choose()
 
+    def _name_fix(self, words: str) -> None:
+        """Write the fix on its button, shortened if both buttons would be wider than the card."""
+        self.fix.setText(as_it_is(words))
+        over = self.fix.sizeHint().width() + self.leave.sizeHint().width() + 8 - (WIDTH - 2 * 14)
+        if over > 0:
+            metrics = self.fix.fontMetrics()
+            room = metrics.horizontalAdvance(words) - over
+            shown = metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)
+            self.fix.setText(as_it_is(shown))
+
     def _choose(self) -> None:
         selection = self._session.selection
         found = [
@@ -139,9 +147,7 @@ class FixCard(Card):
         self._title.setText(capital(finding.advice or finding.message))
         self._body.setText(whole_sentence(finding))
         self._body.setVisible(bool(finding.advice))
-        metrics, words = self.fix.fontMetrics(), one_line(self._shown.fix.words)
-        room = WIDTH - 2 * 14 - self.leave.sizeHint().width() - 8 - PADDING
-        self.fix.setText(as_it_is(metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)))
+        self._name_fix(one_line(self._shown.fix.words))
         self.fix.setToolTip(tip_text(f"{self._shown.fix.words} (Ctrl+.)"))
         self.setAccessibleName(plain_text(f"{self._title.text()} {self._body.text()}"))
         layout = self.layout()

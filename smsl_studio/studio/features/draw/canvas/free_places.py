@@ -77,6 +77,8 @@ AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, 
 """The offsets from the other state that are tried, best first, in scene units."""
 SIBLINGS = ((0, 172), (0, -172), (0, 344), (0, -344), (218, 0))
 """The offsets from a state to others that are reached from the same one, best first."""
+STEP = (218.0, 172.0)
+"""How far outside the view a place beside a state may lie, in scene units."""
 TRIED = 40
 """How many places across, and how many down, are tried in the view."""
 
@@ -87,9 +89,8 @@ def free_place(
     """A free place for a new state, in scene units.
 
     It lies beside the state ``beside``, at one of the offsets ``around``; without such a state,
-    right of all states. If those places are not
-    in view, the nearest free place in the view is taken. If the view has none, the place lies
-    outside, and the caller has to scroll.
+    right of all states. So a chain goes on in its line, also a step out of the view, and the caller
+    scrolls. If those places are farther away, the nearest free place in the view is taken.
     """
     places = canvas.positions
     seen = canvas.clear_view
@@ -107,7 +108,8 @@ def free_place(
         for j in range(int(seen.height() / down) + 1)
     ]
     inside.sort(key=lambda at: (at[0] - x) ** 2 + (at[1] - y) ** 2)
-    near = [wish for wish in wishes if seen.contains(QPointF(*wish))] + inside
+    step = seen.adjusted(-STEP[0], -STEP[1], STEP[0], STEP[1])
+    near = [wish for wish in wishes if step.contains(QPointF(*wish))] + inside
     free = [one for one in near if _is_free(canvas, one)]
     at = next((one for one in free[:TRIED] if not _is_drawn_on(canvas, one)), None)
     return (

@@ -14,6 +14,10 @@ from smsl_studio.studio.features.draw.canvas.free_places import AROUND, SIBLINGS
 Connect = Callable[[Address, Address | None, QPointF], object]
 
 
+CARD = 200.0
+"""How far right of a new state its card reaches (pixels)."""
+
+
 class QuickAdd:
     """Asks for operations with ``connect`` (source, target or None for a new state, point)."""
 
@@ -61,6 +65,9 @@ class QuickAdd:
     def _begin(self, source: Address, beside: str, around: tuple[tuple[float, float], ...]) -> None:
         self._canvas.reveal(source, smooth=False)
         place = QPointF(*free_place(self._canvas, beside, around))
+        if not self._canvas.clear_view.contains(place):
+            # The card of the new state needs room beside it.
+            self._canvas.reveal_point(place + QPointF(CARD / self._canvas.zoom, 0.0), smooth=False)
         self._canvas.reveal_point(place, smooth=False)
         self._connect(source, None, place)
 

@@ -12,7 +12,7 @@ from smsl_studio.studio.base.canvas.gestures import GRID
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 Position = tuple[float, float]
-HIGH = 64.0
+HIGH = 66.0
 """The height of a note of two lines."""
 AWAY = 32.0
 """The distance of a note from its state."""
@@ -25,13 +25,13 @@ def place_in_view(canvas: Canvas) -> Position:
     middle = canvas.seen.center()
     x, y = middle.x() - NOTE_WIDTH / 2, middle.y() - HIGH / 2
     wishes = sorted(_around(), key=lambda way: way[0] ** 2 + way[1] ** 2)
-    places = ((x + dx * 48.0, y + dy * 40.0) for dx, dy in wishes)
+    places = (_on_grid((x + dx * 48.0, y + dy * 40.0)) for dx, dy in wishes)
     seen = canvas.clear_view
     free = (
         at for at in places
         if seen.contains(QRectF(*at, NOTE_WIDTH, HIGH)) and _is_free(canvas.sheet, at)
     )  # fmt: skip
-    return _on_grid(next(free, (x, y)))
+    return next(free, _on_grid((x, y)))
 
 
 def place_at(canvas: Canvas, state: str) -> Position:
@@ -53,7 +53,8 @@ def place_at(canvas: Canvas, state: str) -> Position:
 
     def cost(way: Position) -> tuple[bool, bool]:
         """Whether a note would be out of view, or cover something."""
-        at = rect_x + way[0], rect_y + way[1]
+        x, y = _on_grid(way)
+        at = rect_x + x, rect_y + y
         return not seen.contains(QRectF(*at, NOTE_WIDTH, HIGH)), not _is_free(sheet, at)
 
     return _on_grid(min(ways, key=cost))

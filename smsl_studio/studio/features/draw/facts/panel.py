@@ -23,7 +23,6 @@ from smsl_studio.blueprint.editing.fact_table import table_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
 from smsl_studio.legible import plain_text
-from smsl_studio.library.by_name import sensors_by_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.overlays.change_card import AskedValue, ChangeCard
@@ -298,6 +297,8 @@ class Facts(Panel):
 
     def _propose_value(self, digit: int, value: str) -> None:
         """Ask for another name of a value, and tell which states it changes."""
+        from smsl_studio.library.by_name import sensors_by_name
+
         branch = self._shown
         if branch is not None:
             asked = AskedValue("New value", f"New value for {value}", value)

@@ -150,7 +150,7 @@ def _notes(branch: StateBranch) -> TextLines:
     noted = [name for name, note in branch.notes.states.items() if note.note]
     noted = [name for name in noted if name in branch.table]
     lines = [_one_line(branch.notes.states[name].note) for name in noted]
-    return TextLines("Description", branch.name, ("note",), Haystack(lines),
+    return TextLines("Description", branch.name, ("description",), Haystack(lines),
                      lambda at: Address(branch.name, noted[at]))  # fmt: skip
 
 
