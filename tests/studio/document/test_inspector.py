@@ -36,6 +36,18 @@ def inspector(session: Session) -> Iterator[Inspector]:
     made.stop()
 
 
+def watched(monkeypatch: pytest.MonkeyPatch) -> list[Blueprint]:
+    """Every blueprint that is inspected from now on; nothing is found in any."""
+    seen: list[Blueprint] = []
+
+    def inspected(blueprint: Blueprint) -> tuple[Finding, ...]:
+        seen.append(blueprint)
+        return ()
+
+    monkeypatch.setattr(room, "inspect", inspected)
+    return seen
+
+
 def test_every_change_is_inspected(session: Session, inspector: Inspector, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: inspector.current)
     assert inspector.findings == inspect(session.blueprint)
@@ -49,13 +61,7 @@ def test_many_edits_are_inspected_once(
     session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     qtbot.waitUntil(lambda: inspector.current)
-    seen: list[Blueprint] = []
-
-    def watched(blueprint: Blueprint) -> tuple[Finding, ...]:
-        seen.append(blueprint)
-        return ()
-
-    monkeypatch.setattr(room, "inspect", watched)
+    seen = watched(monkeypatch)
     for number in range(9):
         session.edit("Add", partial(add, number))
     qtbot.waitUntil(lambda: inspector.current)
@@ -117,13 +123,7 @@ def test_only_the_findings_of_the_last_blueprints_are_kept(
     for number in range(4):
         session.edit("Add", partial(add, number))
         qtbot.waitUntil(lambda: inspector.current)
-    seen: list[Blueprint] = []
-
-    def watched(blueprint: Blueprint) -> tuple[Finding, ...]:
-        seen.append(blueprint)
-        return ()
-
-    monkeypatch.setattr(room, "inspect", watched)
+    seen = watched(monkeypatch)
     for _ in range(3):
         session.history.undo()
         qtbot.waitUntil(lambda: inspector.current)
