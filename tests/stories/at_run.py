@@ -79,11 +79,14 @@ class AtRun:
 
     def click_in_list(self, words: str) -> None:
         """Press a button in the list of what is possible now."""
+        self.person.click(self.button(words))
+
+    def button(self, words: str) -> QPushButton:
+        """A button in the list of what is possible now."""
         for row in self.pane.possible.row_widgets():
             for button in row.findChildren(QPushButton):
                 if button.text() == words:
-                    self.person.click(button)
-                    return
+                    return button
         raise AssertionError(f"{words!r} is not offered: {self.possible()}")
 
     def possible(self) -> list[str]:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.runlog.events import OperationStarted
 from tests.plugin_folder import write_plugin
@@ -59,6 +60,20 @@ def test_an_arrow_is_clicked_and_an_operation_is_chosen_from_the_list(sit: Sit) 
     run.until_done(3)
     assert run.active() == {"SB1": "State111", "SB2": "State1"}
     assert run.phase == "Ready"
+
+
+def test_the_focus_stays_in_the_list_when_its_rows_are_made_again(sit: Sit) -> None:
+    run = _by_hand(sit, HFSM)
+    run.click_in_list("Operation000")
+    run.until_done(1)
+    rows = run.pane.possible.list
+    assert QApplication.focusWidget() is rows
+
+    chosen = run.button("Operation100B")
+    chosen.setFocus()
+    run.person.windows.set_theme("dark")
+    run.person.until(lambda: run.button("Operation100B") is not chosen)
+    assert QApplication.focusWidget() is run.button("Operation100B")
 
 
 def test_what_is_not_possible_says_why(sit: Sit) -> None:

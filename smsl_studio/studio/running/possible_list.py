@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
     QFrame,
     QHBoxLayout,
     QPushButton,
@@ -112,6 +114,7 @@ class PossibleList(QScrollArea):
         self._late.stop()
         self._narrow = self._is_narrow()
         bar = self.verticalScrollBar().value()
+        focused = self._focused()
         inner = QWidget()
         inner.setProperty("role", "panel")
         column = QVBoxLayout(inner)
@@ -128,8 +131,32 @@ class PossibleList(QScrollArea):
             empty.setContentsMargins(12, 8, 12, 8)
             column.addWidget(empty)
         column.addStretch(1)
+        if focused is not None:
+            # Without this the focus would be deleted with its button, and a person at the keys
+            # would begin at the start of the window after every step.
+            self.setFocus()
         self.setWidget(inner)
         self.verticalScrollBar().setValue(bar)
+        if focused:
+            self._focus_again(focused)
+
+    def _focused(self) -> str | None:
+        """The accessible name of the button with the focus.
+
+        It is empty if something else of the rows has it, and None if nothing of them has it.
+        """
+        inner, focus = self.widget(), QApplication.focusWidget()
+        if inner is None or focus is None or not inner.isAncestorOf(focus):
+            return None
+        return focus.accessibleName()
+
+    def _focus_again(self, name: str) -> None:
+        """Give the focus to the new button of the same name, if there is one."""
+        inner = self.widget()
+        for button in inner.findChildren(QAbstractButton) if inner else ():
+            if button.accessibleName() == name:
+                button.setFocus()
+                return
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -186,7 +213,9 @@ class PossibleList(QScrollArea):
             across.addWidget(_Words(row.words), 1)
         if row.kind == "pruned":
             hint = f"Let the route use {row.address} again"
-            across.addWidget(self._button("Restore", hint, self.restore_wanted, row))
+            restore = self._button("Restore", hint, self.restore_wanted, row)
+            restore.setAccessibleName(plain_text(f"Restore {row.name}"))
+            across.addWidget(restore)
         else:
             across.addWidget(label(row.cost, "mono"))
             if row.kind in PRUNABLE:
