@@ -11,7 +11,7 @@ from smsl_studio.graph.brandes_koepf import heights
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.column_order import columns_of, in_order
 from smsl_studio.graph.crossings import Floats, Ties
-from smsl_studio.graph.settling import STEP
+from smsl_studio.graph.local_search import STEP
 
 COLUMN, WIDEST = 218, 320
 """The least and the largest distance of two columns of narrow nodes (pixels)."""

@@ -22,7 +22,7 @@ from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.column_order import columns_of, in_order
 from smsl_studio.graph.crossings import CROSSING, THROUGH, Floats, Ties, cost_of, costs_at, is_clear
 from smsl_studio.graph.layers import by_chains, by_steps
-from smsl_studio.graph.settling import settle
+from smsl_studio.graph.local_search import settle
 from smsl_studio.stop import Stopped, heeding
 
 Pairs = list[tuple[int, int]]

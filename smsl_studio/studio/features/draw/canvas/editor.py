@@ -15,8 +15,8 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import rename_scopes
-from smsl_studio.studio.document.rename_warning import RenameWarning
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.bend_verbs import Bends
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard

@@ -25,8 +25,8 @@ from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLin
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, counted
+from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
-from smsl_studio.studio.document.rename_warning import RenameWarning
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm

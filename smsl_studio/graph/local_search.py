@@ -1,7 +1,8 @@
-"""Settling: states move one by one to where their lines cross fewer others.
+"""A local search for a better layout: states move one by one until no move helps. They settle.
 
 States stand on a lattice, so every place is a pair of whole numbers. A move is made only if it
-makes the layout cheaper (see ``crossings``), so it ends, and it always ends in the same way.
+makes the layout cheaper (``crossings`` has the cost), so the search ends, and the same layout
+always ends in the same way.
 """
 
 from __future__ import annotations
@@ -20,15 +21,18 @@ GAP = np.array([38.0, 20.0])
 """The room between two nodes, in addition to that around each (pixels)."""
 ROUNDS = 8
 WIDE, NARROW = (4, 6), (2, 4)
-"""How many steps of the lattice a state looks across and down: few in a graph of many pairs."""
+"""How many steps of the lattice a state may move across and down at once. A graph with more than
+``MANY_PAIRS`` pairs of states has the smaller reach, because each step costs time.
+"""
 MANY_PAIRS = 100
 _PARTNERS = 6
 
 
 def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = True) -> Floats:
-    """Return places at which no state, and no two that change places, can stand better.
+    """Return the places after the search, (n, 2) in pixels.
 
-    States of ``stays`` do not move. Without ``across`` every state keeps its x.
+    ``at`` has the places at the beginning. The states of ``stays`` do not move. Without ``across``
+    every state keeps its x.
     """
     at = at.copy()
     reach = WIDE if len(ties.pairs) <= MANY_PAIRS else NARROW

@@ -1,4 +1,4 @@
-"""What an operation loses by a new name, told before it gets the name."""
+"""What an operation loses if it gets a new name. The person reads it before the rename."""
 
 from __future__ import annotations
 
@@ -22,8 +22,11 @@ class RenameWarning:
     def once(
         self, blueprint: Blueprint, chosen: Sequence[Address], new: str, agreed: bool = True
     ) -> str:
-        """What the chosen edges of one name lose by the name ``new``; empty if that is nothing, or
-        if it was told already. ``agreed`` is False if the second try is no yes."""
+        """Return the words of the warning, or an empty text if there is nothing to warn about.
+
+        ``chosen`` are edges with one name, ``new`` is their new name. The second try of the same
+        rename gets an empty text too, unless ``agreed`` is False: then it is not a yes.
+        """
         told = (tuple(chosen), new)
         words = lost_by_name(blueprint, chosen, new, self.loaded)
         if not words or (agreed and told == self._told):
@@ -34,7 +37,7 @@ class RenameWarning:
 
 
 def lost_by_name(blueprint: Blueprint, chosen: Sequence[Address], new: str, loaded: Loaded) -> str:
-    """Sentences about what the chosen edges of one name lose by the name ``new``."""
+    """Return sentences about what edges with one name lose if they get the name ``new``."""
     from smsl_studio.library.by_name import function_by_name
 
     old = chosen[0].operation
@@ -55,7 +58,7 @@ def lost_by_name(blueprint: Blueprint, chosen: Sequence[Address], new: str, load
 
 
 def _replaced(blueprint: Blueprint, edge: Address, new: str) -> list[str]:
-    """The words of an edge for which the entry of another name says something else."""
+    """Return the words of an edge that have another value in the entry of the name ``new``."""
     table = blueprint[edge.branch].fields.get("_operations")
     notes = table if isinstance(table, dict) else {}
     own = notes.get(note_key(edge.operation, edge.state))
