@@ -1,8 +1,8 @@
-"""The arrangement of an SB: of several layouts the one that costs a reader least.
+"""The arrangement of an SB: several layouts are made, and the one that is easiest to read is taken.
 
-There are layers by the steps from INITIAL, layers by the longest chains, and a layout by
-distances. In each of them the states settle to where fewer lines cross. Parts that no operation
-joins stand one below another, the part of INITIAL on top.
+One layout has layers by the steps from INITIAL, one has layers by the longest chains, and one goes
+by distances. In each of them a local search moves the states, so that fewer lines cross. Parts of
+the graph that no operation joins stand one below another. The part of INITIAL is on top.
 """
 
 from __future__ import annotations
@@ -26,13 +26,17 @@ Point = tuple[float, float]
 BEST, LAYERS, DISTANCE = "best", "layers", "distance"
 KINDS = (BEST, LAYERS, DISTANCE)
 MOST_STATES, MOST_PAIRS = 150, 180
-"""With more states, or pairs of states with operations, states do not settle: it would take
-seconds.
+"""The limits of the local search. It would take seconds with more states, or with more pairs of
+states that operations join.
 """
 WORTH = 1.15
-"""How many times cheaper than columns a layout by distances must be, and by at least a crossing."""
+"""The cost of a layout by distances is multiplied by this before it is compared with columns. At
+least the cost of one crossing is added.
+"""
 FEW_PAIRS = 100
-"""Up to so many pairs of states, all layouts settle, else only the one by distances."""
+"""The local search improves every layout of an SB with at most so many pairs of states. With more
+pairs it improves only the layout by distances.
+"""
 LETTER, NARROWEST, WIDEST, HIGH = 7.0, 108.0, 320.0, 54.0
 """The width of a letter of a name, and the sizes of nodes (pixels)."""
 CHIP, AROUND = 22.0, 8.0
@@ -43,7 +47,7 @@ _ALONE = 6
 
 
 def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
-    """Return the centre of each state's node in whole pixels, INITIAL's part at the top left."""
+    """Return the centre of each state's node in whole pixels. The part of INITIAL is on top."""
     if kind == BEST and len(branch.table) <= MOST_STATES:
         rows = in_fact_rows(branch, ties_for(branch))
         if rows is not None:
@@ -67,7 +71,9 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
 
 
 def part_of(branch: StateBranch, states: Sequence[str]) -> StateBranch:
-    """Return an SB of some states. Its INITIAL is that of the whole one, or the first state."""
+    """Return an SB with some states of another one. It keeps INITIAL if that is among them. If not,
+    the first state is its INITIAL.
+    """
     first = branch.initial if branch.initial in states else states[0]
     last = branch.activating if branch.activating in states else states[-1]
     header = Header(initial=first, activating=last)
@@ -83,7 +89,7 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
     found: list[tuple[float, int, Floats]] = []
 
     def take(begin: Floats, across: bool) -> None:
-        """Let states settle from here, and keep the result with its cost."""
+        """Improve a layout by the local search, and keep the result with its cost."""
         here = few or (most and (across or kind == LAYERS))
         at = settle(ties, begin, across=across) if here else begin
         cost = cost_of(ties, at) if most else -float(len(found))
@@ -104,7 +110,7 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
 def _starts(
     branch: StateBranch, graph: BranchGraph, ties: Ties, kind: str
 ) -> Iterator[tuple[Floats, bool]]:
-    """Yield the layouts before states settle, and whether states may leave their columns."""
+    """Yield each layout before the local search, and whether states may leave their columns."""
     start = graph.index.get(branch.initial, 0)
     if kind == LAYERS or len(graph) <= (MOST_STATES if kind == BEST else 2):
         steps = by_steps(graph, start)
@@ -115,17 +121,17 @@ def _starts(
     if kind != LAYERS and len(graph) > 2:
         near = by_distance(branch)
         at = np.array([near[name] for name in graph.names]).reshape(-1, 2)
-        # States that do not settle stay in their narrower cells.
+        # Without the local search, states stay in cells that are narrower than its lattice.
         yield (np.round(at / (CELL_X, CELL_Y)) * STEP * 2.0 if settles(ties) else at), True
 
 
 def settles(ties: Ties) -> bool:
-    """Return whether an SB is so small that its states settle."""
+    """Return whether an SB is small enough for the local search."""
     return len(ties.half) <= MOST_STATES and len(ties.pairs) <= MOST_PAIRS
 
 
 def ties_for(branch: StateBranch) -> Ties:
-    """Return the pairs of states of an SB, with the size that its nodes will about have."""
+    """Return the pairs of states that operations join, with an estimate of the size of a node."""
     graph = graph_of(branch)
     far = by_steps(graph, graph.index.get(branch.initial, 0))
     chips = max((len(branch.facts(name)) for name in graph.names), default=0)

@@ -1,8 +1,9 @@
-"""The places in the columns of a layered layout, by the method of Brandes and Köpf.
+"""The heights of the states in the columns of a layered layout, by the method of Brandes and Köpf
+("Fast and simple horizontal coordinate assignment", 2002).
 
-Every state is aligned with its middle neighbour in the column beside it, once for each of the four
-corners of the picture. The result is the middle of these four layouts. A line that passes several
-columns is straight there.
+Every state is aligned with the middle one of its neighbours in the next column. This is done four
+times: from the left and from the right, from the top and from the bottom. Each height is the mean
+of the two middle results. A line that passes several columns is straight there.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ Near = Sequence[Sequence[tuple[int, float]]]
 
 
 def heights(given: OrderedColumns, room: Sequence[int]) -> list[int]:
-    """Return the y of each state and knot. ``room`` is the height that each needs."""
+    """Return the y of each state and each knot (pixels). ``room`` is the height that each needs."""
     layouts: list[list[int]] = []
     marked = _conflicts(given)
     for onwards in (True, False):
@@ -36,7 +37,9 @@ def heights(given: OrderedColumns, room: Sequence[int]) -> list[int]:
 
 
 def _conflicts(given: OrderedColumns) -> set[tuple[int, int]]:
-    """Return the lines that cross the straight part of a passing line: they are not aligned."""
+    """Return the lines between two columns that cross the straight part of a longer line. Their
+    ends are not aligned, so the longer line stays straight.
+    """
     marked: set[tuple[int, int]] = set()
     for before, column in pairwise(given.columns):
         place = {v: i for i, v in enumerate(before)}
@@ -58,7 +61,9 @@ def _conflicts(given: OrderedColumns) -> set[tuple[int, int]]:
 def _aligned(
     columns: Sequence[Sequence[int]], near: Near, marked: set[tuple[int, int]]
 ) -> tuple[list[int], list[int]]:
-    """Return for each the root of its block, and the next one in the block."""
+    """Return the blocks: for each state and knot the first one and the next one of its block. All
+    in a block have the same height.
+    """
     root, align = list(range(len(near))), list(range(len(near)))
     for before, column in pairwise(columns):
         place = {v: i for i, v in enumerate(before)}
@@ -77,9 +82,10 @@ def _aligned(
 def _compacted(
     columns: Sequence[Sequence[int]], root: list[int], align: list[int], room: Sequence[int]
 ) -> list[int]:
-    """Return the y of each block: as near to the block above as its members allow.
+    """Return the y of each state and knot. A block stands just below the blocks above it, with the
+    room that its members need.
 
-    The blocks are a graph without cycles, so each is placed after all that stand above it.
+    "Above" makes a graph of blocks without cycles. So a block is placed after all blocks above it.
     """
     above: dict[int, dict[int, int]] = {v: {} for v in root}
     below: dict[int, list[int]] = {v: [] for v in root}
@@ -109,7 +115,7 @@ def _drawn_down(
     below: dict[int, list[int]],
     at: dict[int, int],
 ) -> None:
-    """Let blocks without one above them come as near to those below as they can."""
+    """Move each block that has no block above it down to the blocks below it."""
     for block in reversed(order):
         if not above[block] and below[block]:
             at[block] = max(at[block], min(at[o] - above[o][block] for o in below[block]))

@@ -1,7 +1,8 @@
-"""The order of the states in each column of a layered layout, so that few lines cross.
+"""The order of the states in each column of a layered layout. In a good order few lines cross.
 
-A line that passes a column has a knot in it, which is sorted like a state. Sweeps sort every column
-by the mean place of the neighbours, and neighbours in a column change places while that helps.
+A line that passes a column has a knot there. A knot is sorted like a state. A sweep sorts every
+column by the mean place of the neighbours in the column before. Then two that stand side by side
+in a column change places, as long as fewer lines cross.
 """
 
 from __future__ import annotations
@@ -18,16 +19,17 @@ from smsl_studio.stop import heed
 
 STARTS, SWEEPS = 5, 10
 FEW_SWEEPS, MANY = 3, 800
-"""With more states and knots than ``MANY``, one start and few sweeps must do."""
+"""With more than ``MANY`` states and knots, there are one start and ``FEW_SWEEPS`` sweeps."""
 MOST_KNOTS = 2_000
-"""With more knots than this, lines have none: it would take too long."""
+"""If the lines need more knots than this, they get none, because the order would take too long."""
 
 
 @dataclass(frozen=True, eq=False)
 class OrderedColumns:
-    """The columns from left to right. Numbers from ``states`` on are knots.
+    """The columns from left to right. States have the numbers below ``states``, knots those above.
 
-    ``left`` and ``right`` have the neighbours of each in the columns beside it, with weights.
+    ``left`` and ``right`` have for each number its neighbours in the columns beside it, and the
+    weight of the line to each neighbour.
     """
 
     states: int
@@ -37,7 +39,10 @@ class OrderedColumns:
 
 
 def columns_of(ties: Ties, layer: Sequence[int]) -> OrderedColumns:
-    """Return the columns in the order of numbers, with knots for the lines that pass columns."""
+    """Return the columns before they are sorted, with knots for the lines that pass columns.
+
+    ``layer`` has the column of each state.
+    """
     count = len(layer)
     columns: list[list[int]] = [[] for _ in range(max(layer, default=-1) + 1)]
     for state, at in enumerate(layer):
@@ -63,7 +68,7 @@ def columns_of(ties: Ties, layer: Sequence[int]) -> OrderedColumns:
 
 
 def in_order(given: OrderedColumns) -> OrderedColumns:
-    """Return the columns in the best order that several starts find."""
+    """Return the columns in the best order found. The search starts from several orders."""
     best: tuple[float, list[list[int]]] | None = None
     many = len(given.left) > MANY
     for start in range(1 if many else STARTS):
@@ -101,14 +106,14 @@ def _sweep(given: OrderedColumns, columns: list[list[int]], onwards: bool) -> No
         for slot, v in enumerate(column):
             weight = sum(w for _, w in near[v])
             total = sum(before[u] * w for u, w in near[v])
-            # Without neighbours it stays where it is.
+            # A state without neighbours stays where it is.
             share = len(before) / len(column)
             keys[v] = round(total / weight if weight else slot * share, 6)
         column.sort(key=keys.__getitem__)
 
 
 def _transpose(given: OrderedColumns, columns: list[list[int]]) -> None:
-    """Let neighbours of a column change places while fewer lines cross."""
+    """Let two that stand side by side in a column change places, as long as fewer lines cross."""
     for number, column in enumerate(columns):
         sides = [
             (near, {v: i for i, v in enumerate(columns[other])})

@@ -1,9 +1,9 @@
-"""What a layout costs a reader: lines that cross, lines through nodes, lines to the left, and long
-lines.
+"""The cost of a layout: a layout with a low cost is easy to read.
 
-Lines are straight here, because other modules bend them only where it is needed. All places are
-whole numbers and all sums are exact (numpy multiplies floats faster), so every machine finds the
-same layout the best.
+Crossings, lines through nodes, lines to the left, and the length of lines have a cost. All lines
+are straight here, because other modules bend a line only where it is needed. All places are whole
+numbers, so all sums are exact, and the best layout is the same on every machine. They are floats,
+because numpy multiplies floats faster.
 """
 
 from __future__ import annotations
@@ -20,18 +20,19 @@ Floats = np.ndarray[Any, np.dtype[np.float64]]
 """Whole numbers, small enough that floats hold them exactly."""
 Ints = np.ndarray[Any, np.dtype[np.intp]]
 CROSSING, THROUGH, BACKWARDS = 800.0, 1600.0, 200.0
-"""The pixels of line that are worth as much as a crossing, a line through a node, and an operation
-that leads away from INITIAL but not to the right.
+"""The costs of a crossing, of a line through a node, and of an operation that leads away from
+INITIAL but not to the right. One pixel of line costs 1.
 """
 
 
 @dataclass(frozen=True, eq=False)
 class Ties:
-    """The pairs of states that operations join, and how many operations do, in both directions.
+    """The pairs of states that operations join.
 
-    ``onwards`` is 1 where the second state of a pair is farther from INITIAL, -1 where the first
-    one is, and 0 if as many operations lead back. ``half`` is half the width and half the height of
-    each node, with room around it (pixels).
+    ``weight`` is the number of operations of a pair, in both directions. ``onwards`` is 1 if the
+    second state of a pair is farther from INITIAL, and -1 if the first one is. It is 0 if as many
+    operations lead back. ``half`` is half the width and half the height of each node, with room
+    around it (pixels).
     """
 
     pairs: Ints
@@ -55,8 +56,8 @@ class Ties:
 
 
 def ties_of(graph: BranchGraph, far: Sequence[int], half: Floats) -> Ties:
-    """Return the pairs of a graph, without operations that lead back to their own state. ``far``
-    tells how far each state is from INITIAL.
+    """Return the pairs of states of a graph. Operations that lead back to their own state do not
+    count. ``far`` has the distance of each state from INITIAL (operations).
     """
     found: dict[tuple[int, int], list[int]] = {}
     for a, b in zip(graph.sources, graph.targets, strict=True):
@@ -88,10 +89,10 @@ def is_clear(ties: Ties, at: Floats) -> bool:
 
 
 def costs_at(ties: Ties, at: Floats, state: int, places: Floats, once: bool = False) -> Floats:
-    """Return what a state costs at each of some places: its lines, and the lines through its node.
+    """Return the cost of a state at each of some places: its lines, and the lines through its node.
 
-    ``once`` counts only lines to states with larger numbers, and only crossings with later lines,
-    so that a sum over all states has everything once.
+    With ``once``, only lines to states with larger numbers count, and only crossings with later
+    lines. Then a sum over all states counts nothing twice.
     """
     own = ties.of[state]
     a, b = ties.pairs[:, 0], ties.pairs[:, 1]
@@ -106,7 +107,7 @@ def costs_at(ties: Ties, at: Floats, state: int, places: Floats, once: bool = Fa
     others = ties.pairs[own].sum(axis=1) - state
     weight, goals = ties.weight[own], at[others]
     step = goals[None] - places[:, None]
-    # A square root is rounded in the same way everywhere.
+    # Every machine rounds a square root in the same way (IEEE 754).
     found += np.floor(np.sqrt((step**2).sum(axis=2))) @ weight
     onwards = ties.onwards[own] * np.where(ties.pairs[own, 0] == state, 1.0, -1.0)
     found += BACKWARDS * (((step[..., 0] * onwards <= 0.0) & (onwards != 0.0)) @ weight)
@@ -127,7 +128,7 @@ def _area(a: Floats, b: Floats) -> Any:
 
 def _cross(places: Floats, goals: Floats, a: Floats, b: Floats) -> Any:
     """Return whether the line from each place to each goal crosses each line from a to b, (k, d,
-    m). Lines that touch cross, but not two of one straight line.
+    m). Lines that touch each other cross, unless they are parts of one straight line.
     """
     here, there = _area(b - a, places[:, None] - a), _area(b - a, goals[:, None] - a)
     between = here[:, None] * there[None] <= 0.0
@@ -149,8 +150,9 @@ def _nodes_on(ties: Ties, at: Floats, state: int, others: Ints, places: Floats) 
 
 
 def _hits(a: Floats, b: Floats, centre: Floats, half: Floats) -> Any:
-    """Return whether lines from a to b meet boxes: their shadows overlap on both axes and across
-    the line.
+    """Return whether lines from a to b meet boxes.
+
+    They meet if their projections overlap on both axes and on the normal of the line.
     """
     wide, high, middle = np.abs(b - a), half * 2.0, a + b - 2.0 * centre
     near = np.abs(middle[..., 0]) < wide[..., 0] + high[..., 0]

@@ -1,8 +1,8 @@
-"""A layout by facts: one row for each value of a fact that can change at any time.
+"""A layout in rows: there is one row for each value of an independent fact.
 
-A fact is independent if each of its values occurs with all combinations of the other facts, such as
-a tool pose that can be planned at any time. The column of a state is the number of the other facts
-in which it differs from INITIAL.
+A fact is independent if each of its values occurs with all combinations of the other facts. An
+example is a tool pose that can be planned at any time. The column of a state is the number of other
+facts that differ from those of INITIAL.
 """
 
 from __future__ import annotations
@@ -21,8 +21,9 @@ MOST_ROWS = 4
 
 
 def in_fact_rows(branch: StateBranch, ties: Ties) -> dict[str, Point] | None:
-    """Return the place of each state (pixels), INITIAL at the top left. None if no fact is
-    independent, or if several states of a row would share a column.
+    """Return the place of each state (pixels). INITIAL is at the top left.
+
+    It is None if no fact is independent, or if two states of a row would have the same column.
     """
     graph = graph_of(branch)
     facts = [branch.facts(name) for name in graph.names]
@@ -47,8 +48,9 @@ def in_fact_rows(branch: StateBranch, ties: Ties) -> dict[str, Point] | None:
 
 
 def _steps_by_one(graph: BranchGraph, facts: Sequence[tuple[str, ...]], start: int) -> bool:
-    """Return whether at least half of the operations that change facts change the number of facts
-    that differ from INITIAL by one.
+    """Return whether at least half of the operations lead to the next column or the one before.
+
+    Only operations that change facts count.
     """
     away = [_differences(facts[start], state) for state in facts]
     moves = [
@@ -67,8 +69,8 @@ def _differences(one: tuple[str, ...], other: tuple[str, ...]) -> int:
 def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | None:
     """Return the number of the independent fact that makes the rows, or None if there is none.
 
-    Of several, it is the fact that the fewest operations change together with other facts, then the
-    last one.
+    If there are several, few operations should change the fact together with other facts. Of equal
+    ones, the last is taken.
     """
     found: list[tuple[int, int]] = []
     states = set(facts)

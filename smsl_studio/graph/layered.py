@@ -14,15 +14,15 @@ from smsl_studio.graph.crossings import Floats, Ties
 from smsl_studio.graph.local_search import STEP
 
 COLUMN, WIDEST = 218, 320
-"""The least and the largest distance of two columns of narrow nodes (pixels)."""
+"""The smallest and the largest distance between two columns of narrow nodes (pixels)."""
 LETTER, LETTERS = 6.2, 4
-"""The mean width of a letter of a label (pixels), and the steps in which lengths count. Few new
-names are so much longer that a layout changes.
+"""The mean width of a letter of a label (pixels), and the step to which lengths are rounded up. So
+a new name seldom changes the whole layout.
 """
 
 
 def in_layers(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> Floats:
-    """Return the centre of each node, for the column that each state stands in."""
+    """Return the centre of each node, (n, 2) in pixels. ``layer`` has the column of each state."""
     knot = int(STEP[1])
     row = 2 * knot
     found = in_order(columns_of(ties, layer))
@@ -32,7 +32,7 @@ def in_layers(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> Floats:
         lowest = None
         for v in column:
             if v < len(graph):
-                # Whole steps of the lattice, in the order of the column.
+                # The y is a whole number of steps of the lattice, and keeps the column's order.
                 wanted = round(y[v] / knot) * knot
                 lowest = wanted if lowest is None else max(wanted, lowest + row)
                 places[v] = x, lowest
@@ -40,7 +40,7 @@ def in_layers(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> Floats:
 
 
 def column_places(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> list[float]:
-    """Return the x of each column: all as far apart as the longest label needs."""
+    """Return the x of each column (pixels). The longest label fits between any two columns."""
     nodes = 2.0 * float(ties.half[:, 0].max())
     apart = nodes + 16.0 + LETTER * longest_label(graph.operations)
     apart = round(min(max(apart, COLUMN), max(WIDEST, nodes + 60.0)))
@@ -48,16 +48,19 @@ def column_places(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> list[
 
 
 def words_of(branch: StateBranch) -> tuple[int, int]:
-    """Return the length of the longest name of a state and of the longest label, in whole steps.
+    """Return the lengths of the longest state name and of the longest label (letters, rounded up).
 
-    Nothing else in a layout depends on words.
+    A layout depends on nothing else in the names.
     """
     longest = -(-max(map(len, branch.table), default=0) // LETTERS) * LETTERS
     return longest, longest_label(graph_of(branch).operations)
 
 
 def longest_label(operations: Sequence[str]) -> int:
-    """Return the length of the longest label, without the prefix that a picture leaves out."""
+    """Return the length of the longest label (letters), without the prefix that all labels share.
+
+    A picture does not show this prefix.
+    """
     first, last = min(operations, default=""), max(operations, default="")
     same = 0
     while same < min(len(first), len(last)) and first[same] == last[same]:

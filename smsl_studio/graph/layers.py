@@ -1,7 +1,8 @@
-"""Layers: in which column from the left each state stands in a layered layout.
+"""Layers: the column of each state in a layered layout, counted from the left.
 
-Cycles are broken at few operations, by the greedy order of Eades, Lin and Smyth, in which INITIAL
-comes first. Operations that lead back in this order do not count.
+The states are put into an order in which few operations lead back, by the greedy method of Eades,
+Lin and Smyth. INITIAL is the first. Operations that lead back in this order do not count, so cycles
+do no harm.
 """
 
 from __future__ import annotations
@@ -13,8 +14,9 @@ from smsl_studio.graph.shape import distances
 
 
 def by_steps(graph: BranchGraph, start: int) -> list[int]:
-    """Return for each state the number of operations that lead to it from INITIAL. What no
-    operations lead to stands by its neighbours.
+    """Return for each state the smallest number of operations from INITIAL to it.
+
+    A state that cannot be reached stands one column left of a neighbour.
     """
     layer = distances(graph.successors, start)
     near = distances(graph.neighbours, start)
@@ -33,7 +35,7 @@ def by_steps(graph: BranchGraph, start: int) -> list[int]:
 def by_chains(graph: BranchGraph, start: int) -> list[int]:
     """Return for each state the length of the longest chain of forward operations to it.
 
-    A state that nothing leads forward to stands just before those that it leads to.
+    If no forward operation leads to a state, it stands just before the states that it leads to.
     """
     order = _greedy_order(graph, start)
     rank = {state: at for at, state in enumerate(order)}
@@ -55,7 +57,7 @@ def by_chains(graph: BranchGraph, start: int) -> list[int]:
 
 
 def _greedy_order(graph: BranchGraph, start: int) -> list[int]:
-    """Return the states in an order in which few operations lead back, INITIAL first."""
+    """Return the states in an order in which few operations lead back. INITIAL is the first."""
     away = distances(graph.neighbours, start)
     left = dict.fromkeys(range(len(graph)))
     out = [_without(state, graph.successors[state]) for state in left]
@@ -65,7 +67,7 @@ def _greedy_order(graph: BranchGraph, start: int) -> list[int]:
     while left:
         sinks = [state for state in left if not out[state]]
         if sinks:
-            # The farthest goes to the end.
+            # The sink that is farthest from INITIAL comes last.
             state = max(sinks, key=lambda i: (away[i], i))
             last.append(state)
         else:

@@ -23,7 +23,8 @@ from smsl_studio.graph.triangle import in_triangle
 Point = tuple[float, float]
 _KEY = "_places"
 QUICK = 24
-"""An arrangement of more states takes too long to be found anew at every edit."""
+"""Up to so many states, an arrangement is computed anew at every edit. With more it takes too long.
+"""
 MOST_SPREAD = 8_000
 """The largest number of states for a layout by distances. More states stand in a grid, those
 nearest to INITIAL first.
@@ -68,8 +69,8 @@ def place_states(
 def place_anew(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
     """Return the centre of each state's node (pixels), computed without ``_layout``.
 
-    ``kind`` is one of ``arrangement.KINDS``. The result is kept in the branch's own dictionary, as
-    its graph is, because it takes long.
+    ``kind`` is one of ``arrangement.KINDS``. The branch keeps the result in its own dictionary, as
+    it keeps its graph, because the computation takes long.
     """
     kept: dict[str, dict[str, Point]] = branch.__dict__.setdefault(_KEY, {})
     if kind not in kept:
@@ -89,8 +90,8 @@ def _placed(branch: StateBranch, kind: str) -> dict[str, Point]:
 def is_placed(branch: StateBranch, places: Mapping[str, Point]) -> bool:
     """Return whether ``place_states`` gives all states of an SB these places.
 
-    It may be False though it does, if there are more than ``QUICK`` states: their arrangement is
-    not computed only to compare it.
+    With more than ``QUICK`` states the answer may be False although it does, because their
+    arrangement takes too long only to compare it.
     """
     if branch.notes.layout:
         return _are_equal(places, place_states(branch))
@@ -156,7 +157,7 @@ def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
 
 
 def free_places(others: Mapping[str, Point], wanted: Mapping[str, Point]) -> dict[str, Point]:
-    """Return the places of ``others``, and for each wished place the nearest free one."""
+    """Return the places of ``others``, and for each state of ``wanted`` the nearest free place."""
     taken = _Grid(others.values())
     return {**others, **{name: taken.free(at) for name, at in wanted.items()}}
 

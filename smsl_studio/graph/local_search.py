@@ -18,7 +18,7 @@ from smsl_studio.stop import heed
 STEP = np.array([109.0, 52.0])
 """The lattice: half the distance of two columns, and half that of two rows (pixels)."""
 GAP = np.array([38.0, 20.0])
-"""The room between two nodes, in addition to that around each (pixels)."""
+"""The room between two nodes, in addition to the room around each node (pixels)."""
 ROUNDS = 8
 WIDE, NARROW = (4, 6), (2, 4)
 """How many steps of the lattice a state may move across and down at once. A graph with more than
@@ -97,7 +97,9 @@ def _free(
 
 
 def _swapped(ties: Ties, at: Floats, state: int, fixed: set[int], across: bool) -> int:
-    """Let a state and another one change places if that is cheaper. Return the other, else -1."""
+    """Let a state change places with another one if that is cheaper. Return the other one, or -1 if
+    the state stays.
+    """
     gap = np.abs(at - at[state])
     near = np.flatnonzero((gap[:, 0] == 0.0) | across)
     near = near[np.argsort(gap[near].sum(axis=1), kind="stable")][: _PARTNERS + 1]

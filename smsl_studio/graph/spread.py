@@ -23,7 +23,9 @@ EDGE = 190.0
 CELL_X, CELL_Y = 150.0, 90.0
 _PIVOTS, _ROUNDS, _TURNS = 32, 8, 60
 _EXACT, _FINE = 2.0**20, 2.0**16
-"""How finely matrices and axes are written. A product of a million such numbers is exact."""
+"""Entries of matrices and of axes are rounded to 1 over these. Then a sum of a million products is
+exact.
+"""
 BLOCK = 4
 """The side of a block, in cells. Each block keeps one cell for which it knows the full rings."""
 

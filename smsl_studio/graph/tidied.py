@@ -1,8 +1,9 @@
-"""A tidy drawing that a person finds their way in again.
+"""A tidy drawing that looks like the drawing before, so that a person still knows it.
 
-A tidy drawing of some states leaves all others where they are. One of all states lies as the former
-drawing lay: it is shifted and, if that helps, turned upside down. If the former drawing is about as
-good as a new one, its states settle only where they stand.
+If only some states are tidied, all others stay where they are. If all are tidied, the new drawing
+is moved to where the former one was. It is turned upside down if more states then stand near their
+former places. If the former drawing is about as good as the new one, it is kept, and the local
+search improves it.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ from smsl_studio.graph.triangle import in_triangle
 Point = tuple[float, float]
 Places = Mapping[str, Point]
 GOOD = 1.1
-"""A former drawing that costs a reader so many times as much as a new one is kept."""
+"""The former drawing is kept if its cost is at most so many times the cost of a new one."""
 IN_ROWS = 0.8
-"""The share of states that stand in rows of a drawing that was tidy before."""
+"""A former drawing counts as tidy if at least this share of its states stands in rows."""
 
 
 def tidied(
@@ -45,7 +46,7 @@ def tidied(
     after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
     if not len(after) or (kind == BEST and in_triangle(branch) is not None):
         return fresh
-    # Rows of facts are one picture: states that settle alone would leave their rows.
+    # A layout in rows of facts is kept whole, because the search would move states out of rows.
     free = kind == BEST and in_fact_rows(branch, ties_for(branch)) is None
     kept = _kept(branch, before, after) if free else None
     if kept is None:
@@ -54,11 +55,13 @@ def tidied(
 
 
 def _as_before(before: Floats, after: Floats) -> Floats:
-    """Return a drawing shifted, and upside down if so more states stand near where they stood."""
+    """Return a drawing that is shifted to the former one. It is turned upside down if its states
+    are nearer to their former places then.
+    """
     found: list[tuple[float, Floats]] = []
     for sign in (1.0, -1.0):
         turned = after * (1.0, sign)
-        # The middle difference: a few states that stand elsewhere do not count.
+        # The median is taken, so that a few states far away do not count.
         gap = np.sort(before - turned, axis=0)[len(after) // 2]
         turned = turned + np.round(gap)
         found.append((float(np.abs(before - turned).sum()), turned))
@@ -66,8 +69,8 @@ def _as_before(before: Floats, after: Floats) -> Floats:
 
 
 def _kept(branch: StateBranch, before: Floats, after: Floats) -> Floats | None:
-    """Return the former drawing with its states settled, None if a new one is clearly better or the
-    former one was not tidy.
+    """Return the former drawing after the local search. It is None if a new drawing is clearly
+    better, or if the former one was not tidy.
     """
     ties = ties_for(branch)
     high = float(STEP[1])
@@ -85,8 +88,9 @@ def _kept(branch: StateBranch, before: Floats, after: Floats) -> Floats | None:
 
 
 def _some(branch: StateBranch, former: Places, own: list[str], kind: str) -> dict[str, Point]:
-    """Return the places if only some states move. They are laid out alone, about where they were,
-    and then keep off the others.
+    """Return the places of all states if only some of them move.
+
+    Those are laid out alone, about where they were. Then they go to free places.
     """
     fresh = arranged(part_of(branch, own), kind)
     after = np.array([fresh[name] for name in own], dtype=np.float64)
