@@ -1,7 +1,8 @@
-"""The map of branches: the SBs of a file as cards, and which fact leads to which sub-SB.
+"""The map of branches: a card for each SB, and a line from each expanded fact to its sub-SB.
 
-Bases stand left of their sub-SBs. A line leaves the row of the fact that a sub-SB expands. No line
-passes through a card: it runs between the columns, or below all cards if it is longer.
+A base stands left of its sub-SBs. A line begins at the row of the fact that the sub-SB expands. No
+line passes through a card. A line to the next column runs between the two columns. A longer line
+runs below all cards.
 """
 
 from __future__ import annotations
@@ -13,10 +14,10 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.picture.shape import Point
 
 WIDE, HEAD, SKETCH, ROW, FOOT = 232.0, 46.0, 104.0, 22.0, 8.0
-"""The width of a card, and the heights of its title, its small drawing, a fact and its end
-(pixels)."""
+"""The width of a card, and the heights of its title, its small drawing, the row of a fact, and its
+lower border (pixels)."""
 BETWEEN, BELOW, TRACK = 40.0, 24.0, 9.0
-"""The least room between two columns and between two cards, and between two lines (pixels)."""
+"""The smallest distances between two columns, two cards in a column, and two lines (pixels)."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,9 @@ class MapFact:
 
 @dataclass(frozen=True)
 class MapCard:
-    """One SB at its place. ``file`` is the imported file that it stands in, empty for none."""
+    """The card of one SB at its place. ``file`` is the imported file of the SB. It is empty if the
+    SB stands in the blueprint's own file.
+    """
 
     name: str
     states: int
@@ -49,7 +52,7 @@ class MapCard:
         return HEAD + SKETCH + ROW * (len(self.facts) + bool(self.plain)) + FOOT
 
     def row(self, digit: int) -> float:
-        """Return the middle of the row of a fact, from the top of the map."""
+        """Return the y of the middle of a fact's row (pixels from the top of the map)."""
         rows = [fact.digit for fact in self.facts]
         return self.top + HEAD + SKETCH + ROW * (rows.index(digit) + 0.5)
 
@@ -66,7 +69,7 @@ class MapLink:
 
 @dataclass(frozen=True)
 class BranchMap:
-    """Cards by name, in the order of the columns, and the lines between them (pixels)."""
+    """The cards by the names of their SBs, in the order of the columns, and the lines (pixels)."""
 
     cards: Mapping[str, MapCard]
     links: tuple[MapLink, ...]
@@ -75,7 +78,7 @@ class BranchMap:
 
 
 def branch_map(blueprint: Blueprint) -> BranchMap:
-    """Return the map of all SBs of a blueprint. Cycles of sub-SBs, a finding, are drawn as well."""
+    """Return the map of all SBs of a blueprint. Cycles of sub-SBs are drawn, too."""
     columns = _columns(blueprint)
     ways = _ways(blueprint, columns)
     tracks = _tracks(ways, len(columns))
@@ -87,7 +90,10 @@ def branch_map(blueprint: Blueprint) -> BranchMap:
 
 
 def _columns(blueprint: Blueprint) -> list[list[str]]:
-    """Each SB stands one column right of its bases. In a column the order follows the bases."""
+    """Return the SBs of each column. An SB stands right of all its bases.
+
+    The SBs of a column are sorted by the places of their bases.
+    """
     level = _levels(blueprint)
     columns: list[list[str]] = [[] for _ in range(max(level.values(), default=-1) + 1)]
     for name in blueprint.branches:
@@ -99,13 +105,15 @@ def _columns(blueprint: Blueprint) -> list[list[str]]:
 
 
 def _wish(blueprint: Blueprint, name: str, before: Mapping[str, int]) -> tuple[float, int]:
-    """Where a sub-SB belongs: at the height of the first fact that leads to it."""
+    """Return the sort key of a sub-SB in its column: the first fact that leads to it, as the place
+    of the base in the column before and the number of the fact.
+    """
     at = [(before[base], digit) for base, digit in blueprint.bases.get(name, ()) if base in before]
     return min(at, default=(len(before), 0))
 
 
 def _levels(blueprint: Blueprint) -> dict[str, int]:
-    """The columns of the SBs. What would close a cycle of sub-SBs does not count."""
+    """Return the column of each SB. A fact that closes a cycle of sub-SBs does not count."""
     level = dict.fromkeys(blueprint.branches, 0)
     opened: dict[str, Iterator[str]] = {}
     order: list[str] = []
@@ -144,14 +152,18 @@ def _subs(blueprint: Blueprint, name: str) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class _Way:
-    """A line that is to be drawn. ``lane`` is its number below all cards, -1 if it needs none."""
+    """The plan of a line. ``lane`` is its number among the lines below all cards. It is -1 if the
+    line does not run there.
+    """
 
     base: str
     digit: int
     sub: str
     leaves: int
     enters: int
-    """The gaps in which the line is upright: gap 0 is left of the first column."""
+    """``leaves`` and ``enters`` are the gaps in which the line goes up or down, after its base and
+    before its sub-SB. Gap 0 is left of the first column.
+    """
     lane: int
 
 
@@ -171,7 +183,7 @@ def _ways(blueprint: Blueprint, columns: Sequence[Sequence[str]]) -> list[_Way]:
 
 
 def _tracks(ways: Sequence[_Way], columns: int) -> list[int]:
-    """The number of upright lines in each gap."""
+    """Return the number of vertical lines in each gap between columns."""
     counts = [0] * (columns + 1)
     for way in ways:
         counts[way.leaves] += 1
@@ -183,7 +195,9 @@ def _tracks(ways: Sequence[_Way], columns: int) -> list[int]:
 def _cards(
     blueprint: Blueprint, columns: Sequence[Sequence[str]], tracks: Sequence[int]
 ) -> dict[str, MapCard]:
-    """Every card at its place: not above the one before, and near the fact that leads to it."""
+    """Return the cards at their places, from top to bottom in each column. A card stands as high as
+    the first fact that leads to it, or lower if there is no room.
+    """
     made: dict[str, MapCard] = {}
     left = _gap(tracks[0]) if columns and tracks[0] else 0.0
     for number, names in enumerate(columns):
@@ -217,19 +231,19 @@ def _gap(tracks: int) -> float:
 
 
 def _drawn(cards: Mapping[str, MapCard], ways: Sequence[_Way], columns: int) -> BranchMap:
-    """Draw the lines around the cards that have their places."""
+    """Return the finished map: the cards at their places, and the lines between them."""
     bottom = max((card.top + card.height for card in cards.values()), default=0.0)
     lefts = sorted({card.left for card in cards.values()})
     starts = [0.0, *(left + WIDE for left in lefts)]
     used = [0] * (columns + 1)
 
     def track(gap: int) -> float:
-        """The place of the next upright line in a gap."""
+        """Return the x of the next vertical line in a gap."""
         used[gap] += 1
         return starts[gap] + BETWEEN / 2 + TRACK * (used[gap] - 1)
 
     links = []
-    for way in sorted(ways, key=lambda way: _upright(cards, way)):
+    for way in sorted(ways, key=lambda way: _order_in_gap(cards, way)):
         base, sub = cards[way.base], cards[way.sub]
         out, into = base.row(way.digit), sub.top + HEAD / 2
         x = track(way.leaves)
@@ -246,10 +260,11 @@ def _drawn(cards: Mapping[str, MapCard], ways: Sequence[_Way], columns: int) -> 
     return BranchMap(cards, tuple(links), width, max(high, bottom))
 
 
-def _upright(cards: Mapping[str, MapCard], way: _Way) -> tuple[int, float, str, int]:
-    """The order of upright lines in a gap, from left to right, in which few of them cross.
+def _order_in_gap(cards: Mapping[str, MapCard], way: _Way) -> tuple[int, float, str, int]:
+    """Return the sort key of a vertical line among those of its gap, from left to right.
 
-    Of lines that go down the lowest is the first, of lines that go up the highest.
+    Lines that go down are sorted from the lowest start to the highest one. Lines that go up are
+    sorted from the highest start to the lowest one. In this order few lines cross.
     """
     out, into = cards[way.base].row(way.digit), cards[way.sub].top + HEAD / 2
     down = way.lane >= 0 or into > out

@@ -26,7 +26,7 @@ from smsl_studio.stop import heed
 
 EDGE = 12.0
 MOST_SKETCHED = 400
-"""With more SBs than these no card has a small drawing, because computing them takes too long."""
+"""If there are more SBs than this, cards have no small drawings, because these take too long."""
 
 
 def map_panel(blueprint: Blueprint, colours: Colours) -> SvgPanel:
@@ -42,7 +42,7 @@ def map_panel(blueprint: Blueprint, colours: Colours) -> SvgPanel:
 
 
 def _size(drawn: BranchMap) -> tuple[float, float]:
-    """The width and height with the border of the outermost cards."""
+    """Return the width and the height of the map, with the borders of the outermost cards."""
     return max(drawn.width + 1.0, 160.0), max(drawn.height + 1.0, 20.0)
 
 

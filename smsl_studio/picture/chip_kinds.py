@@ -10,8 +10,8 @@ ON, OFF, VALUE = "on", "off", "value"
 def chip_kind(branch: StateBranch, digit: int, value: str) -> str:
     """Return ``on`` (filled), ``off`` (outlined), or ``value`` if there are several values.
 
-    A failure value is neither on nor off, and it takes the marks of the others away as little as a
-    third value does. What ``_facts`` calls on is always shown as on.
+    A failure value is ``value``. It does not count as one of several values, so the other values
+    can still be on or off. The value that ``_facts`` declares as on is always ``on``.
     """
     note = branch.fact_note(digit)
     if note is not None and value in note.failure:

@@ -1,4 +1,4 @@
-"""ClearPairs: between which states of a picture the lines have no other node in their way."""
+"""The pairs of states whose lines have no other node in their way."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from smsl_studio.picture.shape import NodeBox
 
 
 class ClearPairs:
-    """For pairs of states, whether all their lines are clear of other nodes without a detour.
+    """Tells for a pair of states whether all lines between them miss all other nodes.
 
-    ``known`` has the answers so far, by the numbers of both states.
+    Such lines need no detour. ``known`` has the answers so far, by the numbers of both states.
     """
 
     def __init__(
@@ -26,8 +26,9 @@ class ClearPairs:
         self._obstacles, self._style, self._box = obstacles, style, box
 
     def holds(self, pair: Between, former: FormerLines | None) -> bool:
-        """Return whether the lines of a pair are clear. ``former`` may know it from before an
-        edit.
+        """Return whether the lines of a pair miss all other nodes.
+
+        ``former`` is the routing before an edit. Its answer is taken if nothing has changed there.
         """
         found = self.known.get((pair.a, pair.b))
         if found is None:
@@ -40,7 +41,7 @@ class ClearPairs:
         return found
 
     def look(self, pairs: Sequence[Between]) -> None:
-        """Find the answers for many pairs together, which is quicker."""
+        """Find the answers for many pairs at once, which is faster than one by one."""
         if not pairs:
             return
         gaps = [

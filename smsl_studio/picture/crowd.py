@@ -11,13 +11,13 @@ MOST_PANELS = 500
 """The largest number of SBs in one picture."""
 
 MOST_CAREFUL = 2_000
-"""With more operations than this in one picture, no line is led around nodes and no place is sought
-for a label. The time for both grows with the square of an SB's size.
+"""With more operations than this in one picture, lines are not led around nodes, and no free places
+are looked for where labels could stand. The time for both grows with the square of an SB's size.
 """
 
 MOST_LED = 400
-"""With more operations than this in one SB, no line is led around nodes either. A zoom must stay
-quick, and most lines of such a picture would pass many nodes.
+"""With more operations than this in one SB, lines are not led around nodes. Most lines of such a
+picture would pass many nodes, and a zoom would become slow.
 """
 
 

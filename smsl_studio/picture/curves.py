@@ -33,11 +33,11 @@ __all__ = [
 
 OPPOSITE, PARALLEL = 16.0, 18.0
 MOST_BEND = 14.0
-"""The largest bend (scene units) of a line without a node in its way."""
+"""The largest bend of a line that has no node in its way (scene units)."""
 MOST_IN_BEND = 3
-"""A line that would run through more nodes than this is not bent, but led on a detour."""
+"""A line that would run through more nodes than this gets a detour and no bend."""
 BENDS = (0.08, 0.16, 0.24)
-"""The bends with which a line may pass a node, as shares of its length."""
+"""The bends that are tried to pass a node, as shares of the line's length."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,15 +169,16 @@ def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> 
 
 
 def breadth(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> float:
-    """Return how far from the straight line between two nodes their lines may lie at most."""
+    """Return how far the lines of a pair may lie from the straight line between its nodes."""
     if len(pair) > 1:
         return (len(pair) - 1) / 2 * _step(pair, source, target, style)
     return 0.0 if style.compact else abs(_gentle(source, target, (1.0, 0.0), (1.0, 0.0)))
 
 
 def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
-    """Return whether a line of points, (n, 2), runs through one of the boxes or nearer than
-    ``gap``. ``skip`` has the rows of the boxes to leave out.
+    """Return whether a line of points, (n, 2), is nearer than ``gap`` to one of the boxes.
+
+    ``skip`` has the rows of the boxes that do not count.
     """
     return bool(len(Obstacles(boxes).met(line, gap, skip)))
 
@@ -190,10 +191,10 @@ def around(
     obstacles: Obstacles,
     outward: Point,
 ) -> Detours:
-    """Return lines that keep clear of all other nodes: as they would be without these, or slightly
-    bent, or on a detour.
+    """Return the lines of a pair. They miss all other nodes, if there is a way.
 
-    If there is no way, the lines are those of ``strands_of`` without a bend.
+    The usual lines are tried first, then slightly bent ones, then a detour. If all of them meet a
+    node, the lines are straight.
     """
     skip, gap = (pair.a, pair.b), GAP * style.unit
     normal = _normal(source, target)
@@ -218,7 +219,8 @@ def around(
     plain = shapes_of(strands_of(pair, source, target, style, None), style)
     if in_way > most_passed(obstacles):
         return Detours(plain, reach_of(start, end, math.inf, style.unit))
-    # Positive offsets lie to the right of the way from ``a`` to ``b``, or all to its left.
+    # A detour counts offsets to the right of the way from ``a`` to ``b``. If the normal of the pair
+    # points to the left, all offsets change their sign.
     turn = (target.x - source.x) * normal[1] - (target.y - source.y) * normal[0]
     right = 1.0 if turn > 0.0 else -1.0
     beside = _side_by_side(pair, source, target, style)
@@ -238,8 +240,9 @@ def _bent(
 
 
 def stub(box: NodeBox, rank: float, unit: float) -> EdgeShape:
-    """Return the line of an edge whose target is missing: a short arrow down. ``rank`` counts from
-    the middle of all such edges of the node.
+    """Return the line of an edge whose target is missing: a short arrow down.
+
+    ``rank`` is its place among such edges of the node, counted from the middle one.
     """
     x, y = box.x + rank * 18.0 * unit, box.y + box.h
     return EdgeShape(np.array([[x, y + unit], [x, y + 40.0 * unit]]), "stub", 1)

@@ -1,7 +1,7 @@
-"""Detours: lines around the nodes that stand between two others. Pure geometry.
+"""Detours: lines that lead around the nodes between two other nodes. Pure geometry.
 
-A detour is the shortest way. It depends only on its two nodes and on those that lie no farther away
-than the way itself leads, so an edit elsewhere does not change it.
+A detour is the shortest way that keeps its distance from nodes. It depends only on its two nodes
+and on nodes near it (``reach_of``). So an edit elsewhere does not change it.
 """
 
 from __future__ import annotations
@@ -18,32 +18,36 @@ from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, border,
 from smsl_studio.picture.strands import START_GAP, TIP_GAP
 
 GAP = 8.0
-"""The distance (pixels of a mark) that lines keep from nodes, if there is a way."""
+"""The distance that lines keep from nodes, if there is a way (pixels of a mark)."""
 _TRIED = (
     (1.0, 18.0, 1.0), (1.0, 18.0, 0.0), (1.0, 7.0, 0.0),
     (0.5, 5.0, 0.0), (0.2, 3.0, 0.0), (0.05, 1.0, 0.0),
 )  # fmt: skip
-"""The ways that are tried in turn: the share of ``GAP``, the most between parallel lines, and the
-share of the room that keeps detours off each other. The last ones are for nodes that stand very
-close.
+"""What is tried, one after the other. The numbers are the share of ``GAP`` that lines keep from
+nodes, the largest distance between parallel lines (pixels of a mark), and the share of ``_APART``.
+The last rows are for nodes that stand very close together.
 """
 _SPARE = 2.0
-"""Rounded corners need so much more room than the gap."""
+"""A detour gets so much room in addition to the gap, so that its corners can be rounded (pixels of
+a mark).
+"""
 _APART = 6.0
-"""Detours around the same node differ by multiples of this, so that few lie on each other."""
+"""A detour keeps a further distance from nodes: 0, 1 or 2 times this (pixels of a mark). The places
+of its two nodes choose which. So two detours around the same node seldom lie on each other.
+"""
 _RADII = (40.0, 22.0, 10.0, 5.0, 1.0)
 MOST_PASSED = 28
-"""With more nodes than this in the way, there is no detour."""
+"""A line that would have to pass more nodes than this gets no detour."""
 FEW, MOST_PASSED_OF_MANY = 100, 4
-"""The same among more nodes than the first number."""
+"""In a picture with more than ``FEW`` nodes, this limit holds instead of ``MOST_PASSED``."""
 _TIE = 1e-6
 _BESIDE = 90.0
-"""No line lies farther (pixels of a mark) beside the way that it follows."""
+"""The largest distance of a line from the way that it follows (pixels of a mark)."""
 Rect = tuple[float, float, float, float]
 
 
 class Detours(NamedTuple):
-    """Lines around nodes, by edge, and the rectangle outside which no node changes them."""
+    """Lines around nodes, by edge. Only nodes inside the rectangle ``reach`` can change them."""
 
     shapes: dict[int, EdgeShape]
     reach: Rect
@@ -56,11 +60,11 @@ def detours(
     skip: Sequence[int],
     unit: float,
 ) -> Detours:
-    """Return lines side by side around all nodes between two others, no lines if there is no way.
+    """Return parallel lines that lead around all nodes between two others.
 
-    ``offsets`` has for each edge whether it leads from the first node to the second, and its
-    distance to the right of the middle of the lines, seen from the first node. ``skip`` has the
-    numbers of the two nodes.
+    There are no lines if there is no way. ``offsets`` has two values for each edge: whether it
+    leads from the first node to the second one, and its distance from the middle of the lines
+    (positive to the right, seen from the first node). ``skip`` has the numbers of the two nodes.
     """
     first, second = ends
     start, end = (first.x, first.y), (second.x, second.y)
@@ -92,22 +96,24 @@ def detours(
 
 
 def length_of(way: Sequence[Point]) -> float:
-    """Return the length of a way through points."""
+    """Return the length of the way from point to point."""
     return sum(math.dist(a, b) for a, b in pairwise(way))
 
 
 def shortest_way(
     start: Point, end: Point, obstacles: Obstacles, gap: float, skip: Sequence[int] = ()
 ) -> list[Point] | None:
-    """Return the corners of the shortest way between two points that keeps a gap from nodes, with
-    both points. None if there is none, and no corners if too many nodes are in the way.
+    """Return the points of the shortest way from ``start`` to ``end`` that keeps a gap from nodes.
+
+    It is None if there is no way. It is empty if too many nodes are in the way (``most_passed``).
     """
     passed: Ints = np.zeros(0, dtype=np.intp)
     while len(passed) <= most_passed(obstacles):
         way = _shortest(start, end, obstacles.boxes[passed], gap)
         if way is None:
             return None
-        # With only the nodes that were met so far the way is too short, or right.
+        # The way leads around the nodes known so far. If it meets other nodes, they count from now
+        # on. If it meets none, no shorter way exists.
         met = [obstacles.met(np.array(piece), gap - 1e-6, skip) for piece in pairwise(way)]
         hit = np.setdiff1d(np.concatenate(met), passed)
         if not len(hit):
@@ -117,12 +123,12 @@ def shortest_way(
 
 
 def most_passed(obstacles: Obstacles) -> int:
-    """Return how many nodes a detour may pass."""
+    """Return the largest number of nodes that a detour may pass."""
     return MOST_PASSED if len(obstacles.boxes) <= FEW else MOST_PASSED_OF_MANY
 
 
 def _shortest(start: Point, end: Point, boxes: Floats, gap: float) -> list[Point] | None:
-    """Return the shortest way around these boxes alone, through their corners."""
+    """Return the shortest way around these boxes, from corner to corner. None if there is none."""
     signs = np.array([(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)])
     corners = boxes[:, None, :2] + (boxes[:, None, 2:] + gap) * signs
     points = np.vstack([[start, end], corners.reshape(-1, 2)])
@@ -141,8 +147,10 @@ def _shortest(start: Point, end: Point, boxes: Floats, gap: float) -> list[Point
 
 
 def _through(points: Floats, apart: Floats) -> list[Point] | None:
-    """Return the shortest way from point 0 to point 1. Of equal ways it is that of the first
-    points.
+    """Return the shortest way from point 0 to point 1, by the algorithm of Dijkstra.
+
+    ``apart`` has the distances of all points, infinite if a box is between them. If two ways are
+    equally long, the one through the first points is taken.
     """
     length, before = np.full(len(points), np.inf), np.zeros(len(points), dtype=np.intp)
     length[0], open_ = 0.0, np.ones(len(points), dtype=bool)
@@ -161,8 +169,8 @@ def _through(points: Floats, apart: Floats) -> list[Point] | None:
 
 
 def _beside(way: Sequence[Point], offset: float) -> Floats:
-    """Return the line that runs beside a way, to its right (y down). It keeps its distance at
-    corners too, except outside very sharp ones.
+    """Return the line that runs parallel to a way, to its right (y down). It keeps its distance at
+    corners, too. Outside a very sharp corner it comes nearer.
     """
     points = np.array(way)
     step = points[1:] - points[:-1]
@@ -180,7 +188,10 @@ def _shape(
     gap: float,
     unit: float,
 ) -> EdgeShape | None:
-    """Return the line between the borders of its nodes, with corners as round as there is room."""
+    """Return the line between the borders of its nodes, with corners as round as the room allows.
+
+    It is None if the line comes too near to another node, or if it does not end in its nodes.
+    """
     corners = _cut([(float(x), float(y)) for x, y in line], *ends, unit)
     if corners is None:
         return None
@@ -192,7 +203,10 @@ def _shape(
 
 
 def _cut(line: list[Point], source: NodeBox, target: NodeBox, unit: float) -> list[Point] | None:
-    """Return the part of a line between two nodes, None if it begins or ends outside them."""
+    """Return the part of a line outside its two nodes, from border to border.
+
+    It is None if the line does not begin inside ``source`` and end inside ``target``.
+    """
     start, end = START_GAP * unit, TIP_GAP * unit
     inside = source.depth(np.array(line)) <= start
     arrived = target.depth(np.array(line)) <= end
@@ -208,15 +222,15 @@ def _cut(line: list[Point], source: NodeBox, target: NodeBox, unit: float) -> li
 
 
 def _out(corners: Sequence[Point]) -> int:
-    """Return the outer side of a line's bend: 1 right, -1 left."""
+    """Return the outer side of a bent line: 1 is right, -1 is left."""
     (ax, ay), (bx, by) = corners[0], corners[-1]
     turn = sum((bx - ax) * (y - ay) - (by - ay) * (x - ax) for x, y in corners[1:-1])
     return 1 if turn >= 0.0 else -1
 
 
 def reach_of(start: Point, end: Point, longest: float, unit: float) -> Rect:
-    """Return the rectangle (left, top, right, bottom) that holds all ways between two points that
-    are not longer than ``longest``, with their lines and gaps.
+    """Return a rectangle (left, top, right, bottom) around all ways from ``start`` to ``end`` that
+    are at most ``longest`` long. The lines and gaps beside these ways are in it, too.
     """
     direct = math.dist(start, end)
     across = math.sqrt(max(longest**2 - direct**2, 0.0)) / 2

@@ -27,7 +27,7 @@ AROUND, BAR, GROUP_RADIUS = 14.0, 24.0, 10.0
 ARROW = 22.0
 """How far the arrow at the left of INITIAL reaches (pixels)."""
 Members = tuple[NDArray[np.intp], ...]
-"""For each group the numbers of its states."""
+"""The numbers of the states in each group."""
 _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
@@ -76,10 +76,11 @@ class DrawnParts:
         bar: float = BAR,
         members: Members | None = None,
     ) -> Floats:
-        """Return where the frames of the groups lie. ``boxes`` has the centre and half the size of
-        each node, ``unit`` the scene units in a pixel, ``bar`` the height of titles (pixels).
+        """Return the frames of the groups, (n, 4).
 
-        ``members`` are other states in the groups than those that are written.
+        ``boxes`` has the centre and half the size of each node. ``unit`` is the number of scene
+        units in a pixel, ``bar`` the height of titles (pixels). ``members`` replaces the states
+        that the blueprint lists for each group.
         """
         found = np.zeros((len(self.groups), 4))
         for number, states in enumerate(self.members if members is None else members):

@@ -26,7 +26,7 @@ from smsl_studio.picture.words import elided, width
 
 
 def draw_groups(figure: Figure, groups: Iterable[int], colours: Colours) -> Iterator[str]:
-    """Yield the frames of groups with the bars of their titles. They lie below everything else."""
+    """Yield the frames of groups, with the bars for their titles. All else lies above them."""
     rects = figure.group_rects
     for group in groups:
         left, top, right, bottom = rects[group].tolist()
@@ -47,7 +47,7 @@ def draw_groups(figure: Figure, groups: Iterable[int], colours: Colours) -> Iter
 
 
 def draw_titles(figure: Figure, groups: Iterable[int], colours: Colours) -> Iterator[str]:
-    """Yield the titles of groups. They lie above lines, on a ground of their own."""
+    """Yield the titles of groups. They lie above lines and have a background of their own."""
     rects = figure.group_rects
     for group in groups if figure.bar else ():
         left, top, right, _ = rects[group].tolist()

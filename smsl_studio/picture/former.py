@@ -38,10 +38,11 @@ class Routing:
     clear: dict[tuple[int, int], bool] = field(default_factory=dict)
     """For each pair of states whether the straight line between them meets no other node."""
     bent: dict[tuple[int, int], Rect] = field(default_factory=dict)
-    """The pairs whose lines lead around other nodes, or would if there was room, each with the
-    rectangle outside which no node changes them."""
+    """The pairs whose usual lines meet other nodes. Only nodes inside the rectangle of a pair can
+    change its lines.
+    """
     mark: Rect | None = None
-    """What the mark of the initial state covers."""
+    """The rectangle of the mark of the initial state."""
 
 
 class FormerLines:
@@ -95,8 +96,10 @@ class FormerLines:
     def pair(
         self, pair: Between, source: NodeBox, target: NodeBox
     ) -> tuple[dict[int, EdgeShape], Rect | None] | None:
-        """Return the lines of a pair, and the reach of lines that lead around nodes. None if they
-        may change.
+        """Return the lines of a pair, or None if the edit may change them.
+
+        The second value is the rectangle in which nodes can change the lines. It is None for lines
+        that do not lead around nodes.
         """
         if not self._is_kept(pair):
             return None
@@ -136,7 +139,7 @@ class FormerLines:
                 self.moved([shape.bounds, former.labels.get(old)])
 
     def mark_known(self, rect: Rect) -> None:
-        """Note the new place of the initial state's mark."""
+        """Note where the mark of the initial state stands now."""
         if rect != self._former.mark:
             self.moved([rect, self._former.mark])
 
@@ -151,7 +154,7 @@ class FormerLines:
         return tuple(old[e] for e in pair.back) == back
 
     def _between(self, pair: Between, source: NodeBox, target: NodeBox) -> Rect:
-        """Return the rectangle in which a node would be in the way of a pair's lines."""
+        """Return the rectangle in which another node would be in the way of a pair's lines."""
         style = self._now.style
         aside = GAP * style.unit + breadth(pair, source, target, style)
         return (

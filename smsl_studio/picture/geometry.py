@@ -64,7 +64,7 @@ class Geometry:
         self._strands: dict[int, Strand] = {}
         self._labels: dict[int, labels.Rect | None] = {}
         self.mark_shift = 0.0
-        """How far below its node's middle the mark of the initial state stands (scene units)."""
+        """The distance of the initial state's mark below the middle of its node (scene units)."""
         self.routing: Routing | None = None
         """The routing of a small picture, for the picture after the next edit."""
         self._work: Routing | None = None
@@ -98,7 +98,7 @@ class Geometry:
             self._choice = self._choice_of(anew)
 
     def label(self, edge: int) -> labels.Rect | None:
-        """Return the place of an edge's label, None while it is hidden."""
+        """Return the place of an edge's label. It is None while the label is hidden."""
         if edge not in self._labels:
             self._place(edge)
         return self._labels[edge]
@@ -230,8 +230,8 @@ class Geometry:
             work.bent[pair.a, pair.b] = reach
 
     def _clear(self, pair: Between) -> bool:
-        """Return whether the lines between two states need no detour. In a very large picture none
-        is sought.
+        """Return whether the lines between two states need no detour. A very large picture has no
+        detours.
         """
         return not self.picture.careful or self._clears.holds(pair, self._former)
 
@@ -306,7 +306,7 @@ class Geometry:
             self._place(edge)
 
     def _mark_initial(self, work: Routing, places: labels.LabelPlaces) -> None:
-        """Find the place of the initial state's mark, and keep labels off it."""
+        """Find the place of the initial state's mark. No label may cover it."""
         state, unit = self.picture.index.get(self.picture.branch.initial, -1), self.style.unit
         if state < 0:
             return
@@ -349,7 +349,7 @@ class Geometry:
             former.label_moved(edge, rect)
 
     def _choice_of(self, edges: Iterable[int]) -> labels.LabelChoice:
-        """Return the choice of places for the labels of edges whose lines are known."""
+        """Return the choice of label places for those of the edges whose lines are known."""
         shapes = {edge: self._shapes[edge] for edge in edges}
         sizes = [self._label_size(edge) for edge in shapes]
         if self._places is None:

@@ -1,6 +1,6 @@
-"""The places that the labels of some lines may take, best first. Pure geometry.
+"""The possible places of labels, the best one first. Pure geometry.
 
-All places of many labels are computed together, with the same result as one label at a time.
+The places of many labels are computed at once. The result is the same as for one label at a time.
 """
 
 from __future__ import annotations
@@ -17,16 +17,20 @@ from smsl_studio.picture.shape import EdgeShape, Floats
 Size = tuple[float, float]
 SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
 EARLY_SHARES = (0.4, 0.34, 0.46, 0.28, 0.52, 0.58, 0.22, 0.64, 0.7)
-"""Compact edges come in opposite pairs, so labels near the start do not meet."""
+"""In a compact picture opposite edges lie close together. Their labels stand near the starts of
+their edges, so they do not meet.
+"""
 LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
 _ON, _BESIDE, _OUTSIDE, _MIDDLE = range(4)
 _LEADING = ("line", "curve", "bent", "detour")
-"""The ways from one node to another that are no lanes."""
+"""The kinds of lines that lead from one node to another, except lanes."""
 
 
 class _Pattern(NamedTuple):
-    """The costs, kinds and shares of the candidates of one sort of line, each (k,)."""
+    """The possible places on one kind of line: their costs, their kinds, and their distances from
+    the start as shares of the length, each (k,).
+    """
 
     costs: Floats
     kinds: NDArray[np.intp]
@@ -45,7 +49,7 @@ def _pattern(way: str, beside: bool, compact: bool) -> _Pattern:
         if way in _LEADING:
             found.append((cost + 2.2, _OUTSIDE, share))
     if way in _LEADING:
-        # A label that hardly fits stands in the middle of the line without its arrowhead.
+        # This is for a label that hardly fits: the middle between the start and the arrowhead.
         found.append((0.3, _MIDDLE, 0.5))
     found.sort(key=lambda candidate: candidate[0])
     costs, kinds, parts = zip(*found, strict=True)
@@ -53,10 +57,11 @@ def _pattern(way: str, beside: bool, compact: bool) -> _Pattern:
 
 
 class LabelCandidates(NamedTuple):
-    """The possible places of some labels, those of least cost first.
+    """The possible places of the labels of n edges, k for each. The place of the lowest cost is the
+    first.
 
-    They lie on the line, from its middle outwards, then beside it. ``fits`` says for each place,
-    (n, k), whether it leaves enough of its line to be seen.
+    ``costs`` is (n, k) and ``rects`` is (n, k, 4). ``fits``, (n, k), tells whether enough of the
+    line can be seen beside the label.
     """
 
     edges: Sequence[int]
@@ -68,7 +73,7 @@ class LabelCandidates(NamedTuple):
 def candidates(
     shapes: Mapping[int, EdgeShape], sizes: Sequence[Size], unit: float, compact: bool
 ) -> list[LabelCandidates]:
-    """Return the possible places of the labels of some edges, with lines of one sort together.
+    """Return the possible places of the labels of some edges. Lines of one kind are in one item.
 
     ``sizes`` has the sizes of the labels, in the order of ``shapes``.
     """
@@ -87,7 +92,7 @@ def candidates(
 
 
 class _LineArrays:
-    """Some lines in arrays, with as many points as the longest has."""
+    """Several lines as arrays. All have as many points as the line with the most points."""
 
     def __init__(self, shapes: Sequence[EdgeShape]) -> None:
         count = np.array([len(shape.points) for shape in shapes])
@@ -124,11 +129,11 @@ class _LineArrays:
         return found
 
     def long_side(self) -> tuple[Floats, Floats]:
-        """Return the lengths between which the middle stretch of a lane runs."""
+        """Return the lengths at which the long middle part of each lane begins and ends."""
         known = np.isfinite(self._lengths)
         steps = np.diff(np.where(known, self._lengths, 0.0), axis=1)
         steps[~known[:, 1:]] = -1.0
-        # The first and the last piece lead to the nodes.
+        # The first and the last piece of a lane lead to its nodes.
         last = (steps >= 0.0).sum(axis=1) - 1
         inner = steps.copy()
         inner[:, 0] = -1.0
@@ -141,7 +146,7 @@ class _LineArrays:
 def _places(
     lines: _LineArrays, size: Floats, pattern: _Pattern, unit: float, lane: bool
 ) -> tuple[Floats, NDArray[np.bool_]]:
-    """Return all places, (n, k, 4), and whether each of them leaves enough of its line."""
+    """Return all places, (n, k, 4), and whether enough of the line can be seen beside each."""
     low, high = lines.long_side() if lane else (0.0, lines.length)
     along = low + (high - low) * pattern.shares
     along = np.where(pattern.kinds == _MIDDLE, (lines.length - 8.0 * unit) / 2, along)

@@ -18,10 +18,14 @@ from smsl_studio.picture.shape import EdgeShape, Floats, Point
 Rect = tuple[float, float, float, float]
 """Left, top, right, bottom."""
 _AT_ONCE, _RECTS_AT_ONCE = 200, 4_000
-"""So many labels are compared with all lines at once, and so many places with all nodes."""
+"""The number of labels that are compared with all lines at once, and the number of places that are
+compared with all nodes at once. They limit the memory.
+"""
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
 _MOST_OFTEN = 3
-"""So many places of each label are compared with the lines beforehand."""
+"""The number of places of each label that are compared with the lines in advance, for all labels at
+once. Most labels take one of these.
+"""
 
 
 def meet(a: Rect, b: Rect) -> bool:
@@ -30,7 +34,7 @@ def meet(a: Rect, b: Rect) -> bool:
 
 
 def rank_of(edge: int, shape: EdgeShape) -> tuple[int, float, int]:
-    """Return the sort key of an edge. Labels with the fewest possible places come first."""
+    """Return the sort key of an edge. Labels with few possible places choose first."""
     return _RANKS[shape.way], round(shape.length), edge
 
 
@@ -61,7 +65,7 @@ class LabelPlaces:
         return self.is_untaken(rect) and bool(self.off_nodes(np.array([rect]))[0])
 
     def is_untaken(self, rect: Rect) -> bool:
-        """Return whether a rectangle covers no taken place."""
+        """Return whether a rectangle covers no place that is taken."""
         for cell in self._over(rect):
             if any(meet(rect, other) for other in self._cells.get(cell, ())):
                 return False
@@ -117,7 +121,9 @@ class LinePieces:
     def covered_by_each(
         self, edges: Sequence[int], rects: Sequence[Rect], margin: float
     ) -> list[tuple[int, int]]:
-        """Return the same for one rectangle of each edge, and for that with a margin."""
+        """Return for one rectangle of each edge the number of pieces of other lines that it covers,
+        and the same number for the rectangle with a margin.
+        """
         inner, wide = np.zeros((2, len(rects)), dtype=np.intp)
         own, box = np.array(edges, dtype=np.intp), np.array(rects).reshape(-1, 4)
         wider = box + margin * np.array([-1.0, -1.0, 1.0, 1.0])
@@ -136,7 +142,7 @@ class LinePieces:
         return list(zip(inner.tolist(), wide.tolist(), strict=True))
 
     def _near(self, low: Point, high: Point) -> NDArray[np.intp]:
-        """Return the pieces whose own rectangle meets a rectangle."""
+        """Return the pieces of lines whose bounds overlap a rectangle."""
         near = self._high[:, 0] > low[0]
         near &= self._low[:, 0] < high[0]
         near &= self._high[:, 1] > low[1]
@@ -180,7 +186,7 @@ class LabelChoice:
             self._covered |= self._counted(first)
 
     def _counted(self, of: Sequence[tuple[int, Rect]]) -> dict[tuple[int, Rect], tuple[int, int]]:
-        """Count what some places cover: the best of each label, because most labels take these."""
+        """Return for some places the number of pieces of lines that they cover."""
         edges, rects = [edge for edge, _ in of], [rect for _, rect in of]
         return dict(zip(of, self._lines.covered_by_each(edges, rects, self._margin), strict=True))
 

@@ -40,9 +40,10 @@ def in_lanes(
 ) -> dict[int, EdgeShape]:
     """Return the lines of edges that pass other nodes, in lanes outside their row.
 
-    Lanes of rows above ``middle`` run above, those of the others below; columns use left and right
-    in the same way. Short edges get inner lanes, so that lanes do not cross. Edges of a row without
-    room for lanes are not in the result, nor those whose lane would come too near to a node.
+    The lanes of rows above ``middle`` run above their rows, those of other rows below. The lanes of
+    columns are left or right in the same way. Short edges get inner lanes, so that lanes do not
+    cross. An edge is not in the result if its row has no room for lanes, or if its lane would come
+    too near to a node.
     """
     shapes: dict[int, EdgeShape] = {}
     for key in sorted({_row(p, boxes) for p in passing}):

@@ -1,4 +1,4 @@
-"""Obstacles: the nodes of a picture, and which of them a line meets. Pure geometry."""
+"""Obstacles: the nodes of a picture that a line may meet. Pure geometry."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from smsl_studio.picture.shape import Floats
 
 Ints = NDArray[np.intp]
 _AT_ONCE = 500
-"""So many lines are compared with all nodes at once."""
+"""The number of lines that are compared with all nodes at once. It limits the memory."""
 _SAMPLES = 33
-"""So many points of a piece that passes a corner are compared with it."""
+"""The number of points of a piece whose distances from the corner of a node are computed."""
 
 
 class Obstacles:
@@ -23,9 +23,9 @@ class Obstacles:
         self.boxes = boxes
 
     def near(self, line: Floats, gap: float, skip: Sequence[int] = ()) -> Ints:
-        """Return the nodes that are nearer than ``gap`` to the rectangle around a line, in order.
+        """Return the nodes that are nearer than ``gap`` to the bounds of a line, in order.
 
-        ``skip`` has the nodes to leave out.
+        ``skip`` has the nodes that do not count.
         """
         low, high = line.min(axis=0) - gap, line.max(axis=0) + gap
         boxes = self.boxes
@@ -36,8 +36,10 @@ class Obstacles:
         return found
 
     def stop_each(self, ends: Ints, gaps: Floats) -> NDArray[np.bool_]:
-        """Return for each pair of nodes, (n, 2), whether another node is nearer than its gap to
-        the straight line between their centres.
+        """Return for each pair of nodes, (n, 2), whether another node is in the way.
+
+        That is a node that is nearer than the gap of the pair, (n,), to the straight line between
+        the two centres.
         """
         found = np.zeros(len(ends), dtype=bool)
         for first in range(0, len(ends), _AT_ONCE):
@@ -52,8 +54,8 @@ class Obstacles:
         return found
 
     def met(self, line: Floats, gap: float, skip: Sequence[int] = ()) -> Ints:
-        """Return the nodes that a line of points, (n, 2), meets, or passes nearer than ``gap`` in x
-        and y.
+        """Return the nodes that a line of points, (n, 2), meets. Nodes are wider by ``gap`` on each
+        side.
         """
         rows = self.near(line, gap, skip)
         return (
@@ -65,7 +67,7 @@ class Obstacles:
     def keep_clear(
         self, lines: Sequence[Floats], gap: float, skip: Sequence[int] = ()
     ) -> list[bool]:
-        """Return for each of some lines, whether it is at least ``gap`` away from all nodes."""
+        """Return for each line whether it keeps a distance of ``gap`` or more from all nodes."""
         rows = self.near(np.vstack(lines), gap, skip)
         if not len(rows):
             return [True] * len(lines)
@@ -74,7 +76,7 @@ class Obstacles:
         end = np.vstack([line[1:] for line in lines])
         owner = np.repeat(np.arange(len(lines)), [len(line) - 1 for line in lines])
         piece, box = np.nonzero(pieces_hit(start, end, boxes, gap))
-        # Only beside the corners of a node is a line in the wider box and yet far enough away.
+        # The wider box has sharp corners, so a line in it can still be far enough from the node.
         shares = np.linspace(0.0, 1.0, _SAMPLES)[:, None, None]
         at = start[piece] + (end - start)[piece] * shares
         off = np.maximum(np.abs(at - boxes[box, :2]) - boxes[box, 2:], 0.0)
@@ -84,11 +86,10 @@ class Obstacles:
 
 
 def pieces_hit(start: Floats, end: Floats, boxes: Floats, gap: float | Floats) -> NDArray[np.bool_]:
-    """Return for each straight piece, from ``start`` to ``end``, and each box whether they meet.
+    """Return for each straight piece, from ``start`` to ``end``, whether it meets each box, (n, m).
 
-    Boxes are wider by ``gap`` on each side, which may be another one for each piece.
-
-    A piece that only touches the border of a box does not meet it.
+    Boxes are wider by ``gap`` on each side. ``gap`` is one number, or one for each piece, (n,). A
+    piece that only touches the border of a box does not meet it.
     """
     a, step = start[:, None, :], (end - start)[:, None, :]
     step = np.where(np.abs(step) < 1e-9, 1e-9, step)

@@ -91,12 +91,14 @@ class Picture:
 
     @property
     def careful(self) -> bool:
-        """Whether lines lead around nodes."""
+        """Whether lines are led around nodes. Larger pictures have no detours."""
         return len(self.operations) <= MOST_LED and self.crowd <= MOST_CAREFUL
 
     @property
     def small(self) -> bool:
-        """Whether all lines are made at once, and labels avoid them."""
+        """Whether the picture is small: then all its lines are computed together, and labels are
+        placed off the lines.
+        """
         alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
         return alone and self.crowd <= MOST_CAREFUL
 
@@ -170,7 +172,7 @@ class Picture:
         return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
 
     def pairs(self) -> list[tuple[int, int]]:
-        """Return the pairs of different states with edges between them, the lower number first."""
+        """Return the pairs of different states that edges join. The lower number comes first."""
         lines = (self.target >= 0) & (self.source != self.target)
         source, target = self.source[lines], self.target[lines]
         low, high = np.minimum(source, target).tolist(), np.maximum(source, target).tolist()
@@ -274,7 +276,7 @@ class Picture:
             return _cut(meaning, LONGEST_WORD)
         if not self._has_words:
             return value
-        # Between words a lone digit would say nothing, so its fact is named beside it.
+        # Other chips show words. A digit alone would say nothing, so the name of its fact is added.
         room = max(LONGEST_WORD - len(value) - 2, 4)
         return f"{_cut(self.branch.fact_name(digit), room)}: {value}"
 
@@ -284,7 +286,7 @@ class Picture:
 
 
 def has_words(branch: StateBranch) -> bool:
-    """Whether any fact of an SB has a name, or a value with a meaning."""
+    """Return whether any fact of an SB has a name or a value with a meaning."""
     return any(note.name or note.values for note in branch.notes.facts.values())
 
 

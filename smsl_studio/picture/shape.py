@@ -20,9 +20,9 @@ class EdgeShape:
     """The line of an edge, from the border of its source to the tip of its arrowhead.
 
     ``points`` is an (n, 2) array, n >= 2 (scene units). ``way`` is its kind: ``line``, ``curve``,
-    ``lane``, ``detour``, ``loop``, ``stub``, or ``bent`` (by hand). ``side`` is where the label of
-    a steep line may stand: -1 left of the line's direction, 1 right of it, 0 on it. ``out`` is the
-    side away from parallel lines: 1 right, -1 left.
+    ``lane``, ``detour``, ``loop``, ``stub``, or ``bent`` (by hand). ``side`` is the side at which
+    the label of a steep line may stand: -1 is left of the line's direction, 1 right of it, and 0 on
+    the line. ``out`` is the side on which no parallel line runs: 1 is right, -1 is left.
     """
 
     points: Floats
@@ -140,7 +140,7 @@ class NodeBox:
     radius: float = 8.0
 
     def depth_at(self, x: float, y: float) -> float:
-        """Return the distance of a point from the rounded border, negative inside."""
+        """Return the distance of a point from the rounded border. It is negative inside."""
         dx = abs(x - self.x) - (self.w - self.radius)
         dy = abs(y - self.y) - (self.h - self.radius)
         outside = math.hypot(max(dx, 0.0), max(dy, 0.0))
@@ -156,7 +156,9 @@ class NodeBox:
 
 
 def border(box: NodeBox, inside: Point, outside: Point, gap: float) -> Point:
-    """Return where the straight way out of a node has a gap to its border."""
+    """Return the point on the straight way from ``inside`` a node to ``outside`` at which the
+    distance from its border is ``gap``.
+    """
     (ax, ay), (bx, by) = inside, outside
     low, high = 0.0, 1.0
     for _ in range(_HALVINGS):
