@@ -24,7 +24,6 @@ __all__ = [
     "breadth",
     "in_row",
     "is_forward",
-    "is_outward",
     "meets",
     "shapes_of",
     "strands_of",
@@ -58,23 +57,23 @@ def strands_of(
     source: NodeBox,
     target: NodeBox,
     style: LineStyle,
-    outward: Point | None,
+    clear: bool,
     only: int | None = None,
 ) -> dict[int, Strand]:
     """Return the lines of all edges between two states, side by side, or only that of the edge
     ``only``. ``shapes_of`` turns them into points.
 
-    ``outward`` is the direction away from the middle of the picture; a single curve bends that way.
-    None means that other nodes are in the straight way.
+    ``clear`` says that no other node is in the straight way. A single curve bends upwards: a side
+    that followed from the whole picture would change with every state that is added.
     """
-    straight = outward is not None and not style.compact and in_row(source, target)
+    straight = clear and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     strands: dict[int, Strand] = {}
     for edge, there, offset in _side_by_side(pair, source, target, style, only):
         a, b = (source, target) if there else (target, source)
         bow = 0.0
-        if not straight and len(pair) == 1 and outward is not None and not style.compact:
-            bow = _gentle(a, b, normal, outward)
+        if not straight and len(pair) == 1 and clear and not style.compact:
+            bow = -_gentle(a, b)
         strands[edge] = Strand(a, b, offset, bow, normal, straight)
     return strands
 
@@ -88,13 +87,6 @@ def is_forward(source: NodeBox, target: NodeBox) -> bool:
     """Return whether a line from source to target runs to the right, or straight down."""
     dx, dy = target.x - source.x, target.y - source.y
     return dx > 1.0 or (abs(dx) <= 1.0 and dy > 0.0)
-
-
-def is_outward(source: NodeBox, target: NodeBox, middle: Point) -> bool:
-    """Return whether positive offsets lead away from the middle of the picture."""
-    nx, ny = _normal(source, target)
-    x, y = (source.x + target.x) / 2 - middle[0], (source.y + target.y) / 2 - middle[1]
-    return nx * x + ny * y >= 0.0
 
 
 def in_row(source: NodeBox, target: NodeBox) -> bool:
@@ -157,22 +149,18 @@ def _reach(source: NodeBox, target: NodeBox) -> float:
     return min(min((box.w - 6.0) / nx, (box.h - 6.0) / ny) for box in (source, target))
 
 
-def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> float:
-    """Return the bend of a single edge: 0 in a row or column, else slight and away from the
-    middle.
-    """
+def _gentle(source: NodeBox, target: NodeBox) -> float:
+    """Return the bend of a single edge: 0 in a row or column, else slight."""
     if in_row(source, target):
         return 0.0
-    length = math.hypot(target.x - source.x, target.y - source.y)
-    away = normal[0] * outward[0] + normal[1] * outward[1]
-    return math.copysign(min(0.05 * length, MOST_BEND), away)
+    return min(0.05 * math.hypot(target.x - source.x, target.y - source.y), MOST_BEND)
 
 
 def breadth(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> float:
     """Return how far the lines of a pair may lie from the straight line between its nodes."""
     if len(pair) > 1:
         return (len(pair) - 1) / 2 * _step(pair, source, target, style)
-    return 0.0 if style.compact else abs(_gentle(source, target, (1.0, 0.0), (1.0, 0.0)))
+    return 0.0 if style.compact else _gentle(source, target)
 
 
 def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
@@ -189,7 +177,6 @@ def around(
     target: NodeBox,
     style: LineStyle,
     obstacles: Obstacles,
-    outward: Point,
 ) -> Detours:
     """Return the lines of a pair. They miss all other nodes, if there is a way.
 
@@ -199,15 +186,14 @@ def around(
     skip, gap = (pair.a, pair.b), GAP * style.unit
     normal = _normal(source, target)
     length = math.hypot(target.x - source.x, target.y - source.y)
-    first = 1.0 if normal[0] * outward[0] + normal[1] * outward[1] >= 0 else -1.0
-    ways = [strands_of(pair, source, target, style, outward)]
+    ways = [strands_of(pair, source, target, style, True)]
     start, end = (source.x, source.y), (target.x, target.y)
     in_way = len(obstacles.met(np.array([start, end]), 0.0, skip))
     if in_way <= MOST_IN_BEND:
         ways += [
             _bent(pair, source, target, style, normal, side * share * length)
             for share in BENDS
-            for side in (first, -first)
+            for side in (-1.0, 1.0)
         ]
     shapes = drawn([strand for strands in ways for strand in strands.values()], style)
     clear = obstacles.keep_clear([shape.points for shape in shapes], gap, skip)
@@ -216,7 +202,7 @@ def around(
             found = dict(zip(strands, shapes[at : at + len(pair)], strict=True))
             farthest = length * (1.0 + 2.0 * BENDS[-1])
             return Detours(found, reach_of(start, end, farthest, style.unit))
-    plain = shapes_of(strands_of(pair, source, target, style, None), style)
+    plain = shapes_of(strands_of(pair, source, target, style, False), style)
     if in_way > most_passed(obstacles):
         return Detours(plain, reach_of(start, end, math.inf, style.unit))
     # A detour counts offsets to the right of the way from ``a`` to ``b``. If the normal of the pair

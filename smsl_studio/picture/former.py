@@ -11,11 +11,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture.curves import Between, LineStyle, breadth, is_outward
+from smsl_studio.picture.curves import Between, LineStyle, breadth
 from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.labels import Rect, meet
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 
 NEAR = 16.0
 """A change within so many pixels of a line or label can move it."""
@@ -27,7 +27,6 @@ class Routing:
 
     picture: Picture
     boxes: Floats
-    middle: Point
     style: LineStyle
     drawn: Mapping[int, EdgeLayout]
     """The edges whose line or label is drawn by hand."""
@@ -107,11 +106,6 @@ class FormerLines:
         reach, edges = self._former.bent.get((a, b)), self._edges
         if not self._is_quiet(reach or self._between(pair, source, target)):
             return None
-        former, middle = self._former.middle, self._now.middle
-        if former != middle and is_outward(source, target, former) != is_outward(
-            source, target, middle
-        ):
-            return None
         shapes = self._former.shapes
         both = (*pair.there, *pair.back)
         if any(edges[e] not in shapes or shapes[edges[e]].way == "lane" for e in both):
@@ -172,8 +166,6 @@ class FormerLines:
         if not self._same[state] or -1 in old or len(own) != self._loop_count(state):
             return False
         if [former.sizes.get(o) for o in old] != sizes:
-            return False
-        if (box.y > former.middle[1]) != (box.y > self._now.middle[1]):
             return False
         aside = (20.0 + 30.0 * len(own)) * self._now.style.unit + max(wide for wide, _ in sizes)
         return self._is_quiet(

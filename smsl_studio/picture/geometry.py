@@ -27,7 +27,7 @@ from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 from smsl_studio.picture.strands import Strand
 
 MOST_AT_ONCE = 20
@@ -71,7 +71,6 @@ class Geometry:
         self._former: FormerLines | None = None
         self._box: dict[int, NodeBox] = {}
         self._pairs: dict[tuple[int, int], Between] = {}
-        self._middle = self._centre()
         self._places: labels.LabelPlaces | None = None
         self._lines = labels.LinePieces({})
         self._choice: labels.LabelChoice | None = None
@@ -148,17 +147,6 @@ class Geometry:
             found = self._box[state] = NodeBox(x, y, w, h, radius)
         return found
 
-    def _centre(self) -> Point:
-        if not len(self.boxes):
-            return 0.0, 0.0
-        low, high = self.boxes[:, :2].min(axis=0), self.boxes[:, :2].max(axis=0)
-        return float(low[0] + high[0]) / 2, float(low[1] + high[1]) / 2
-
-    def _outward(self, a: int, b: int) -> Point:
-        first, second = self.box(a), self.box(b)
-        x, y = (first.x + second.x) / 2, (first.y + second.y) / 2
-        return x - self._middle[0], y - self._middle[1]
-
     # One edge at a time
 
     def _route(self, edge: int) -> None:
@@ -214,17 +202,16 @@ class Geometry:
 
     def _plan_pair(self, pair: Between, only: int | None) -> None:
         source, target = self.box(pair.a), self.box(pair.b)
-        outward = self._outward(pair.a, pair.b)
         work, former = self._work, self._former
         held = former.pair(pair, source, target) if former is not None else None
         if held is not None:
             shapes, reach = held
             self._keep(shapes)
         elif only is not None or self._clear(pair):
-            self._strands |= strands_of(pair, source, target, self.style, outward, only)
+            self._strands |= strands_of(pair, source, target, self.style, True, only)
             return
         else:
-            shapes, reach = around(pair, source, target, self.style, self._obstacles, outward)
+            shapes, reach = around(pair, source, target, self.style, self._obstacles)
             self._keep(shapes)
         if work is not None and reach is not None:
             work.bent[pair.a, pair.b] = reach
@@ -244,7 +231,7 @@ class Geometry:
 
     def _route_small(self, former: Routing | None) -> None:
         drawn = dict(self._drawn)
-        work = self._work = Routing(self.picture, self.boxes, self._middle, self.style, drawn)
+        work = self._work = Routing(self.picture, self.boxes, self.style, drawn)
         if former is not None:
             held = FormerLines(former, work)
             self._former = held if held.fits else None
@@ -279,7 +266,7 @@ class Geometry:
             else:
                 self._plan(edge)
         boxes = [self.box(i) for i in range(len(self.picture))]
-        self._shapes |= in_lanes(passing, boxes, self._middle, self.style.unit, self._obstacles)
+        self._shapes |= in_lanes(passing, boxes, self.style.unit, self._obstacles)
         for one in passing:
             if one.edge not in self._shapes and one.edge not in self._strands:
                 self._plan(one.edge)
@@ -354,7 +341,7 @@ class Geometry:
         sizes = [self._label_size(edge) for edge in shapes]
         if self._places is None:
             self._places = self._fresh_places()
-        return labels.LabelChoice(shapes, sizes, self._places, self._lines, self.style.compact)
+        return labels.LabelChoice(shapes, sizes, self._places, self.style.compact)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
@@ -383,8 +370,11 @@ class Geometry:
                 if rect is not None:
                     places.take(rect)
             return
-        above = box.y > self._middle[1]
-        corner = loops.best_corner(box, sizes, above, places, self._lines)
+        # A line of other states that comes or goes must not move a loop.
+        lines = [e for e in at_state if picture.source[e] != picture.target[e]] * self.small
+        corner = loops.best_corner(
+            box, sizes, places, labels.LinePieces({e: self.shape(e) for e in lines})
+        )
         for rank, edge in enumerate(own):
             self._shapes[edge] = loops.arc(corner, box, rank, unit)
         stacked = loops.label_boxes(corner, sizes, unit)

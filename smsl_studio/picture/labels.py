@@ -1,7 +1,8 @@
 """Labels: the place of each label on its line, so that it covers no node and no other label.
 
 A label slides along its edge to a free place. Without one it is hidden until the edge is hovered,
-selected or lit. Pure geometry.
+selected or lit. It does not evade the lines of other edges: it would jump whenever one of them
+comes or goes, and people find an operation where they last saw it. Pure geometry.
 """
 
 from __future__ import annotations
@@ -17,15 +18,9 @@ from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
 """Left, top, right, bottom."""
-_AT_ONCE, _RECTS_AT_ONCE = 200, 4_000
-"""The number of labels that are compared with all lines at once, and the number of places that are
-compared with all nodes at once. They limit the memory.
-"""
+_RECTS_AT_ONCE = 4_000
+"""The number of places that are compared with all nodes at once. It limits the memory."""
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
-_MOST_OFTEN = 3
-"""The number of places of each label that are compared with the lines in advance, for all labels at
-once. Most labels take one of these.
-"""
 
 
 def meet(a: Rect, b: Rect) -> bool:
@@ -118,29 +113,6 @@ class LinePieces:
         counts: list[int] = self._covers(box, near[None]).sum(axis=1).tolist()
         return counts
 
-    def covered_by_each(
-        self, edges: Sequence[int], rects: Sequence[Rect], margin: float
-    ) -> list[tuple[int, int]]:
-        """Return for one rectangle of each edge the number of pieces of other lines that it covers,
-        and the same number for the rectangle with a margin.
-        """
-        inner, wide = np.zeros((2, len(rects)), dtype=np.intp)
-        own, box = np.array(edges, dtype=np.intp), np.array(rects).reshape(-1, 4)
-        wider = box + margin * np.array([-1.0, -1.0, 1.0, 1.0])
-        for first in range(0, len(rects), _AT_ONCE):
-            some = slice(first, first + _AT_ONCE)
-            one = wider[some, :, None]
-            near = self._high[:, 0] > one[:, 0]
-            near &= self._low[:, 0] < one[:, 2]
-            near &= self._high[:, 1] > one[:, 1]
-            near &= self._low[:, 1] < one[:, 3]
-            near &= self._owners != own[some, None]
-            label, piece = np.nonzero(near)
-            for counts, of in ((inner, box), (wide, wider)):
-                hit = self._covers(of[some][label], piece)
-                counts[some] = np.bincount(label[hit], minlength=len(near))
-        return list(zip(inner.tolist(), wide.tolist(), strict=True))
-
     def _near(self, low: Point, high: Point) -> NDArray[np.intp]:
         """Return the pieces of lines whose bounds overlap a rectangle."""
         near = self._high[:, 0] > low[0]
@@ -169,26 +141,15 @@ class LabelChoice:
         shapes: Mapping[int, EdgeShape],
         sizes: Sequence[tuple[float, float]],
         places: LabelPlaces,
-        lines: LinePieces,
         compact: bool,
     ) -> None:
-        self._places, self._lines, self._margin = places, lines, 4.0 * places.unit
-        self._found: dict[int, list[tuple[float, Rect]]] = {}
-        self._covered: dict[tuple[int, Rect], tuple[int, int]] = {}
+        self._places = places
+        self._found: dict[int, list[Rect]] = {}
         for some in candidates(shapes, sizes, places.unit, compact):
             free = some.fits.copy()
             free[free] = places.off_nodes(some.rects[free])
-            first: list[tuple[int, Rect]] = []
             for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
-                chosen = zip(some.costs[ok].tolist(), map(tuple, rects[ok].tolist()), strict=True)
-                own = self._found[edge] = list(chosen)
-                first += [(edge, rect) for _, rect in own[:_MOST_OFTEN]]
-            self._covered |= self._counted(first)
-
-    def _counted(self, of: Sequence[tuple[int, Rect]]) -> dict[tuple[int, Rect], tuple[int, int]]:
-        """Return for some places the number of pieces of lines that they cover."""
-        edges, rects = [edge for edge, _ in of], [rect for _, rect in of]
-        return dict(zip(of, self._lines.covered_by_each(edges, rects, self._margin), strict=True))
+                self._found[edge] = [(a, b, c, d) for a, b, c, d in rects[ok].tolist()]
 
     def knows(self, edge: int) -> bool:
         """Return whether the label of an edge may be asked for."""
@@ -196,27 +157,10 @@ class LabelChoice:
 
     def take(self, edge: int) -> Rect | None:
         """Take and return the best free place of one label, or None if there is none."""
-        best: tuple[float, Rect] | None = None
-        for cost, rect in self._found[edge]:
-            if best is not None and cost >= best[0]:
-                break
-            if not self._places.is_untaken(rect):
-                continue
-            inner, wide = self._covered.get((edge, rect)) or self._lines.covered(
-                edge, [rect, _wider(rect, self._margin)]
-            )
-            total = cost + inner * 0.6 + min(wide, 1) * 0.3
-            if best is None or total < best[0]:
-                best = total, rect
-        if best is None:
-            return None
-        self._places.take(best[1])
-        return best[1]
-
-
-def _wider(rect: Rect, margin: float) -> Rect:
-    left, top, right, bottom = rect
-    return left - margin, top - margin, right + margin, bottom + margin
+        found = next(filter(self._places.is_untaken, self._found[edge]), None)
+        if found is not None:
+            self._places.take(found)
+        return found
 
 
 def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:

@@ -4,22 +4,23 @@ geometry.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-
-import numpy as np
 
 from smsl_studio.picture.curves import TIP_GAP
 from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.obstacles import Obstacles
-from smsl_studio.picture.shape import EdgeShape, NodeBox, Point, rounded
+from smsl_studio.picture.shape import EdgeShape, NodeBox, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
 """Distances: from the row's border to the first lane, between lanes, between ends at one node, and
 the radius of corners.
 """
-LEAST = 6.0
-"""With less room than this before the next row, there are no lanes."""
+LEAST, ROOM, AMPLE = 6.0, 10.0, 200.0
+"""With less room than the first before the next row, there are no lanes. The second is the distance
+that lanes keep from that row. A row that is farther away than the third from the last lane changes
+nothing.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,25 +35,25 @@ class Passing:
 def in_lanes(
     passing: Sequence[Passing],
     boxes: Sequence[NodeBox],
-    middle: Point,
     unit: float,
     obstacles: Obstacles,
 ) -> dict[int, EdgeShape]:
     """Return the lines of edges that pass other nodes, in lanes outside their row.
 
-    The lanes of rows above ``middle`` run above their rows, those of other rows below. The lanes of
-    columns are left or right in the same way. Short edges get inner lanes, so that lanes do not
-    cross. An edge is not in the result if its row has no room for lanes, or if its lane would come
-    too near to a node.
+    Lanes run above their row, or below it if there is more room. The lanes of columns are left or
+    right in the same way. Short edges get inner lanes, so that lanes do not cross. An edge is not
+    in the result if it has no room for lanes, or if its lane would come too near to a node. Lanes
+    depend only on those beside them and on the nodes that they pass.
     """
     shapes: dict[int, EdgeShape] = {}
     for key in sorted({_row(p, boxes) for p in passing}):
-        row = [p for p in passing if _row(p, boxes) == key]
-        lanes = _row_lanes(row, boxes, middle, unit, key[0] == "column")
-        for p in row:
-            lane = lanes.get(p.edge)
-            if lane and all(obstacles.keep_clear([lane.points], GAP * unit, (p.source, p.target))):
-                shapes[p.edge] = lane
+        column = key[0] == "column"
+        for group in _groups([p for p in passing if _row(p, boxes) == key], boxes, column):
+            lanes = _lanes(group, boxes, unit, column)
+            for p in group:
+                lane, ends = lanes.get(p.edge), (p.source, p.target)
+                if lane and all(obstacles.keep_clear([lane.points], GAP * unit, ends)):
+                    shapes[p.edge] = lane
     return shapes
 
 
@@ -61,29 +62,48 @@ def _row(p: Passing, boxes: Sequence[NodeBox]) -> tuple[str, float]:
     return ("row", round(a.y)) if abs(a.y - b.y) <= 1.0 else ("column", round(a.x))
 
 
-def _row_lanes(
-    row: Sequence[Passing], boxes: Sequence[NodeBox], middle: Point, unit: float, column: bool
+def _groups(
+    row: Sequence[Passing], boxes: Sequence[NodeBox], column: bool
+) -> Iterator[list[Passing]]:
+    """Yield the edges of a row that pass the same nodes or meet at a node."""
+
+    def span(p: Passing) -> tuple[float, float]:
+        low, high = sorted(_turned(boxes[i], column).x for i in (p.source, p.target))
+        return low, high
+
+    group: list[Passing] = []
+    end = 0.0
+    for p in sorted(row, key=span):
+        low, high = span(p)
+        if group and low > end:
+            yield group
+            group = []
+        end = max(end, high) if group else high
+        group.append(p)
+    if group:
+        yield group
+
+
+def _lanes(
+    group: Sequence[Passing], boxes: Sequence[NodeBox], unit: float, column: bool
 ) -> dict[int, EdgeShape]:
-    """Return the lanes of one row. A column is a row with x and y exchanged."""
-    box = {i: _turned(boxes[i], column) for p in row for i in (p.source, p.target)}
-    centre = middle[0] if column else middle[1]
+    """Return the lanes of a group. A column is a row with x and y exchanged."""
+    box = {i: _turned(boxes[i], column) for p in group for i in (p.source, p.target)}
     line = next(iter(box.values())).y
-    outward = -1.0 if line <= centre else 1.0
-    levels = _levels(row, box)
-    slots = _slots(row, box, levels, unit)
+    levels = _levels(group, box)
+    slots = _slots(group, box, levels, unit)
     half = max(b.h for b in box.values())
+    first, step = FIRST * unit, STEP * unit
+    wanted = first + max(levels.values()) * step
     # In a layout of several rows the lanes must not reach the next row.
-    room = _room(line, half, outward, boxes, column)
-    step = STEP * unit
-    first = FIRST * unit
-    deepest = max(levels.values())
-    if room is not None and room < LEAST * unit:
+    above, below = _rooms(box, wanted + AMPLE * unit, boxes, unit, column)
+    outward, room = (-1.0, above) if above >= below else (1.0, below)
+    if room < LEAST * unit:
         return {}
-    if room is not None and first + deepest * step > room:
-        squeeze = room / (first + deepest * step)
-        first, step = first * squeeze, step * squeeze
+    squeeze = min(1.0, room / wanted)
+    first, step = first * squeeze, step * squeeze
     shapes: dict[int, EdgeShape] = {}
-    for p in row:
+    for p in group:
         a, b = box[p.source], box[p.target]
         depth = half + first + step * levels[p.edge]
         start_x, end_x = slots[p.edge]
@@ -102,16 +122,27 @@ def _turned(box: NodeBox, column: bool) -> NodeBox:
     return NodeBox(box.y, box.x, box.h, box.w, box.radius) if column else box
 
 
-def _room(
-    line: float, half: float, outward: float, boxes: Sequence[NodeBox], column: bool
-) -> float | None:
-    """Return the free depth between a row and the nodes of the next row, None if there is no next
-    row.
+def _rooms(
+    row: dict[int, NodeBox],
+    most: float,
+    boxes: Sequence[NodeBox],
+    unit: float,
+    column: bool,
+) -> tuple[float, float]:
+    """Return the free depth above and below some nodes of a row, to the next node beside them. It
+    is never told to be more than ``most``.
     """
-    at = np.array([(b.x, b.w) if column else (b.y, b.h) for b in boxes])
-    beyond = (at[:, 0] - line) * outward
-    others = beyond[beyond > half] - at[beyond > half, 1]
-    return float(others.min() - half - 10.0) if len(others) else None
+    line, half = next(iter(row.values())).y, max(b.h for b in row.values())
+    low, high = min(b.x - b.w for b in row.values()), max(b.x + b.w for b in row.values())
+    found = [most, most]
+    for one in boxes:
+        other = _turned(one, column)
+        if low < other.x + other.w and other.x - other.w < high:
+            away = other.y - line
+            if abs(away) > half:
+                side = int(away > 0.0)
+                found[side] = min(found[side], abs(away) - other.h - half - ROOM * unit)
+    return found[0], found[1]
 
 
 def _levels(row: Sequence[Passing], box: dict[int, NodeBox]) -> dict[int, int]:

@@ -53,18 +53,15 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
 def best_corner(
     box: NodeBox,
     sizes: list[tuple[float, float]],
-    above: bool,
     places: LabelPlaces,
     lines: LinePieces,
 ) -> Corner:
     """Return the corner at which a node's loops and their labels cover least. ``sizes`` has the
-    size of each label. ``above`` says that corners at the top come first.
+    size of each label, ``lines`` the other lines of the node.
     """
-    unit, names = places.unit, CORNERS
-    if above:
-        names = ("top right", "bottom right", *names[2:])
+    unit = places.unit
     best: tuple[float, Corner] | None = None
-    for order, name in enumerate(names):
+    for order, name in enumerate(CORNERS):
         corner = corner_of(name, box, len(sizes), unit)
         rects = label_boxes(corner, sizes, unit)
         reach = corner.radius + unit

@@ -26,7 +26,6 @@ from smsl_studio.picture.shape import EdgeShape, NodeBox, rounded
 
 FULL = LineStyle()
 COMPACT = LineStyle(compact=True)
-OUT = (0.0, -1.0)
 
 
 def box(x: float, y: float) -> NodeBox:
@@ -36,8 +35,8 @@ def box(x: float, y: float) -> NodeBox:
 def lines(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, only: int | None = None
 ) -> dict[int, EdgeShape]:
-    """The lines between two states, where ``OUT`` is the way out."""
-    return shapes_of(strands_of(pair, source, target, style, OUT, only), style)
+    """The lines between two states without another node in their way."""
+    return shapes_of(strands_of(pair, source, target, style, True, only), style)
 
 
 def rows(*boxes: NodeBox) -> np.ndarray:
@@ -105,7 +104,7 @@ def test_a_way_around_a_node_meets_none() -> None:
     a, b, between = box(0, 0), box(400, 200), box(200, 100)
     boxes = rows(a, b, between)
     assert meets(np.array([[0.0, 0.0], [400.0, 200.0]]), boxes, (0, 1), 6.0)
-    shapes = around(Between(0, 1, (0,), (1,)), a, b, FULL, Obstacles(boxes), OUT).shapes
+    shapes = around(Between(0, 1, (0,), (1,)), a, b, FULL, Obstacles(boxes)).shapes
     for shape in shapes.values():
         assert not meets(shape.points, boxes, (0, 1), 0.0)
 
@@ -113,7 +112,7 @@ def test_a_way_around_a_node_meets_none() -> None:
 def test_lanes_nest_outside_their_row() -> None:
     boxes = [box(x, 0) for x in (0, 218, 436, 654)] + [box(0, 172)]
     passing = [Passing(0, 3, 0), Passing(1, 0, 3), Passing(2, 2, 0), Passing(3, 1, 3)]
-    shapes = in_lanes(passing, boxes, (327.0, 86.0), 1.0, Obstacles(rows(*boxes)))
+    shapes = in_lanes(passing, boxes, 1.0, Obstacles(rows(*boxes)))
     tops = {e: float(shape.points[:, 1].min()) for e, shape in shapes.items()}
     assert tops[3] == pytest.approx(-27.0 - FIRST)
     assert sorted(tops.values()) == pytest.approx([-27 - FIRST - STEP * i for i in (3, 2, 1, 0)])
@@ -129,13 +128,13 @@ def test_lanes_nest_outside_their_row() -> None:
 
 def test_lanes_of_the_lower_row_pass_below() -> None:
     boxes = [box(x, 172) for x in (0, 218, 436)] + [box(0, 0)]
-    shapes = in_lanes([Passing(0, 0, 2)], boxes, (218.0, 86.0), 1.0, Obstacles(rows(*boxes)))
+    shapes = in_lanes([Passing(0, 0, 2)], boxes, 1.0, Obstacles(rows(*boxes)))
     assert shapes[0].points[:, 1].max() == pytest.approx(172 + 27 + FIRST)
 
 
 def test_lanes_of_a_column_pass_beside_it() -> None:
     boxes = [box(0, y) for y in (0, 172, 344)] + [box(400, 0)]
-    shapes = in_lanes([Passing(0, 0, 2)], boxes, (200.0, 172.0), 1.0, Obstacles(rows(*boxes)))
+    shapes = in_lanes([Passing(0, 0, 2)], boxes, 1.0, Obstacles(rows(*boxes)))
     assert shapes[0].points[:, 0].min() == pytest.approx(-54 - FIRST)
 
 
@@ -174,12 +173,14 @@ def test_a_cut_is_as_long_as_it_says(points: list[tuple[float, float]]) -> None:
 
 
 def test_a_row_without_room_before_the_next_one_has_no_lanes() -> None:
-    boxes = [box(0, 100), box(200, 100), box(400, 100), box(200, 44), box(200, 400)]
-    assert in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0, Obstacles(rows(*boxes))) == {}
+    boxes = [box(0, 100), box(200, 100), box(400, 100), box(200, 44), box(200, 156)]
+    assert in_lanes([Passing(0, 0, 2)], boxes, 1.0, Obstacles(rows(*boxes))) == {}
     boxes[3] = box(200, -200)
-    assert list(
-        in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0, Obstacles(rows(*boxes)))
-    ) == [0]
+    above = in_lanes([Passing(0, 0, 2)], boxes, 1.0, Obstacles(rows(*boxes)))
+    assert above[0].points[:, 1].min() < 73.0, "there is room above"
+    boxes[3:] = [box(200, 44), box(200, 400)]
+    below = in_lanes([Passing(0, 0, 2)], boxes, 1.0, Obstacles(rows(*boxes)))
+    assert below[0].points[:, 1].max() > 127.0, "there is room below"
 
 
 def test_of_very_many_lines_between_two_states_none_is_sought_among_the_others() -> None:
