@@ -1,9 +1,8 @@
-"""1,000 random edits of 50 drawings, each followed by a tidy drawing: how far states move that no
-edit touched.
+"""How far states move that an edit did not touch, when the drawing is tidied after the edit.
 
-The median of an edit is that of its untouched states. The figure is the median over all edits, and
-the share of edits whose median is at most 40 pixels. A drawing that is always laid out anew is
-given for comparison.
+There are 1,000 random edits of 50 drawings. Each edit gives the median over its untouched states.
+The figures are the median over all edits, and the share of edits with at most 40 pixels. A drawing
+that is always laid out anew stands beside them for comparison.
 """
 
 from __future__ import annotations

@@ -293,8 +293,9 @@ class _Binder:
 def texts_read(
     blueprint: Blueprint, entry: SensorEntry, branch: str, digit: int
 ) -> dict[str, str] | None:
-    """Return the texts in the pattern of the fact that a sensor declares to read, or None if that
-    is not this fact."""
+    """Return the texts that stand for the fields of a sensor's ``fact`` pattern for this fact. It
+    is None if the sensor declares another fact.
+    """
     if not entry.fact.text:
         return None
     if "/" in entry.fact.text:

@@ -1,7 +1,7 @@
-"""What the plugins bind by names alone: functions to operations, sensors to facts.
+"""The functions and sensors of plugins that are bound by names alone.
 
-Nothing of a plugin runs for it, and no world is chosen yet. So only those plugins count that have a
-function for at least half of the operations of an SB.
+No world is chosen yet, and no code of a plugin runs for the answer. So a plugin counts only if it
+has a function for at least half of the operations of an SB.
 """
 
 from __future__ import annotations

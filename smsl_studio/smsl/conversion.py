@@ -31,8 +31,9 @@ def convert(document: Document, form: str, file: str) -> Converted:
 
 
 def converted(document: Document, form: str, file: str) -> Converted:
-    """Like ``convert``, but of a key that is written twice only the last value is written, which
-    counts."""
+    """Convert like ``convert``. Of a key that is written twice, only the last value is written,
+    because that value counts.
+    """
     if form == document.form:
         return Converted(replace(document, file=file))
     said = form_named(document.form).comments_in(document)

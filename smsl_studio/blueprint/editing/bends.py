@@ -64,8 +64,9 @@ def place_label(
 def straighten(
     blueprint: Blueprint, branch: str, states: Collection[str] | None = None
 ) -> Blueprint:
-    """Draw all lines and labels of an SB as if nobody had bent or moved them. With ``states``, only
-    those of operations that leave or enter one of these.
+    """Remove the bends of all lines of an SB, and the places of labels that were moved by hand.
+
+    With ``states``, only the operations from or to one of these states change.
     """
     table = branch_of(blueprint, branch).table
     draft = Draft(blueprint)

@@ -1,4 +1,4 @@
-"""States whose facts stand in ``_states``: a new state beside them gets its facts there, too."""
+"""Facts for a new state in ``_states``, if all other states have their facts there."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ _TRIES = 4096
 def give_facts(before: Blueprint, after: Blueprint) -> Blueprint:
     """Return ``after`` in which new states have facts in ``_states`` if all others had them there.
 
-    They get the first combination of values that no other state has. Without it the names of all
-    states would be read as facts, and the facts that were given would not count any more.
+    A new state gets the first combination of values that no other state has. If it had none, the
+    facts of all states would be read from their names, and ``_states`` would not count any more.
     """
     for branch in after:
         former = before.branches.get(branch.name)

@@ -64,7 +64,7 @@ def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None
 
 
 def levels_carried(draft: Draft, carried: Mapping[Names, Names]) -> None:
-    """Give edges with a new name the level of their former name, if nothing says another one.
+    """Give edges with a new name the level of their former name, unless they have another one.
 
     The keys are the edges (SB, state, operation) after the edit, the values their former names
     (SB, operation). ``levels_follow`` comes first.

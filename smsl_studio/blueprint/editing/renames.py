@@ -228,9 +228,9 @@ def _notes_follow(
 ) -> None:
     """Let ``_operations`` follow when the edges ``old`` of some states get a name.
 
-    ``whole`` says that no other edge keeps the old name or has the new one. Then the entry of the
-    name follows too. Otherwise its words are written for each edge alone, but for those that the
-    entry of the new name says itself.
+    ``whole`` is true if no other edge keeps the old name or has the new one. Then the entry of the
+    name gets the new name, too. Otherwise its keys are written for each edge alone, except those
+    that the entry of the new name has itself.
     """
     former, named = notes.get(note_key(old)), notes.get(note_key(new))
     if whole and named is None:
@@ -248,8 +248,8 @@ def _notes_follow(
 
 
 def replaced_words(former: Json, named: Json) -> tuple[dict[str, Json], tuple[str, ...]]:
-    """Return what an edge takes along from the entry of its former name, and the words for which
-    the entry of its new name says something else."""
+    """Return the keys that an edge keeps from the entry of its former name, with their values, and
+    the keys that have another value in the entry of its new name."""
     before: dict[str, Json] = former if isinstance(former, dict) else {}
     said: dict[str, Json] = named if isinstance(named, dict) else {}
     carried = {word: value for word, value in before.items() if word not in said}

@@ -1,4 +1,4 @@
-"""What a person can do about a run that holds because the world stands elsewhere."""
+"""Advice for a run that holds because no configuration agrees with the world."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ ADVICE = (
 
 
 def hold_advice(status: DispatchStatus) -> str:
-    """Return an advice for a run that holds on facts that read otherwise, in a scene that agrees
-    with no configuration. It is empty for every other run.
+    """Return an advice for a run that holds because the facts agree with no configuration.
 
-    Such a hold follows a stop in the middle of an operation, for example with a disk in the air.
-    The operation is not carried on, and no operation begins in a state that does not check true.
+    It is empty for every other run. Such a hold follows a stop in the middle of an operation, for
+    example with a disk in the air. The run does not finish that operation. No other operation
+    begins, because the check of its state is false.
     """
     if status.phase != "fault_hold" or status.candidates or status.check is None:
         return ""

@@ -70,7 +70,7 @@ class Tabs(QWidget):
         self._top.addWidget(button)
 
     def show_pages(self, shown: bool) -> None:
-        """Show the panels below the tabs, or the tabs alone. The focus goes to the tabs then."""
+        """Show the panels below the tabs, or the tabs alone. Tabs alone get the focus."""
         focus = QApplication.focusWidget()
         if not shown and focus is not None and self._pages.isAncestorOf(focus):
             self.bar.setFocus()

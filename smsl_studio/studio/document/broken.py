@@ -77,8 +77,8 @@ def under_name(
 ) -> tuple[Blueprint, Broken | None]:
     """The same blueprint and broken text, after the blueprint's own file was saved as ``file``.
 
-    The new name may stand for another form and another folder (see ``stepped``). A text that the
-    form cannot express is shown as a broken one, so nothing of it is lost.
+    The new name may mean another form and another folder (see ``stepped``). If the form cannot
+    express a text, the text is shown as a broken one, so that nothing of it is lost.
     """
     if blueprint.file == file:
         return blueprint, broken

@@ -38,9 +38,10 @@ def moved(document: Document, path: Path, whole: bool = True) -> Moved:
 def stepped(document: Document, path: Path) -> Document:
     """The document of an older step, after the file was saved under another name.
 
-    The form may not hold a key that is written twice. The last value counts, so it is kept alone,
-    and the step means the same as before. An import that is not allowed from the new folder keeps
-    its name; the findings tell it. Raises ConvertError if the form cannot express a value.
+    Of a key that is written twice only the last value is kept, if the form has no such keys. This
+    is the value that counts, so the step means the same as before. An import that is not allowed
+    from the new folder keeps its name, and a finding says so. ConvertError is raised if the form
+    cannot express a value.
     """
     with suppress(ConvertError):
         document = relocated(document, path)

@@ -68,7 +68,7 @@ class HoldCard(QFrame):
 
     @property
     def advice(self) -> str:
-        """What helps; empty if there is nothing to say."""
+        """The advice of the card. It is empty if there is none."""
         return "" if self.isHidden() else self._advice.text()
 
     def buttons(self) -> list[QPushButton]:

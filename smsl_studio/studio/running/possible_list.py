@@ -132,8 +132,8 @@ class PossibleList(QScrollArea):
             column.addWidget(empty)
         column.addStretch(1)
         if focused is not None:
-            # Without this the focus would be deleted with its button, and a person at the keys
-            # would begin at the start of the window after every step.
+            # The list keeps the focus while its buttons are made again. Otherwise Tab would begin
+            # at the start of the window after every step.
             self.setFocus()
         self.setWidget(inner)
         self.verticalScrollBar().setValue(bar)
@@ -143,7 +143,7 @@ class PossibleList(QScrollArea):
     def _focused(self) -> str | None:
         """The accessible name of the button with the focus.
 
-        It is empty if something else of the rows has it, and None if nothing of them has it.
+        It is empty if another part of the rows has the focus, and None if no part of them has it.
         """
         inner, focus = self.widget(), QApplication.focusWidget()
         if inner is None or focus is None or not inner.isAncestorOf(focus):

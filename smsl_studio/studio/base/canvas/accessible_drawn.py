@@ -59,7 +59,7 @@ class DrawnAccessible(LeafAccessible):
         return QAccessible.Role.Note if self.key.kind == "note" else QAccessible.Role.Grouping
 
     def state(self) -> QAccessible.State:
-        """Whether it is selected, and whether its canvas is shown."""
+        """The flags: whether the note or group is selected, and whether its canvas is shown."""
         found, canvas = QAccessible.State(), self._canvas
         found.invisible = canvas is None or not canvas.isVisible()
         found.selectable = True

@@ -1,4 +1,4 @@
-"""The accessible interfaces of what is drawn on a canvas, and of what has nothing inside."""
+"""The accessible interfaces that the parts of a canvas share, with and without children."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from PySide6.QtGui import QAccessible, QAccessibleInterface
 
 
 class PartAccessible(QAccessibleInterface):
-    """An interface without a Qt object. Subclasses say what is read out and what is inside."""
+    """An interface without a Qt object. Subclasses give the words and the children."""
 
     def __init__(self, parent: QAccessibleInterface) -> None:
         super().__init__()

@@ -21,7 +21,7 @@ from smsl_studio.studio.base.theme import Tokens
 TOP = 40
 """The height at the top that is kept free for the breadcrumb (pixels)."""
 RIM = 8
-"""The pixels that are left beside an element that was scrolled to."""
+"""The free room beside an element after the view was scrolled to it (pixels)."""
 
 
 class BranchView(DrawnStage):
@@ -157,14 +157,14 @@ class BranchView(DrawnStage):
         self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
     def reveal(self, address: Address, smooth: bool = True) -> None:
-        """Scroll to a state or operation, as far as it takes to see it whole. The zoom stays."""
+        """Scroll until a state or operation is wholly in view, and no farther. The zoom stays."""
         rect = self.rect_of(address)
         if rect is not None:
             self.camera.finish()
             self._scroll_to(rect, self._whole_view, smooth)
 
     def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
-        """Scroll as far as it takes to see a state at a scene point whole. The zoom stays."""
+        """Scroll until a state at a scene point is wholly in view, no farther. The zoom stays."""
         self.camera.finish()
         if not self.clear_view.contains(at):
             across, down = FULL_SIZE
@@ -173,7 +173,7 @@ class BranchView(DrawnStage):
 
     @property
     def _whole_view(self) -> QRectF:
-        """The visible part of the scene without a rim and without what floats at the top."""
+        """The visible part of the scene, without a rim and without the parts that float on it."""
         view = self.viewport().rect().adjusted(RIM, self.top_room(), -RIM, -RIM)
         return self.mapToScene(view).boundingRect()
 
@@ -230,9 +230,9 @@ class BranchView(DrawnStage):
 
 
 def _way(first: float, last: float, low: float, high: float) -> float:
-    """How far a view from ``low`` to ``high`` must move to show ``first`` to ``last``.
+    """The way that a view from ``low`` to ``high`` must move to show ``first`` to ``last``.
 
-    What is longer than the view is shown around its middle.
+    If they do not fit into the view, their middle gets to the middle of the view.
     """
     if last - first > high - low:
         first = last = (first + last) / 2

@@ -293,8 +293,10 @@ class Canvas(BranchView):
         self.hand.left()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        """Show the tooltip of what is hovered, which the viewport has. A graphics view would ask
-        only its items for one. That of a state is shown below it.
+        """Show the tooltip of the state or operation under the pointer.
+
+        The viewport has its text, because a graphics view would ask only its items. The tooltip of
+        a state is shown below the state.
         """
         if not isinstance(event, QHelpEvent) or event.type() != QEvent.Type.ToolTip:
             return super().viewportEvent(event)

@@ -72,7 +72,7 @@ class DrawnSheet:
         return written if self._members is None else self._members
 
     def put_members(self, members: Members | None) -> None:
-        """Show other states in the groups, during a drag; None shows those that are written."""
+        """Show other states in the groups during a drag. None shows those of the blueprint."""
         written = self.parts.members
         self._members = members
         pairs = enumerate(zip(self.members, written, strict=True))

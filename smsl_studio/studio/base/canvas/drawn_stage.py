@@ -30,8 +30,8 @@ class DrawnStage(Stage):
     def drawn_at(self, at: QPointF) -> DrawnKey | None:
         """The note or the title of a group at a scene point.
 
-        Nodes lie above both. Names of operations and what is highlighted lie above titles, and
-        lines below the words of a title. None if something else is on top.
+        It is None if something else lies above it. Nodes lie above notes and titles. Labels and
+        everything that is highlighted lie above titles. Lines lie below the words of a title.
         """
         sheet = self.sheet
         if sheet is None or not sheet.drawn or sheet.state_at(at.x(), at.y()) >= 0:
@@ -60,7 +60,7 @@ class DrawnStage(Stage):
         self.update_drawn(key)
 
     def show_members(self, members: Members | None) -> None:
-        """Show other states in the groups during a drag; None shows those that are written."""
+        """Show other states in the groups during a drag. None shows those of the blueprint."""
         sheet = self.sheet
         if sheet is None or not sheet.drawn:
             return

@@ -221,7 +221,9 @@ class DragStates:
             self._drop()
 
     def _drop(self) -> None:
-        """Route again where the states stand now, with the groups as they are written."""
+        """Route all lines again at the present places of the states. The groups have the states of
+        the blueprint again.
+        """
         self._canvas.show_members(None)
         self._hand.hush()
         self._canvas.settle()

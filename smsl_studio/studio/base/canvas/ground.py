@@ -1,4 +1,4 @@
-"""Ground: the background of a canvas, that is all that has no highlight, from the dots upwards."""
+"""Ground: the background of a canvas. It is everything without a highlight, and the grid."""
 
 from __future__ import annotations
 
@@ -29,9 +29,10 @@ class Ground:
         near: frozenset[int],
         whole: bool,
     ) -> bool:
-        """Take the visible part of the scene, and the states in it that have an item.
+        """Note the visible part of the scene, and the states in it that have an item.
 
-        ``whole`` says that all states in view have one. Returns whether all must be painted anew.
+        ``whole`` is true if all states in view have one. Returns whether everything must be painted
+        anew.
         """
         other = self.edges.look_at(sheet, view)
         return self.far_nodes.look_at(sheet, view, near, whole) or other

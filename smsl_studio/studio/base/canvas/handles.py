@@ -11,7 +11,7 @@ from smsl_studio.studio.base.canvas.sheet import Sheet
 OUT = 6.0
 """Distance from the node's border to the middle of a handle (pixels)."""
 RIM = 1 / 18
-"""The share of a node's shorter side, at its border, that a handle takes: 3 of 54 pixels."""
+"""A handle takes presses in a rim of this share of the node's shorter side: 3 of 54 pixels."""
 
 
 def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
@@ -44,7 +44,8 @@ def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
 def takes(view: QGraphicsView, sheet: Sheet, state: int, handle: QPointF, at: QPointF) -> bool:
     """Whether a press at a scene point takes the handle of a state. Otherwise it moves the state.
 
-    A handle lies outside the node. Inside it takes only a rim, so that small nodes can be moved.
+    A handle lies outside the node. Inside the node it takes presses only in a thin rim, so that
+    small nodes can still be moved.
     """
     (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves(state).tolist()
     deep = min(w - abs(at.x() - x), h - abs(at.y() - y))

@@ -18,8 +18,8 @@ from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.tips import tip_text
 
 REACH = 15.0
-"""How far outside a node the pointer still counts as on it (pixels), so that it can reach the
-handle."""
+"""A pointer at most this far outside a node counts as on it (pixels). So it can reach the handle.
+"""
 GRIP = 10.0
 """A press within this distance of its arrowhead takes an operation by its end (pixels)."""
 CLEAR = 32.0
@@ -27,13 +27,13 @@ CLEAR = 32.0
 
 
 class Hover:
-    """What is under the pointer: highlighted, with the handle of a state, and told by a tooltip."""
+    """Highlights the state or operation under the pointer, and shows its handle and its tooltip."""
 
     def __init__(self, canvas: BranchView, overlays: Overlays, line: LineHandles) -> None:
         self._canvas, self._overlays, self._line = canvas, overlays, line
 
     def look(self, at: QPointF) -> None:
-        """Update what is hovered, with its handle and tooltip, at a point of the view (pixels)."""
+        """Find the state or operation at a point of the view (pixels), and show it as hovered."""
         canvas, sheet = self._canvas, self._canvas.sheet
         if sheet is None:
             return
@@ -69,7 +69,8 @@ class Hover:
     def _is_at_arrow(self, sheet: Sheet, point: QPointF) -> bool:
         """Whether the pointer has come along the line of an operation to its arrowhead.
 
-        There also lies the handle of the target, for those who come from the state.
+        The handle of the target lies at the same place. It is for a pointer that comes from the
+        target.
         """
         edge = sheet.looks.hovered_edge
         if edge < 0 or not self._canvas.editing or edge != sheet.edge_at(point.x(), point.y()):

@@ -60,8 +60,8 @@ class Membership:
     def changes(self, now: Members) -> dict[str, tuple[str, ...]]:
         """The names of the states in the groups that gain or lose some, by the key of the group.
 
-        Groups that only lose states are first, because a state that gets into a group leaves the
-        others by itself.
+        Groups that only lose states come first. A state that gets into a group leaves its other
+        groups by that edit.
         """
         names = self._sheet.picture.names
         found = [
@@ -72,7 +72,9 @@ class Membership:
         return {key: states for _, key, states in sorted(found)}
 
     def words(self, now: Members) -> str:
-        """What a drop would change, such as "State110 out of One fact missing"; else empty."""
+        """The words about a drop, such as "State110 out of One fact missing". They are empty if the
+        drop changes no group.
+        """
         said: list[str] = []
         for title, before, after in zip(self._titles, self._before, now, strict=True):
             come, gone = np.setdiff1d(after, before), np.setdiff1d(before, after)

@@ -10,11 +10,11 @@ from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 STEP, RINGS = 24.0, 24
 """The distance between the places that are tried around a note, and how many to each side."""
 GAP = 4.0
-"""The least room between a note and what it leaves free (scene units)."""
+"""The smallest distance between a note and anything else (scene units)."""
 MOST_NOTES = 300
-"""Of more notes all stay where they are."""
+"""If there are more notes, none is moved."""
 ZOOMS = (1.0, 0.5)
-"""Labels lie elsewhere where states are compact, so notes leave free where they lie at both."""
+"""The zooms at which a note must cover no label. Labels of compact states stand elsewhere."""
 
 
 def notes_in_room(sheet: Sheet) -> dict[str, Position]:
@@ -55,7 +55,7 @@ def _ways() -> Floats:
 
 
 def _around(sheet: Sheet, zoom: float, notes: Floats) -> Floats:
-    """The nodes, labels and titles of groups at a zoom within reach of notes, (n, 4)."""
+    """The rectangles of nodes, labels and titles of groups near notes at a zoom, (n, 4)."""
     sheet.set_zoom(zoom)
     reach, half, drawn = STEP * RINGS, sheet.halves(), sheet.drawn
     left, top = notes[:, :2].min(axis=0) - reach

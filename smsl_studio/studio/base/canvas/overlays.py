@@ -119,8 +119,9 @@ class Overlays:
         self._place_legend()
 
     def _place_breadcrumb(self) -> None:
-        """Put the breadcrumb where it covers nothing: in the upper left corner, there without the
-        numbers behind the path, or in the lower one."""
+        """Put the breadcrumb into the upper left corner. If it would cover something there, the
+        numbers behind the path are left out. If it still would, it goes to the lower left corner.
+        """
         crumb, canvas = self.breadcrumb, self._canvas
         corner, foot = QPoint(EDGE, 10), QPoint(EDGE, canvas.height() - 26 - EDGE)
         for at, brief in ((corner, False), (corner, True), (foot, False), (foot, True)):

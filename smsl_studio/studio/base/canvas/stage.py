@@ -64,7 +64,7 @@ class Stage(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
-        # Qt keeps and scrolls what has no highlight, and repaints only what was invalidated.
+        # Qt keeps a picture of the background and scrolls it. It repaints only invalidated parts.
         self.setCacheMode(QGraphicsView.CacheModeFlag.CacheBackground)
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
@@ -363,7 +363,7 @@ class Stage(QGraphicsView):
         self.viewport().update()
 
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
-        """Paint all that has no highlight."""
+        """Paint everything that has no highlight."""
         area = QRectF(rect)  # type: ignore[arg-type]
         self.ground.paint(painter, area, self._ink.tokens, self.zoom, self._sheet)
 
@@ -371,7 +371,8 @@ class Stage(QGraphicsView):
         """Scroll, give items to the nodes that came into view, and emit ``view_moved``."""
         super().scrollContentsBy(dx, dy)
         if not self.devicePixelRatioF().is_integer():
-            # At a scale such as 1.5 Qt scrolls by whole pixels, and strips of the old view stay.
+            # At a scale such as 1.5 Qt scrolls by whole pixels, so strips of the old view would
+            # stay on the screen.
             self._repaint()
         if self._ready:
             self.refresh_pool()

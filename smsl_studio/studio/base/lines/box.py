@@ -16,8 +16,7 @@ HIGH = 62
 def keeps(event: QKeyEvent) -> bool:
     """Whether a key ends a text of several lines and keeps it: Ctrl+Enter, or Escape.
 
-    Escape keeps what was typed, because a text is longer work than a name; undo brings the former
-    one back.
+    Escape keeps what was typed, because a long text is much work. Undo brings the former text back.
     """
     held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)

@@ -13,7 +13,9 @@ from smsl_studio.studio.base.overlays.name_line import complain, error_label
 from smsl_studio.studio.base.theme import Tokens
 
 KEEPS = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
-"""The field loses the keyboard to a menu or to another window: the person comes back."""
+"""The reasons for a loss of the keyboard focus that do not close the card: a menu or another window
+is open, and the person will come back to the field.
+"""
 
 WIDE = 230
 """The least width of a card with a reason (pixels)."""
@@ -48,11 +50,11 @@ class TextCard(PassingCard):
         return False
 
     def settle(self) -> None:
-        """Take a changed text over, or close the card."""
+        """Accept the text if it was changed. Otherwise close the card."""
         raise NotImplementedError
 
     def take(self, text: str) -> bool:
-        """Take a text over and close the card. If it is refused, show why and return False."""
+        """Accept a text and close the card. If it is refused, show why and return False."""
         if self._closing:
             return True
         reason = self._commit(text)

@@ -54,7 +54,7 @@ class NodeLook:
     """What a comparison tells: ``+``, ``-`` or ``~``."""
     facts: tuple[tuple[int, str], ...] = field(default=())
     mark_shift: float = 0.0
-    """How far below the middle the mark of an initial state stands (mark pixels)."""
+    """The distance of the initial state's mark below the middle of the node (mark pixels)."""
 
     @property
     def lit(self) -> bool:

@@ -1,1 +1,1 @@
-"""The map of branches: all SBs of the file as cards, and which fact leads to which sub-SB."""
+"""The map of branches: a card for each SB of the file, and a line from each fact to its sub-SB."""

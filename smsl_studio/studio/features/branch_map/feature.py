@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class BranchMapFeature(Feature):
-    """Shows the map in a window of its own, made when it is asked for."""
+    """Shows the map in a window of its own. The window is made when it is first opened."""
 
     def __init__(self, parts: WindowParts, shell: Shell) -> None:
         self._parts, self._shell, self._tokens = parts, shell, parts.tokens

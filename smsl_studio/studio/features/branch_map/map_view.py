@@ -118,7 +118,9 @@ class BranchCard(QAbstractButton):
 
 
 class MapView(QWidget):
-    """The whole map at its size. The keys go from card to card, Space or Enter goes in."""
+    """The whole map at its full size. The arrow keys go from card to card. Space or Enter shows the
+    SB of a card.
+    """
 
     chosen = Signal(str)
     """The name of an SB whose card was clicked."""

@@ -1,4 +1,4 @@
-"""The window of the map: cards to scroll over. A click on one goes into its SB."""
+"""The window of the map. It can be scrolled. A click on a card shows the SB in the drawing."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SIZE = 900, 640
 
 
 class MapWindow(QDialog):
-    """A window over ``parent``, so that both can be used. Esc closes it, and so does a choice."""
+    """A window above ``parent``. Both can be used. It closes with Esc and when an SB is chosen."""
 
     branch_wanted = Signal(str)
     """The name of an SB: show it."""
@@ -62,7 +62,7 @@ class MapWindow(QDialog):
         self.view.set_tokens(tokens)
 
     def _follow(self) -> None:
-        """Show what an edit or another file changed. The place of the scroll bars stays."""
+        """Show the map after an edit or for another file. The scroll bars stay where they are."""
         if self.isVisible():
             bars = self.area.horizontalScrollBar(), self.area.verticalScrollBar()
             place = QPoint(*(bar.value() for bar in bars))

@@ -335,8 +335,8 @@ class DrawFeature(Feature):
         menu.popup(self._shell.corner_below("align"))
 
     def _offer_samples(self) -> None:
-        """Open the menu of the samples. The hint also stands in an empty SB of a drawing, and a
-        sample must not take the place of that."""
+        """Open the menu of the samples. No sample is opened at once, because the hint also stands
+        in an empty SB of a drawing, and the sample would replace that drawing."""
         files, menu = self._parts.files, passing_menu(self._parts.window)
         drawn = any(branch.table for branch in self._parts.session.blueprint)
         here = files.is_draft and not drawn

@@ -33,8 +33,9 @@ class Subject:
     """What is drawn of a blueprint: ``view``, ``selection``, ``branch`` or ``all``.
 
     ``branch`` is the SB that is shown, ``view`` the visible part of its drawing (left, top, right,
-    bottom, in scene units). It keeps the blueprint as it was when it was asked for. ``shortened``
-    says that the canvas shows less of names and facts than the picture, because it is zoomed out.
+    bottom, in scene units). The blueprint is that of the moment at which the picture was asked for.
+    ``shortened`` is true if the canvas is zoomed out, so that it shows less of names and facts than
+    the picture.
     """
 
     what: str

@@ -1,4 +1,4 @@
-"""DockFold: folds the lower panel to its tabs, so that the drawing has its room."""
+"""DockFold: folds the lower panel to its tabs, so that the drawing has more room."""
 
 from __future__ import annotations
 
@@ -16,14 +16,16 @@ ANY = 16_777_215
 
 
 class DockFold(QObject):
-    """Whether a dock shows only its tabs. A click on a tab, or showing a panel, unfolds it."""
+    """Folds a dock to its tabs and unfolds it. A click on a tab unfolds it, too, and so does every
+    command that shows one of its panels.
+    """
 
     changed = Signal()
 
     def __init__(
         self, window: QMainWindow, dock: QDockWidget, tabs: Tabs, height: int, tokens: Tokens
     ) -> None:
-        """``height`` is that of the dock when it is first unfolded (pixels)."""
+        """``height`` is the height of the dock when it is unfolded for the first time (pixels)."""
         super().__init__(window)
         self._window, self._dock, self._tabs, self._height = window, dock, tabs, height
         self.folded = False

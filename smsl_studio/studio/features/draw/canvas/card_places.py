@@ -14,7 +14,7 @@ EDGE = 14
 STEP = 16
 """The distance between the places that are tried."""
 CROWD = 500
-"""With more states than these in view, no free place is searched for."""
+"""With more states than this in view, no free place is searched for."""
 
 
 def is_clear(canvas: Canvas, area: QRect) -> bool:
@@ -57,7 +57,7 @@ def selected_places(canvas: Canvas) -> list[QRect]:
 
 
 def _covered(rects: Floats, spots: Sequence[QPoint], size: QSize) -> Floats:
-    """How many of the rectangles a card covers at each of some places."""
+    """The number of rectangles that a card covers at each place of ``spots``, (n,)."""
     x, y = np.array([(at.x(), at.y()) for at in spots], dtype=np.float64).T[:, :, None]
     left, top, right, bottom = rects.T
     across = (left < x + size.width()) & (right > x)

@@ -128,9 +128,9 @@ class DrawVerbs:
         """Compute the layout of the SB anew, as one step. Bends and moved labels go, and notes
         leave states, labels, titles and other notes free.
 
-        Two or more selected states are laid out alone, and nothing else moves. Otherwise the
-        drawing lies as it lay. If it would change nothing, only say so. ``kind`` is one of the
-        layouts of ``graph.arrangement``.
+        If two or more states are selected, only these move. Otherwise all states move, and the
+        drawing looks like the one before. If nothing would change, only a sentence says so.
+        ``kind`` is one of the layouts of ``graph.arrangement``.
         """
         branch, shown = self._branch, self.canvas.positions
         own = {a.state for a in self._states() if a.branch == branch.name}
@@ -160,13 +160,13 @@ class DrawVerbs:
         self.tidy(LAYERS)
 
     def tidy_by_distance(self) -> None:
-        """Tidy, with states near each other that few operations lie between."""
+        """Tidy. Two states stand near each other if few operations lead from one to the other."""
         self.tidy(DISTANCE)
 
     def _notes_in_room(
         self, blueprint: Blueprint, places: Mapping[str, tuple[float, float]]
     ) -> dict[str, dict[str, object]]:
-        """The notes that would cover something if the states stood there, with their new places."""
+        """The notes that have to move if the states go to these places, with their new places."""
         branch = blueprint[self._session.branch]
         if not branch.drawn.notes:
             return {}

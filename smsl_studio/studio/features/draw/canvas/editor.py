@@ -216,8 +216,10 @@ class CanvasEditor(QObject):
     def move(
         self, places: Mapping[str, Position], groups: Mapping[str, Sequence[str]] | None = None
     ) -> None:
-        """Store where states were dragged (scene units), and the states of the groups that gain or
-        lose some by that, as one step."""
+        """Store the new places of dragged states (scene units) as one step of the history.
+
+        ``groups`` has the new states of each group that gained or lost some by the drag.
+        """
         branch, moved = self.session.branch, self.session.places.moved
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
         members = {key: {"states": states} for key, states in (groups or {}).items()}
@@ -292,7 +294,7 @@ class CanvasEditor(QObject):
         return True
 
     def _name_new(self, text: str, commit: Callable[[str], str], at: QPointF) -> None:
-        """Ask for the name of a new state at a scene point. Tab goes on from it."""
+        """Ask for the name of a new state at a scene point. Tab then adds the next state."""
         field = self._name(text, "State", commit, self._field_place(at, 108.0))
         field.go_on_with(self.quick_add.go_on)
 

@@ -102,7 +102,7 @@ class FixCard(Card):
         draw(painter, SEVERITY_ICON[letter], mark, ink, self.tokens.surf)
 
     def _follow(self, before: Blueprint, after: Blueprint) -> None:
-        """Hide the card, because its finding may be gone. A new state gets none until it is
+        """Hide the card, because its finding may be gone. A new state gets a card only when it is
         selected again."""
         self._fresh = None
         self.hide()
@@ -161,8 +161,10 @@ class FixCard(Card):
         self.raise_()
 
     def _place(self) -> None:
-        """Move the card to the first corner where it covers no state and no note, else to the best
-        place."""
+        """Move the card to the first corner where it covers no state and no note.
+
+        If there is none, it goes to the place where it covers the fewest.
+        """
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),

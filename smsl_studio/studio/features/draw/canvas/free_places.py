@@ -23,9 +23,9 @@ Position = tuple[float, float]
 
 
 def clear_place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
-    """A place near a point of the view where a card covers no state and no note (in pixels).
+    """A place near a point of the view where a card covers no state and no note (pixels).
 
-    If there is none it covers others rather than the new state and the selected ones.
+    If there is none, the card still leaves the new state and the selected ones free.
     """
     w, h, off = card.width(), card.height(), 16
     # The new state is drawn at the point; the card has to leave room for it.
@@ -78,7 +78,7 @@ AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, 
 SIBLINGS = ((0, 172), (0, -172), (0, 344), (0, -344), (218, 0))
 """The offsets from a state to others that are reached from the same one, best first."""
 STEP = (218.0, 172.0)
-"""How far outside the view a place beside a state may lie, in scene units."""
+"""The largest distance of a place beside a state from the view (scene units)."""
 TRIED = 40
 """How many places across, and how many down, are tried in the view."""
 
@@ -88,9 +88,10 @@ def free_place(
 ) -> Position:
     """A free place for a new state, in scene units.
 
-    It lies beside the state ``beside``, at one of the offsets ``around``; without such a state,
-    right of all states. So a chain goes on in its line, also a step out of the view, and the caller
-    scrolls. If those places are farther away, the nearest free place in the view is taken.
+    It lies beside the state ``beside``, at one of the offsets ``around``. Without such a state it
+    lies right of all states. A place may be up to ``STEP`` outside the view, so that a chain of
+    states stays in its line. The caller scrolls to it. If all these places are farther away, the
+    nearest free place in the view is taken.
     """
     places = canvas.positions
     seen = canvas.clear_view

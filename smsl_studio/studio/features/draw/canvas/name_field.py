@@ -52,7 +52,7 @@ class NameField(TextCard):
             self.field.setFocus()
 
     def go_on_with(self, then: Callable[[], object]) -> None:
-        """Let Tab take the name over as Enter does, and then call ``then``."""
+        """From now on Tab accepts the name, as Enter does, and then calls ``then``."""
         self.field.tabbed.connect(lambda: self.take(self.field.text().strip()) and then())
 
     def settle(self) -> None:

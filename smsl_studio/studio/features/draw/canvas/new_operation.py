@@ -77,5 +77,6 @@ class NewOperation:
         if pattern:
             card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
         self._open(card, QPointF(self._canvas.mapFromScene(at)))
-        # A card that was open before has taken its own line along.
+        # A card that was open before has closed now, and its line was removed with it. So the line
+        # of this card is shown last.
         self._canvas.show_pending(source, target, QPointF(*place) if target is None else at)

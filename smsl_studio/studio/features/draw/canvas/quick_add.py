@@ -15,7 +15,7 @@ Connect = Callable[[Address, Address | None, QPointF], object]
 
 
 CARD = 200.0
-"""How far right of a new state its card reaches (pixels)."""
+"""The room that the card of a new state needs at its right (pixels)."""
 
 
 class QuickAdd:

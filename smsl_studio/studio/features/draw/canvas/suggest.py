@@ -57,7 +57,7 @@ class Suggestions:
             if digit < len(wanted):
                 wanted[digit] = value
         if wanted == list(self._known[source]):
-            # The facts have these values already, so it would lead back to where it starts.
+            # The facts have these values already, so the operation would lead back to its source.
             return ""
         return next((n for n, facts in self._known.items() if list(facts) == wanted), "")
 

@@ -18,9 +18,10 @@ from smsl_studio.studio.base.words import capital, counted, series
 class FactChange:
     """A change of the facts of an SB that waits for a yes.
 
-    ``names`` are the states that change, each with its name afterwards. ``beside`` states keep
-    their names and get the value in ``_states``. ``fault`` says why it cannot be done, ``asks``
-    what the person types first, ``warning`` what does not follow.
+    ``names`` are the states that change, each with its new name. The states of ``beside`` keep
+    their names and get the value in ``_states``. ``fault`` is the reason why the change is not
+    possible. ``asks`` names the text that the person types first. ``warning`` names what does not
+    change with it.
     """
 
     words: str
@@ -101,8 +102,11 @@ def move(branch: StateBranch, digit: int, place: int) -> FactChange:
 def renaming(
     branch: StateBranch, digit: int, sensors: Sequence[str], old: str, new: str
 ) -> FactChange:
-    """A value of the fact gets another name. ``sensors`` are those of plugins that read the fact:
-    their code does not follow."""
+    """The change of a value of the fact to another name.
+
+    ``sensors`` are the sensors of plugins that read the fact. Their code still gives the old value,
+    so the change has a warning.
+    """
     name, fact = branch.name, branch.fact_name(digit)
     made = FactChange(
         f"“{old}” of “{fact}” becomes “{new}”.",

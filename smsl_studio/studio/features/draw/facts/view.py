@@ -150,8 +150,10 @@ class FactView(QListView):
         self.viewport().update()
 
     def _go(self, row: int, step: int) -> None:
-        """Edit the next cell in which one types, also in the next line. From a name it is the name
-        of the next fact, because facts are named one after the other.
+        """Edit the next cell that takes text (``step`` is 1), or the one before (-1).
+
+        After the last cell of a line comes the first cell of the next line. After a name comes the
+        name of the next fact, because people name all facts one after the other.
         """
         kinds = ("name",) if self._cell[0] == "name" else TYPED
         keys = [(at, c.key) for at in range(max(row - 1, 0), min(row + 2, len(self.facts.lines)))

@@ -86,7 +86,7 @@ class HeaderFacts(QWidget):
             self._show_fact(branch, digit, fact, others)
 
     def _order_keys(self) -> None:
-        """Let Tab go from name to name first, because facts are named one after the other."""
+        """Let Tab go through all names first, because people name all facts one after the other."""
         order: list[QWidget] = [fact.name for fact in self.rows]
         order += [widget for fact in self.rows for widget in (fact.chip, fact.sub)]
         for before, after in pairwise(order):

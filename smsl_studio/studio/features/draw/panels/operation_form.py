@@ -256,7 +256,8 @@ class OperationForm(NoteForm):
         name, old = str(new or ""), self._edges[0].operation
         chosen = self._scopes[max(self.scope.currentIndex(), 0)].addresses
         where = f" in {len(chosen):,} places" if len(chosen) > 1 else ""
-        # Leaving the field is no answer to a warning, so the name waits in it.
+        # A person who only leaves the field has not agreed to the warning. The new name stays in
+        # the field.
         lost = self.warning.once(self._session.blueprint, chosen, name, self.name.hasFocus())
         if lost:
             self.naming.refuse(lost)

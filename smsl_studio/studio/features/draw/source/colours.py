@@ -83,7 +83,7 @@ def _yaml_key(token: TextToken, value: list[str]) -> Iterator[Piece]:
 
 
 MANY = 5_000
-"""If more blocks than this have changed, all are coloured again when they are painted."""
+"""If more blocks than this have changed, each block is coloured again when it is painted."""
 
 
 class Colours:
