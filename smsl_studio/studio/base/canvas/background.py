@@ -18,8 +18,9 @@ from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Floats, Point
+from smsl_studio.studio.base.canvas.edge_reaches import Numbers
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
-from smsl_studio.studio.base.canvas.sheet import Numbers, Sheet
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.edge_paint import EdgeShapes, LineInk, paint_label, paint_plain
 

@@ -8,9 +8,10 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.picture.levels import COMPACT_SIZE, Level
+from smsl_studio.studio.base.canvas.edge_reaches import Numbers
 from smsl_studio.studio.base.canvas.lit_labels import lit_boxes
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
-from smsl_studio.studio.base.canvas.sheet import Numbers, Sheet
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.ink import pen
 from smsl_studio.studio.base.theme import Tokens

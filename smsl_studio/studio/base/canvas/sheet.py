@@ -13,7 +13,6 @@ from dataclasses import replace
 from itertools import chain, repeat
 
 import numpy as np
-from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
@@ -34,6 +33,7 @@ from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
+from smsl_studio.studio.base.canvas.edge_reaches import EdgeReaches, Numbers
 from smsl_studio.studio.base.paint import edge_paint, node_paint
 from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
 from smsl_studio.studio.base.paint.guard_sign import DECLARED
@@ -42,7 +42,6 @@ from smsl_studio.studio.base.paint.looks import Looks
 from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 
 Position = tuple[float, float]
-Numbers = NDArray[np.intp]
 KEPT_UNITS = 4
 """How many zooms of compact nodes keep their lines and labels."""
 
@@ -70,7 +69,7 @@ class Sheet:
         self._measure()
         self._geometry: dict[tuple[bool, float], Geometry] = {}
         self._former = former.routings if former is not None else {}
-        self._kept_reaches = -1, (self.at.T, self.at.T)
+        self._reaches = EdgeReaches(picture)
         self._texts: dict[tuple[int, bool], EdgeText] = {}
         self.set_zoom(1.0)
         self.drawn = DrawnSheet(self)
@@ -307,29 +306,11 @@ class Sheet:
         """The numbers of edges whose line, roughly, touches a rectangle."""
         if not len(self.picture.source):
             return np.zeros(0, dtype=np.intp)
-        low, high = self._reaches()
+        if self._reaches.version != self.version:
+            self._reaches.compute(self.version, self.at, self.lines)
         # Parallel lanes and self loops leave the straight line between two states.
         room = (170.0 if self.picture.small else 60.0) * self.unit
-        inside = (
-            (high[0] >= left - room)
-            & (low[0] <= right + room)
-            & (high[1] >= top - room)
-            & (low[1] <= bottom + room)
-        )
-        return np.nonzero(inside)[0]
-
-    def _reaches(self) -> tuple[Floats, Floats]:
-        """The least and the greatest (x, y) of each edge's straight line and its bends, each
-        (2, n), in scene units."""
-        version, reaches = self._kept_reaches
-        if version != self.version:
-            source, target = self.picture.source, self.picture.target
-            a, b = self.at[source].T, self.at[np.where(target < 0, source, target)].T
-            reaches = np.minimum(a, b), np.maximum(a, b)
-            for edge, layout in self.lines.items():
-                _widen(reaches, edge, layout)
-            self._kept_reaches = self.version, reaches
-        return reaches
+        return self._reaches.touching((left, top, right, bottom), room)
 
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
         """The edge whose label or line is at a scene point, -1 for none; ``reach`` is in pixels."""
@@ -383,15 +364,3 @@ class Sheet:
 def _in_steps(unit: float) -> float:
     """The unit rounded to steps of 4 %, so that a zoom does not need new lines in every frame."""
     return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)
-
-
-def _widen(reaches: tuple[Floats, Floats], edge: int, layout: EdgeLayout) -> None:
-    """Let an edge reach to its bends, and as far as its label was moved."""
-    low, high = reaches
-    for x, y in layout.bends:
-        low[:, edge] = np.minimum(low[:, edge], (x, y))
-        high[:, edge] = np.maximum(high[:, edge], (x, y))
-    if layout.label is not None:
-        aside = max(map(abs, layout.label[1:]))
-        low[:, edge] -= aside
-        high[:, edge] += aside
