@@ -1,4 +1,4 @@
-"""What panels and windows of their own are made of: a column of parts, a button with a key."""
+"""Parts of panels and of windows: a column of widgets, and a button with a key."""
 
 from __future__ import annotations
 
@@ -14,17 +14,23 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 def panel(*parts: QWidget) -> QWidget:
-    """Parts below each other on the background of a panel. What scrolls takes the free room."""
+    """A panel with parts one below another. Those that scroll share the free room."""
+    made, column = empty_panel()
+    for part in parts:
+        column.addWidget(part, 1 if isinstance(part, QAbstractScrollArea) else 0)
+    column.addStretch(0)
+    return made
+
+
+def empty_panel() -> tuple[QWidget, QVBoxLayout]:
+    """A widget with the background of a panel, and its column without margins."""
     made = QWidget()
     made.setProperty("role", "panel")
     made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
     column = QVBoxLayout(made)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(0)
-    for part in parts:
-        column.addWidget(part, 1 if isinstance(part, QAbstractScrollArea) else 0)
-    column.addStretch(0)
-    return made
+    return made, column
 
 
 def keyed_tool(window: QWidget, words: str, keys: str, call: Callable[[], object]) -> QToolButton:

@@ -21,7 +21,7 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, FaultInjected
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.key_button import command_button
-from smsl_studio.studio.base.panels import panel
+from smsl_studio.studio.base.panels import empty_panel, panel
 from smsl_studio.studio.base.rows import RowsView
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import Tokens
@@ -87,12 +87,7 @@ class MonitorPage(QDialog):
         self.stop.clicked.connect(lambda: self._run.stop())
         top = row(self.words, self._refusal, self._time, self.phase, self.stop)
         top.setContentsMargins(12, 8, 12, 8)
-        left = QWidget()
-        left.setProperty("role", "panel")
-        left.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        column = QVBoxLayout(left)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
+        left, column = empty_panel()
         for part in (self._pages, rule(), self.bar, rule(), self.faults):
             column.addWidget(part, 1 if part is self._pages else 0)
         side = split(

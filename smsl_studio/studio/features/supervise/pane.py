@@ -18,6 +18,7 @@ from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.base.controls import rule
+from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
@@ -227,12 +228,7 @@ class SupervisePane(QWidget):
         below = QVBoxLayout()
         below.setContentsMargins(12, 12, 12, 12)
         below.addWidget(self.step_in)
-        right = QWidget()
-        right.setProperty("role", "panel")
-        right.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        whole = QVBoxLayout(right)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(0)
+        right, whole = empty_panel()
         room, edge = Room(inner), rule()
         edge.hide()
         # The line shows that the part above can be scrolled.
