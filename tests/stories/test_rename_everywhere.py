@@ -54,6 +54,13 @@ def edges(blueprint: Blueprint, name: str) -> list[str]:
             for state, operations in branch.table.items() if name in operations]  # fmt: skip
 
 
+def type_name(person: Person, at: str, name: str) -> None:
+    """Select an operation, press F2 and type a new name. Nothing is renamed yet."""
+    person.select(at)
+    person.press(Key.Key_F2)
+    person.type(name)
+
+
 def rename_field(person: Person) -> RenameField:
     """The field that asks where."""
     field = person.window.editor.field
@@ -125,9 +132,7 @@ def test_arrows_choose_where_and_all_of_it_is_one_step(
     person: Person, downs: int, left: list[str]
 ) -> None:
     before = person.blueprint.document.text
-    person.select("SB1/State1/go")
-    person.press(Key.Key_F2)
-    person.type("move")
+    type_name(person, "SB1/State1/go", "move")
     for _ in range(downs):
         person.press(Key.Key_Down)
     field = rename_field(person)
@@ -141,9 +146,7 @@ def test_arrows_choose_where_and_all_of_it_is_one_step(
 
 
 def test_a_click_on_an_answer_renames_at_once(person: Person) -> None:
-    person.select("SB1/State0/go")
-    person.press(Key.Key_F2)
-    person.type("move")
+    type_name(person, "SB1/State0/go", "move")
     choices = rename_field(person).choices
     QTest.mouseClick(choices, LEFT, pos=QPoint(40, ROW + ROW // 2))
     assert edges(person.blueprint, "move") == ["SB1/State0", "SB1/State1"]
@@ -151,9 +154,7 @@ def test_a_click_on_an_answer_renames_at_once(person: Person) -> None:
 
 
 def test_a_name_that_is_taken_somewhere_is_refused_in_the_field(person: Person) -> None:
-    person.select("SB1/State1/go")
-    person.press(Key.Key_F2)
-    person.type("back")
+    type_name(person, "SB1/State1/go", "back")
     person.press(Key.Key_Down)
     person.press(Key.Key_Return)
     assert "in State0 an operation 'back'" in rename_field(person).complaint
@@ -252,9 +253,7 @@ def noted(sit: Sit, tmp_path: Path) -> Person:
 
 def test_here_only_keeps_what_the_name_required(noted: Person) -> None:
     before = noted.blueprint.document.text
-    noted.select("SB1/State_0/go")
-    noted.press(Key.Key_F2)
-    noted.type("start")
+    type_name(noted, "SB1/State_0/go", "start")
     noted.press(Key.Key_Return)
     note = noted.blueprint["SB1"].operation_note("State_0", "start")
     assert dict(note.requires) == {"SB1/0": "1"}
@@ -267,9 +266,7 @@ def test_here_only_keeps_what_the_name_required(noted: Person) -> None:
 def test_what_another_name_says_is_told_before_it_counts(noted: Person) -> None:
     noted.select("SB1/State_0/halt")
     noted.press(Key.Key_Delete)
-    noted.select("SB1/State_0/go")
-    noted.press(Key.Key_F2)
-    noted.type("halt")
+    type_name(noted, "SB1/State_0/go", "halt")
     noted.press(Key.Key_Return)
     assert "halt has another value of cost" in rename_field(noted).complaint
     noted.press(Key.Key_Return)
