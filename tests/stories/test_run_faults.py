@@ -221,3 +221,133 @@ def test_a_run_by_hand_is_saved_and_done_again(
     _same_again(run, path.with_suffix(".jsonl"), HFSM)
     first = json.loads(path.with_suffix(".jsonl").read_text().splitlines()[0])
     assert first["_run"].startswith("smsl-studio run hfsm.json --world table")
+
+
+def _going(sit: Sit, monkeypatch: pytest.MonkeyPatch, path: Path = HANOI) -> AtRun:
+    """A run in the middle of its first operation, which is shown for very long."""
+    run = AtRun(sit(path))
+    monkeypatch.setattr(operation_time, "USUAL", 1e6)
+    run.choose("table")
+    run.person.press(Key.Key_F5)
+    run.until_runs()
+    return run
+
+
+def test_the_run_is_held_while_one_chooses_and_goes_on_afterwards(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = _going(sit, monkeypatch)
+    dialog = _dialog(run)
+    run.until_phase("Paused")
+    run.person.until(lambda: dialog.hold.words.text() == (
+        "The run is held at 0.00 s while you choose. It goes on when you close this."))  # fmt: skip
+    run.person.click(dialog.inject)
+    run.person.until(lambda: dialog.said.text() == "Disturbed at 0.00 s: SB1/0 stuck.")
+    assert run.phase == "Paused"
+    monkeypatch.setattr(operation_time, "USUAL", 0.0)
+    run.as_fast_as_it_goes()
+    run.person.click(dialog.close_button)
+    run.until_phase("Fault hold")
+    _save(run, monkeypatch, tmp_path / "by-hand.jsonl")
+    _same_again(run, tmp_path / "by-hand.jsonl")
+
+
+def test_closed_at_once_the_run_goes_on_too(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = _going(sit, monkeypatch)
+    dialog = _dialog(run)
+    run.person.press(Key.Key_Escape)
+    run.person.until(lambda: not dialog.isVisible())
+    run.person.until(
+        lambda: (
+            [(one.command, one.refused) for one in run.events if isinstance(one, Commanded)]
+            == [("pause", ""), ("resume", "")]
+        )
+    )
+    run.until_phase("Running")
+
+
+def test_what_the_person_does_meanwhile_counts(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = _going(sit, monkeypatch)
+    dialog = _dialog(run)
+    run.until_phase("Paused")
+    run.person.click(dialog.hold.button)
+    run.until_phase("Running")
+    run.person.until(lambda: dialog.hold.words.text() == "The run goes on while you choose.")
+    run.person.click(dialog.hold.button)
+    run.until_phase("Paused")
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    assert dialog.hold.isHidden()
+    run.person.click(dialog.close_button)
+    run.person.until(lambda: not dialog.isVisible())
+    run.pane.run.end()
+    run.person.until(lambda: not run.pane.run.exists)
+    assert [one.command for one in run.events if isinstance(one, Commanded)] == [
+        "pause", "resume", "pause", "stop", "end"]  # fmt: skip
+
+
+def test_a_run_that_was_paused_before_stays_paused(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    assert dialog.hold.words.text() == "The run is paused at 0.00 s, and stays so."
+    assert dialog.hold.button.isHidden()
+    dialog.close()
+    run.person.until(lambda: not dialog.isVisible())
+    run.person.come_back()
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    assert "resume" not in [one.command for one in run.events if isinstance(one, Commanded)]
+
+
+def test_the_window_closes_while_the_dialog_holds_its_run(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = _going(sit, monkeypatch)
+    dialog = _dialog(run)
+    run.until_phase("Paused")
+    run.person.window.features.stop()
+    assert not dialog.isVisible()
+    assert not run.pane.run.exists
+    assert "resume" not in [one.command for one in run.events if isinstance(one, Commanded)]
+
+
+def test_what_is_offered_first_changes_something(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    assert dialog.fault.currentText() == "A fact is read wrongly"
+    assert (dialog.fact.currentText(), dialog.value.currentText()) == ("Fact 1", "b")
+    _choose(run.person, dialog, fault=SET)
+    assert dialog.value.currentText() != "a"
+    assert dialog.moment.currentText() == "After an operation", "Op_1c would take it back"
+    assert dialog.operation.currentText() == "Op_1c from aaa, runs now"
+    assert dialog.value.currentText() != "c", "Op_1c makes it c"
+    _choose(run.person, dialog, fault="The operation ends in another state", moment="Now")
+    assert dialog.state.currentText() != "State_caa"
+
+
+def test_a_choice_without_effect_is_not_injected(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog = _dialog(run)
+    right = "A fact is read rightly again"
+    cases: list[tuple[dict[str, str], str]] = [
+        ({"fault": right, "fact": "Fact 1", "moment": "Now"}, "Fact 1 is read rightly already."),
+        ({"fault": SET, "fact": "Fact 1", "moment": "After an operation", "value": "c"},
+         "Fact 1 is c then already: choose another value."),
+        ({"fault": "The operation ends in another state", "state": "State_caa", "moment": "Now"},
+         "Op_1c ends in caa anyway: choose another state."),
+    ]  # fmt: skip
+    for chosen, words in cases:
+        _choose(run.person, dialog, **chosen)
+        assert dialog.undone.text() == words
+        run.person.click(dialog.inject)
+        assert dialog.refusal.text() == words
+    assert not run.pane.run.planned
+    _choose(run.person, dialog, fault="A fact is read wrongly", fact="Fact 1", value="a")
+    assert dialog.undone.text() == "Fact 1 is a then, so this shows only when it changes."
+    run.person.click(dialog.inject)
+    run.person.until(lambda: any(isinstance(one, Disturbed) for one in run.events))
+    _choose(run.person, dialog, fault=right)
+    assert not dialog.undone.text(), "now there is something to set right"
+    assert not [one for one in run.events if isinstance(one, FaultInjected)]

@@ -6,15 +6,17 @@ import json
 from collections.abc import Sequence
 from typing import TypeVar
 
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
-from smsl_studio.blueprint.address import fact_text
+from smsl_studio.blueprint.address import fact_text, split_fact
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import StudioError, UsageError
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.script.script import AT
 from smsl_studio.front.script.words import WORDS
 from smsl_studio.front.views.fault_choices import (
+    AFTER,
     DISTURB,
     ELSEWHERE,
     EXAMPLE,
@@ -33,12 +35,14 @@ from smsl_studio.front.views.fault_choices import (
     undone_words,
     value_choices,
 )
+from smsl_studio.front.views.fault_effects import RIGHT, idle_words, later_words
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, Disturbed, FaultInjected
 from smsl_studio.studio.base.controls import Combo, Field, label, row
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.features.run.choice_hold import ChoiceHold
 from smsl_studio.studio.running.run_session import RunSession
 
 NO_RUN = "A fault can be injected while a run is there"
@@ -51,13 +55,20 @@ NEXT = "The next operation is not known now. Choose Now, or choose an operation 
 
 
 class FaultDialog(QDialog):
-    """A non-modal dialog about the present run of its window."""
+    """A non-modal dialog about the present run of its window. It holds the run while one chooses.
+
+    What is offered first always changes something.
+    """
 
     def __init__(self, run: RunSession, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle("Inject a fault")
         self._run = run
         self._offered: tuple[object, ...] = ()
+        self._chosen: set[Combo] = set()
+        """The fields in which the person has chosen."""
+        self._offering = False
+        self.hold = ChoiceHold(run)
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(8)
@@ -87,7 +98,8 @@ class FaultDialog(QDialog):
         self.fault.currentIndexChanged.connect(self._show_fault)
         self.fact.currentIndexChanged.connect(self._offer_values)
         for combo in (self.value, self.state, self.moment, self.operation):
-            combo.currentIndexChanged.connect(self._show_line)
+            combo.currentIndexChanged.connect(lambda _, own=combo: self._choose(own))
+            combo.activated.connect(lambda _, own=combo: self._chosen.add(own))
         self.parameters.textChanged.connect(self._show_line)
         run.changed.connect(self.refresh)
         run.exists_changed.connect(lambda _: self.refresh())
@@ -103,6 +115,7 @@ class FaultDialog(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(12)
+        column.addWidget(self.hold)
         column.addLayout(self._grid)
         column.addWidget(label("As a line of a script", "label"))
         column.addWidget(self.script)
@@ -134,9 +147,22 @@ class FaultDialog(QDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Offer what can be chosen now."""
         super().showEvent(event)
-        self.said.setText("")
-        self.refresh()
-        self.fault.setFocus()
+        if not event.spontaneous():
+            self._chosen.clear()
+            self.said.setText("")
+            self.refresh()
+            self.fault.setFocus()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Let the run go on that was held for the choice."""
+        super().hideEvent(event)
+        if not event.spontaneous():
+            self.hold.end()
+
+    def leave(self) -> None:
+        """Close, and leave the run as it is."""
+        self.hold.forget()
+        self.close()
 
     def refresh(self) -> None:
         """Offer the faults of this run and the operations that may come next."""
@@ -173,7 +199,9 @@ class FaultDialog(QDialog):
     def _offer_values(self) -> None:
         blueprint, key = self._run.blueprint, self.fact.currentData()
         if blueprint is not None and key is not None:
+            self._chosen.discard(self.value)
             _fill(self.value, value_choices(blueprint, key))
+            self._show_line()
 
     def _show_fault(self) -> None:
         """Show the fields of the chosen fault."""
@@ -222,8 +250,10 @@ class FaultDialog(QDialog):
             self.script.setText("")
             self._refuse(capital(error.sentence))
             return
-        world = self._run.choice.world if self._run.choice else ""
-        self.undone.setText(capital(undone_words(chosen, status, world)))
+        if self._offer_other(chosen):
+            return
+        known = self._idle(chosen) or later_words(chosen, status, blueprint)
+        self.undone.setText(capital(self._undone(chosen) or known))
         line = fault_line(chosen, status, blueprint, self._run.who())
         if self.refusal.text() not in (NO_RUN, NO_FAULTS):
             self._refuse("")
@@ -231,6 +261,55 @@ class FaultDialog(QDialog):
         if words != self.script.toolTip():
             self.script.setText(words if len(words) <= MOST else f"{words[:MOST]}…")
             self.script.setToolTip(tip_text(words))
+
+    def _choose(self, combo: Combo) -> None:
+        """Note that the person has chosen in a field, unless the dialog has."""
+        if not self._offering:
+            self._chosen.add(combo)
+            self._show_line()
+
+    def _offer_other(self, chosen: FaultChoice) -> bool:
+        """Offer something else where the person has not chosen and nothing would change."""
+        status, blueprint = self._run.status, self._run.blueprint
+        if self._undone(chosen) and self.moment not in self._chosen:
+            return self._offer(self.moment, self.moment.findData(AFTER))
+        if status is None or blueprint is None:
+            return False
+        for combo in (self.value, self.state):
+            if combo.isHidden() or combo in self._chosen:
+                continue
+            idle = self._idle(chosen) or later_words(chosen, status, blueprint)
+            other = 1 if combo.currentIndex() == 0 else 0
+            if idle and combo.count() > 1:
+                return self._offer(combo, other)
+        return False
+
+    def _offer(self, combo: Combo, at: int) -> bool:
+        self._offering = True
+        combo.setCurrentIndex(at)
+        self._offering = False
+        self._show_line()
+        return True
+
+    def _undone(self, chosen: FaultChoice) -> str:
+        status, choice = self._run.status, self._run.choice
+        if status is None or choice is None:
+            return ""
+        return undone_words(chosen, status, choice.world)
+
+    def _idle(self, chosen: FaultChoice) -> str:
+        status, blueprint = self._run.status, self._run.blueprint
+        if status is None or blueprint is None:
+            return ""
+        return idle_words(chosen, status, blueprint, self._disturbed())
+
+    def _disturbed(self) -> set[FactKey]:
+        """The facts that are read wrongly now, or will be."""
+        kinds, run = self._run.story.moment.disturbed, self._run
+        now = {(one.branch, one.digit) for one in run.sensors if kinds.get(one.name)}
+        later = [split_fact(str(act.given.get("target", ""))) for act in run.planned
+                 if act.do == DISTURB and act.given.get("kind") != RIGHT]  # fmt: skip
+        return now.union(key for key in later if key is not None)
 
     # What is done.
 
@@ -240,6 +319,8 @@ class FaultDialog(QDialog):
         if blueprint is None or status is None or not self._run.exists:
             return
         try:
+            if idle := self._idle(self.chosen):
+                raise UsageError(idle)
             line = fault_line(self.chosen, status, blueprint, self._run.who())
             (act,) = script_of(json.dumps(line).encode(), "line", blueprint).acts
         except StudioError as error:

@@ -116,6 +116,7 @@ class RunFeature(Feature):
         if self.faults is None:
             self.faults = FaultDialog(self.pane.run, self._parts.window)
             lend_run_keys(self.faults, self._parts.window)
+        self.faults.hold.begin()
         self.faults.show()
         self.faults.raise_()
         self.faults.activateWindow()
@@ -190,7 +191,7 @@ class RunFeature(Feature):
         if pane is None:
             return
         if self.faults is not None:
-            self.faults.close()
+            self.faults.leave()
         run = pane.run
         if run.exists and run.phase != "stopped":
             wait = QEventLoop(pane)
