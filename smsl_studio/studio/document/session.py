@@ -134,6 +134,8 @@ class Session(QObject):
         self.history = QUndoStack(self)
         # A method and not a lambda, because Qt disconnects it before the history is deleted.
         self.history.cleanChanged.connect(self._clean_changed)
+        self.adds_step = False
+        """Whether the step that is carried out is new, and no undo or redo."""
 
     @property
     def blueprint(self) -> Blueprint:
@@ -327,7 +329,9 @@ class Session(QObject):
         if after is not self._blueprint or broken != self._broken:
             after = brought_back(after, self._aside, self.unsaved)
             before = (self._blueprint, self._broken)
+            self.adds_step = True
             self.history.push(_Edit(words, self._show, before, (after, broken), run))
+            self.adds_step = False
 
     def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
         former = self._aside.keys()

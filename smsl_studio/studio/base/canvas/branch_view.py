@@ -15,7 +15,8 @@ from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.levels import FULL_SIZE
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
-from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
+from smsl_studio.studio.base.canvas.frames import bounds_of, frame_of, opening_of
+from smsl_studio.studio.base.canvas.sheet import Position
 from smsl_studio.studio.base.theme import Tokens
 
 TOP = 40
@@ -122,6 +123,30 @@ class BranchView(DrawnStage):
             self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
             return
         self._look_below_top(*frame_of(sheet, self._room), smooth)
+
+    @property
+    def shows_all(self) -> bool:
+        """Whether the whole drawing is in view."""
+        sheet = self.sheet
+        return sheet is None or not len(sheet.at) or self._whole_view.contains(bounds_of(sheet))
+
+    def show_all(self) -> None:
+        """Show the whole SB. The zoom stays if the SB fits into the view at it."""
+        sheet = self.sheet
+        if sheet is None or self.shows_all:
+            return
+        middle, most = frame_of(sheet, self._room)
+        if most >= self.zoom:
+            self.camera.keep("")
+            self._look_below_top(middle, self.zoom, smooth=True)
+        else:
+            self.fit()
+
+    def hold(self, before: Position, after: Position) -> None:
+        """Scroll so that a state, which has moved, stays where it is on the screen."""
+        way = QPointF(*after) - QPointF(*before)
+        self.camera.keep("")
+        self.camera.go(self.camera.centre + way, self.zoom, smooth=False)
 
     def look_at_opening(self) -> None:
         """Show the whole SB, or the part around the initial state if states would be too small.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import (
     QEasingCurve,
     QObject,
@@ -17,6 +19,17 @@ LEAST, MOST = 0.02, 4.0
 DURATION = 200
 STEP = 1.2
 """The factor of one notch of the wheel and of the zoom buttons."""
+
+
+@dataclass(frozen=True)
+class Outlook:
+    """What a camera shows: the scene point in the middle, the zoom, and what it keeps (see
+    ``Camera``)."""
+
+    centre: QPointF
+    zoom: float
+    keeps: str
+    fitted: bool
 
 
 class Camera(QObject):
@@ -59,6 +72,18 @@ class Camera(QObject):
     def keep(self, what: str, fitted: bool = False) -> None:
         """Set ``keeps`` and ``fitted``."""
         self.keeps, self.fitted = what, fitted
+
+    @property
+    def outlook(self) -> Outlook:
+        """What the camera shows; during a movement what it will show."""
+        self.finish()
+        return Outlook(self.centre, self.zoom, self.keeps, self.fitted)
+
+    def look_back(self, to: Outlook) -> None:
+        """Show again what was shown before."""
+        if to != self.outlook:
+            self.keep(to.keeps, to.fitted)
+            self.go(to.centre, to.zoom)
 
     def zoom_at(self, factor: float, at: QPointF) -> None:
         """Multiply the zoom; the scene point below ``at`` (viewport pixels) stays there."""

@@ -30,7 +30,7 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
             return centres.center(), fit_zoom(centres, marks, room)
         if sheet.roomy:
             sheet.set_zoom(1.0)
-            whole = _bounds(sheet)
+            whole = bounds_of(sheet)
             zoom = fit_zoom(whole, MARGIN, room)
             if zoom >= FULL_FROM:
                 return whole.center(), zoom
@@ -78,7 +78,7 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     zoom = fit_zoom(centres, FAR_MARKS, room, most)
     for _ in range(2 if len(sheet.picture.operations) <= 120 else 1):
         sheet.set_zoom(zoom)
-        whole = _bounds(sheet)
+        whole = bounds_of(sheet)
         marks = (
             (whole.width() - centres.width()) * zoom + MARGIN[0],
             (whole.height() - centres.height()) * zoom + MARGIN[1],
@@ -93,7 +93,7 @@ def _centres(sheet: Sheet) -> QRectF:
     return QRectF(QPointF(*low), QPointF(*high)).united(sheet.drawn.extent())
 
 
-def _bounds(sheet: Sheet) -> QRectF:
+def bounds_of(sheet: Sheet) -> QRectF:
     """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units)."""
     half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)

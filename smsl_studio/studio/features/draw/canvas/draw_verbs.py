@@ -129,8 +129,9 @@ class DrawVerbs:
         leave states, labels, titles and other notes free.
 
         If two or more states are selected, only these move. Otherwise all states move, and the
-        drawing looks like the one before. If nothing would change, only a sentence says so.
-        ``kind`` is one of the layouts of ``graph.arrangement``.
+        drawing looks like the one before. The zoom stays, unless the whole drawing was in view
+        and does not fit any more. If nothing would change, only a sentence says so. ``kind`` is
+        one of the layouts of ``graph.arrangement``.
         """
         branch, shown = self._branch, self.canvas.positions
         own = {a.state for a in self._states() if a.branch == branch.name}
@@ -142,8 +143,6 @@ class DrawVerbs:
         notes = self._notes_in_room(straight, places)
         if tidy and not bent and not notes:
             self.canvas.say("The drawing is tidy already.")
-            if chosen is None:
-                self.canvas.fit()
             return
 
         def change(blueprint: Blueprint) -> Blueprint:
@@ -152,8 +151,22 @@ class DrawVerbs:
             placed = editing.set_layout(straight, branch.name, places)
             return editing.put_notes(placed, branch.name, notes) if notes else placed
 
+        view, whole = self.canvas.camera.outlook, self.canvas.shows_all
+        middle = self._state_in_middle() if not whole else ""
         if self._edit(f"Tidy {branch.name}", change) and chosen is None:
-            self.canvas.fit()
+            if middle:
+                self.canvas.hold(shown[middle], places[middle])
+            else:
+                self.canvas.show_all()
+            self._editor.views.keep(view)
+
+    def _state_in_middle(self) -> str:
+        """The state nearest to the middle of the view, a selected one first."""
+        seen, places = self.canvas.seen, self.canvas.positions
+        chosen = [a.state for a in self._states() if seen.contains(QPointF(*places[a.state]))]
+        middle = seen.center()
+        ways = {n: (QPointF(*places[n]) - middle).manhattanLength() for n in chosen or places}
+        return min(ways, key=lambda name: ways[name])
 
     def tidy_in_layers(self) -> None:
         """Tidy, with the states in columns from left to right."""

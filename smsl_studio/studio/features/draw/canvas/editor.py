@@ -31,6 +31,7 @@ from smsl_studio.studio.features.draw.canvas.new_operation import NewOperation
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
 from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
+from smsl_studio.studio.features.draw.canvas.step_views import StepViews
 
 Position = tuple[float, float]
 Field = NameField | ConnectCard | CopyCard
@@ -67,6 +68,7 @@ class CanvasEditor(QObject):
         canvas.quick_add_wanted.connect(self.quick_add.go_on)
         canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
+        self.views = StepViews(session, canvas)
         self.nudge, self.bends = Nudge(session, canvas), Bends(session, canvas)
         canvas.state_pick = self._pick
         canvas.extended = lambda: session.extended

@@ -1,0 +1,112 @@
+"""StepViews: an undo or redo shows what it changes, and the view as it was."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.studio.base.canvas.camera import Outlook
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.session import Session
+
+
+@dataclass(frozen=True)
+class _Whereabouts:
+    """Where a person was at a step: the SB, and the view if the step itself moved it."""
+
+    branch: str
+    before: Outlook | None = None
+    after: Outlook | None = None
+
+
+class StepViews(QObject):
+    """Follows undo and redo with the canvas.
+
+    A step that moved the view moves it back. After any other one the view stays if something that
+    changed is in it. Else it scrolls to the first change, in the SB in which the step was made.
+    """
+
+    def __init__(self, session: Session, canvas: Canvas) -> None:
+        super().__init__(canvas)
+        self._session, self._canvas = session, canvas
+        self._steps: list[_Whereabouts] = []
+        self._index = 0
+        self._former: Blueprint | None = None
+        session.opened.connect(self._forget)
+        session.blueprint_changed.connect(self._changed)
+        session.history.indexChanged.connect(self._went)
+
+    def keep(self, before: Outlook) -> None:
+        """Let an undo of the last step show the view as it was ``before``, and a redo as it is."""
+        if self._steps:
+            here = self._canvas.camera.outlook
+            self._steps[-1] = replace(self._steps[-1], before=before, after=here)
+
+    def _forget(self) -> None:
+        self._steps.clear()
+        self._index, self._former = 0, None
+
+    def _changed(self, before: Blueprint, after: Blueprint) -> None:
+        if self._former is None:
+            self._former = before
+
+    def _went(self, index: int) -> None:
+        former, self._former = self._former, None
+        last, self._index = self._index, index
+        if self._session.adds_step:
+            self._steps[index - 1 :] = [_Whereabouts(self._session.branch)]
+        elif former is not None and index != last and max(index, last) <= len(self._steps):
+            back = index < last
+            step = self._steps[index if back else index - 1]
+            self._follow(step.branch, step.before if back else step.after, former)
+
+    def _follow(self, home: str, view: Outlook | None, former: Blueprint) -> None:
+        session, shown = self._session, self._session.branch
+        now = session.blueprint.branches
+        here = former.branches.get(shown) is now.get(shown)
+        if here and home in now and former.branches.get(home) is not now[home]:
+            session.show_branch(home)
+        if session.branch != home:
+            return
+        if view is not None:
+            self._canvas.camera.look_back(view)
+        elif home in former.branches and home in now:
+            self._reveal(former[home], now[home])
+
+    def _reveal(self, before: StateBranch, after: StateBranch) -> None:
+        """Scroll to the first change, if no change is in view."""
+        canvas, first = self._canvas, None
+        for address in changes(before, after):
+            rect = canvas.rect_of(address)
+            if rect is None:
+                continue
+            if canvas.seen.contains(rect.center()):
+                return
+            first = first or address
+        if first is not None:
+            canvas.reveal(first)
+
+
+def changes(before: StateBranch, after: StateBranch) -> Iterator[Address]:
+    """The states and operations of an SB that are new, or drawn or written otherwise."""
+    name, places, lines = after.name, before.notes.layout, before.notes.edges
+    layout, edges = after.notes.layout, after.notes.edges
+    for state, row in after.table.items():
+        former = before.table.get(state)
+        if former is None or places.get(state) != layout.get(state):
+            yield Address(name, state)
+        elif former is not row:
+            yield from (
+                Address(name, state, operation)
+                for operation, target in row.items()
+                if former.get(operation) != target
+            )
+            if former.keys() - row.keys():
+                yield Address(name, state)
+    for edge in {**edges, **lines} if lines is not edges else ():
+        if lines.get(edge) != edges.get(edge):
+            yield Address(name, *edge)
