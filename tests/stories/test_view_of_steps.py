@@ -17,8 +17,8 @@ SB = "REGISTRATION"
 def seen(person: Person) -> tuple[float, float, float]:
     """Zoom and middle of the view, once it stands still."""
     camera = person.window.canvas.camera
-    outlook = camera.outlook
-    return round(outlook.zoom, 6), round(outlook.centre.x()), round(outlook.centre.y())
+    stand = camera.stand
+    return round(stand.zoom, 6), round(stand.centre.x()), round(stand.centre.y())
 
 
 def still(person: Person) -> None:

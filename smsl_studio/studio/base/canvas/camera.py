@@ -22,7 +22,7 @@ STEP = 1.2
 
 
 @dataclass(frozen=True)
-class Outlook:
+class CameraStand:
     """What a camera shows: the scene point in the middle, the zoom, and what it keeps (see
     ``Camera``)."""
 
@@ -74,14 +74,14 @@ class Camera(QObject):
         self.keeps, self.fitted = what, fitted
 
     @property
-    def outlook(self) -> Outlook:
+    def stand(self) -> CameraStand:
         """What the camera shows; during a movement what it will show."""
         self.finish()
-        return Outlook(self.centre, self.zoom, self.keeps, self.fitted)
+        return CameraStand(self.centre, self.zoom, self.keeps, self.fitted)
 
-    def look_back(self, to: Outlook) -> None:
+    def look_back(self, to: CameraStand) -> None:
         """Show again what was shown before."""
-        if to != self.outlook:
+        if to != self.stand:
             self.keep(to.keeps, to.fitted)
             self.go(to.centre, to.zoom)
 

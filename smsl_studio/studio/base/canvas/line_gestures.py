@@ -1,4 +1,4 @@
-"""Gestures on the line of an operation: a drag bends it, moves a bend, or moves its label."""
+"""Gestures on the line of an operation: a drag moves a piece, a bend or the label."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from PySide6.QtGui import QMouseEvent
 from smsl_studio.blueprint.edge_layout import ASIDE, MOST_BENDS, EdgeLayout
 from smsl_studio.picture.bends import GAP, clear_of, rank_of
 from smsl_studio.picture.guides import Guide, snapped
-from smsl_studio.picture.shape import Point
+from smsl_studio.picture.shape import NodeBox, Point
+from smsl_studio.studio.base.canvas import right_angles
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gestures import GRID, SNAP, centres_in_view, is_far
 from smsl_studio.studio.base.canvas.line_marks import LineMarks
@@ -110,6 +111,67 @@ class DragBend(_OnLine):
         to, guides = snapped(at, self._others, SNAP / self._canvas.zoom, GRID)
         clear = clear_of(to, np.hstack([sheet.at, sheet.halves()]), GAP * sheet.unit)
         return clear, guides if clear == to else ()
+
+
+class DragPiece(_OnLine):
+    """Moves a piece of a line with right angles, or one of its corners, and keeps the angles."""
+
+    def __init__(
+        self,
+        canvas: BranchView,
+        event: QMouseEvent,
+        edge: int,
+        corners: list[Point],
+        rank: int | None = None,
+    ) -> None:
+        """``rank`` is that of the corner that was pressed; without one a piece moves."""
+        super().__init__(canvas, event, edge)
+        sheet, picture = self._sheet, self._sheet.picture
+        boxes = sheet.geometry.boxes
+        source, target = int(picture.source[edge]), int(picture.target[edge])
+        self._ends = NodeBox(*boxes[source].tolist()), NodeBox(*boxes[target].tolist())
+        self._others = np.delete(boxes, [source, target], axis=0)
+        self._corners, self._rank = corners, rank
+        self._piece = right_angles.piece_at(corners, (self._start.x(), self._start.y()))
+
+    def move(self, event: QMouseEvent) -> None:
+        """Put the piece at the pointer, on the grid and off all states, except with Alt."""
+        step = self._step(event)
+        if step is None:
+            return
+        free = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+        if self._rank is not None:
+            x, y = self._corners[self._rank + 1]
+            at = _on_grid(x + step.x(), free), _on_grid(y + step.y(), free)
+            bends = right_angles.corner_moved(self._corners, self._rank + 1, at, self._ends)
+        else:
+            bends = self._moved(step, free)
+        if len(bends) > MOST_BENDS:
+            self._canvas.say(f"A line has at most {MOST_BENDS} bends.")
+            return
+        former = tuple(QPointF(*p) for p in self._shape.points.tolist())
+        chosen = -1 if self._rank is None else self._rank
+        last = self._after
+        for layout in (replace(self._before, bends=tuple(bends)), last):
+            marks = LineMarks(tuple(QPointF(*p) for p in layout.bends), chosen, former=former)
+            self._show(layout, marks)
+            # Close to a state a line may have no way with right angles.
+            if right_angles.corners_of(self._sheet.geometry.shape(self._edge), self._sheet.unit):
+                break
+
+    def _moved(self, step: QPointF, free: bool) -> list[Point]:
+        across = 1 - right_angles.axis_of(self._corners, self._piece)
+        to = self._corners[self._piece][across] + (step.x(), step.y())[across]
+        unit = self._sheet.unit
+        if not free:
+            to = right_angles.clear_value(
+                self._corners, self._piece, _on_grid(to, free), self._others, unit
+            )
+        return right_angles.moved(self._corners, self._piece, to, self._ends, unit)
+
+
+def _on_grid(value: float, free: bool) -> float:
+    return value if free else round(value / GRID) * GRID
 
 
 class DragLabel(_OnLine):

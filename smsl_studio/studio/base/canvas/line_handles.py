@@ -15,8 +15,9 @@ from smsl_studio.picture.bends import HANDLE
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.drawn_keys import ARROWS
 from smsl_studio.studio.base.canvas.gestures import GRID
-from smsl_studio.studio.base.canvas.line_gestures import DragBend, DragLabel
+from smsl_studio.studio.base.canvas.line_gestures import DragBend, DragLabel, DragPiece
 from smsl_studio.studio.base.canvas.line_marks import LineMarks
+from smsl_studio.studio.base.canvas.right_angles import corners_of
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 LABEL = MOST_BENDS
@@ -24,6 +25,7 @@ LABEL = MOST_BENDS
 GRAB = HANDLE / 2 + 3.0
 """A press within this distance of a bend takes its handle (pixels)."""
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
+LineGesture = DragBend | DragPiece | DragLabel
 
 
 class LineHandles:
@@ -73,18 +75,18 @@ class LineHandles:
         near = (GRAB / self._canvas.zoom) ** 2
         return int(np.argmin(away)) if away and min(away) <= near else -1
 
-    def press(self, event: QMouseEvent, at: QPointF) -> DragBend | DragLabel | None:
+    def press(self, event: QMouseEvent, at: QPointF) -> LineGesture | None:
         """The gesture of a press on a handle, or on the label of the selected operation."""
         edge, self._pressed = self.edge, self.bend_at(at)
         if self._pressed >= 0:
             self.choose(self._pressed)
-            return DragBend(self._canvas, event, edge, self._pressed)
+            return self._drag_line(event, edge, self._pressed)
         label = self._label() if edge >= 0 and not _extends(event) else None
         if label is not None and label.contains(at):
             return DragLabel(self._canvas, event, edge, label)
         return None
 
-    def press_line(self, event: QMouseEvent, at: QPointF) -> DragBend | DragLabel | None:
+    def press_line(self, event: QMouseEvent, at: QPointF) -> LineGesture | None:
         """The gesture of a press on the operation that the press has just selected."""
         edge, sheet = self.edge, self._canvas.sheet
         if sheet is None or edge < 0 or _extends(event) or not self._canvas.editing:
@@ -92,7 +94,18 @@ class LineHandles:
         label = self._label()
         if label is not None and label.contains(at):
             return DragLabel(self._canvas, event, edge, label)
-        return DragBend(self._canvas, event, edge) if sheet.picture.target[edge] >= 0 else None
+        return self._drag_line(event, edge) if sheet.picture.target[edge] >= 0 else None
+
+    def _drag_line(
+        self, event: QMouseEvent, edge: int, bend: int | None = None
+    ) -> DragBend | DragPiece:
+        """A line with right angles keeps them; any other one is led through the pointer."""
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        corners = corners_of(sheet.geometry.shape(edge), sheet.unit)
+        if corners is None or (bend is not None and len(corners) != len(self.layout.bends) + 2):
+            return DragBend(self._canvas, event, edge, bend)
+        return DragPiece(self._canvas, event, edge, corners, bend)
 
     def double_click(self, at: QPointF) -> bool:
         """Remove the bend whose handle took both clicks; whether there is one."""

@@ -151,7 +151,7 @@ class DrawVerbs:
             placed = editing.set_layout(straight, branch.name, places)
             return editing.put_notes(placed, branch.name, notes) if notes else placed
 
-        view, whole = self.canvas.camera.outlook, self.canvas.shows_all
+        view, whole = self.canvas.camera.stand, self.canvas.shows_all
         middle = self._state_in_middle() if not whole else ""
         if self._edit(f"Tidy {branch.name}", change) and chosen is None:
             if middle:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.studio.base.canvas.camera import Outlook
+from smsl_studio.studio.base.canvas.camera import CameraStand
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.document.session import Session
 
@@ -19,8 +19,8 @@ class _Whereabouts:
     """Where a person was at a step: the SB, and the view if the step itself moved it."""
 
     branch: str
-    before: Outlook | None = None
-    after: Outlook | None = None
+    before: CameraStand | None = None
+    after: CameraStand | None = None
 
 
 class StepViews(QObject):
@@ -40,10 +40,10 @@ class StepViews(QObject):
         session.blueprint_changed.connect(self._changed)
         session.history.indexChanged.connect(self._went)
 
-    def keep(self, before: Outlook) -> None:
+    def keep(self, before: CameraStand) -> None:
         """Let an undo of the last step show the view as it was ``before``, and a redo as it is."""
         if self._steps:
-            here = self._canvas.camera.outlook
+            here = self._canvas.camera.stand
             self._steps[-1] = replace(self._steps[-1], before=before, after=here)
 
     def _forget(self) -> None:
@@ -64,7 +64,7 @@ class StepViews(QObject):
             step = self._steps[index if back else index - 1]
             self._follow(step.branch, step.before if back else step.after, former)
 
-    def _follow(self, home: str, view: Outlook | None, former: Blueprint) -> None:
+    def _follow(self, home: str, view: CameraStand | None, former: Blueprint) -> None:
         session, shown = self._session, self._session.branch
         now = session.blueprint.branches
         here = former.branches.get(shown) is now.get(shown)
