@@ -32,6 +32,7 @@ BENCHES = (
     "find",
     "journal",
     "compare",
+    "merges",
     "record",
     "stories",
     "sensors",

@@ -14,7 +14,15 @@ if TYPE_CHECKING:
     from smsl_studio.front.inputs import inspect, read, refusals
     from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
     from smsl_studio.front.logs import account, replay, verify
-    from smsl_studio.front.outputs import convert, converted, diff, digest, fmt, render
+    from smsl_studio.front.outputs import (
+        convert,
+        converted,
+        diff,
+        digest,
+        fmt,
+        merge,
+        render,
+    )
     from smsl_studio.front.request import RunRequest
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
@@ -35,6 +43,7 @@ __all__ = [
     "fmt",
     "forbid_plugin",
     "inspect",
+    "merge",
     "open_request",
     "open_run",
     "plan_route",
@@ -66,6 +75,7 @@ VERBS = {
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
     "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
+    "merge": Verb("merge two versions of a blueprint by what they mean", ("merge",)),
     "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
     "digest": Verb("SHA-256 of what blueprints do, say and need", ("digest",)),
     "route": Verb("plan the cheapest route between two states", ("plan_route",)),
@@ -104,6 +114,7 @@ _HOMES = {
     "diff": "outputs",
     "digest": "outputs",
     "fmt": "outputs",
+    "merge": "outputs",
     "render": "outputs",
     "allow_plugin": "installed",
     "forbid_plugin": "installed",

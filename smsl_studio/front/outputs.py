@@ -21,6 +21,7 @@ from smsl_studio.smsl.files import document_of, read_content, save_document
 from smsl_studio.smsl.forms import SUFFIXES, form_named
 
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.merge import Merge
     from smsl_studio.picture.colours import Colours
     from smsl_studio.picture.panel import SvgPanel
 
@@ -55,6 +56,24 @@ def diff(before: Blueprint, after: Blueprint) -> Difference:
     from smsl_studio.picture.aligned import as_drawn
 
     return as_drawn(compare(before, after))
+
+
+def merge(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> Merge:
+    """Merge two versions of a blueprint that both come from ``base``, by what they mean.
+
+    What only one side changed is taken, and what both changed alike. For the rest the blueprint
+    keeps ``ours``, ``conflicts`` lists it, and the key ``_conflicts`` of the file has it.
+
+    >>> before, after = read("hanoi.json"), read("hanoi-corrected.json")
+    >>> done = merge(before, before, after)
+    >>> done.conflicts
+    ()
+    >>> done.blueprint == after
+    True
+    """
+    from smsl_studio.blueprint.merge import merge as merged
+
+    return merged(base, ours, theirs)
 
 
 def converted(blueprint: Blueprint, output: Name) -> Converted:

@@ -15,7 +15,8 @@ from smsl_studio.cli.output import Output
 
 VALUES = {"--world": "table", "--from": "FROM", "--to": "TO"}
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
-TWO_FILES = ("diff",)
+FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
+"""The words of the commands that take more than one file."""
 NO_BLUEPRINT = ("open", "replay", "worlds", "plugins")
 
 
@@ -42,8 +43,7 @@ def filled(words: list[str], values: dict[str, str]) -> list[str]:
 
 
 def _call(name: str) -> list[str]:
-    files = ["FILE", "OTHER"] if name in TWO_FILES else ["FILE"]
-    words = [name, *files]
+    words = [name, *FILES.get(name, ("FILE",))]
     for option, action in _options(name).items():
         if option == "--check":
             words.append(option)

@@ -84,6 +84,7 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
     for document in blueprint.documents:
         yield from _odd_hazards(blueprint, document)
         yield from _odd_levels(blueprint, document)
+        yield from _open_conflicts(document)
     for branch in blueprint:
         for path, reason in (*branch.notes.faults, *branch.drawn.faults):
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
@@ -117,6 +118,26 @@ def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
         fault = fault_of(blueprint, key, level)
         if fault is not None:
             yield _note(document, ("_levels", key), f"_levels: {fault.sentence}")
+
+
+def _open_conflicts(document: Document) -> Iterator[Remark]:
+    """Report each conflict that a merge left open, at its element."""
+    if "_conflicts" not in document.values:
+        return
+    from smsl_studio.blueprint.merge import read_conflicts
+
+    found, faults = read_conflicts(document.values["_conflicts"])
+    for index, conflict in found.items():
+        yield Remark(
+            "R29",
+            ERROR,
+            Address(*Address.split(conflict.address)),
+            f"a merge left {conflict.address} open: {conflict.words}",
+            "choose one of the two, and remove the entry from _conflicts",
+            spot=(document, ("_conflicts", str(index))),
+        )
+    for path, reason in faults:
+        yield _note(document, path, f"an open conflict is not understood: {reason}", ERROR)
 
 
 def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Remark]:
@@ -153,10 +174,12 @@ def _is_fact(blueprint: Blueprint, text: str) -> bool:
     return fact[1] < blueprint[fact[0]].num_facts
 
 
-def _note(home: Document, path: tuple[str, ...], message: str) -> Remark:
+def _note(
+    home: Document, path: tuple[str, ...], message: str, severity: Severity = WARNING
+) -> Remark:
     return Remark(
         "R29",
-        WARNING,
+        severity,
         Address(path[0]),
         message,
         "it is kept in the file, and left out of the meaning",

@@ -1,0 +1,94 @@
+"""``merge``: merges two versions of a blueprint by meaning. The exit status is 1 if conflicts stay
+open.
+
+git can call it as a merge driver: ``smsl-studio merge %O %A %B --name %P``.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.blueprint.merge import Merge
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.arguments import ArgumentParser, add_format
+from smsl_studio.cli.blueprint_argument import inputs_of, note_stand_ins, read_argument
+from smsl_studio.cli.output import Output, note, note_losses
+from smsl_studio.errors import UsageError
+from smsl_studio.front.inputs import read_bytes
+from smsl_studio.front.outputs import converted, form_of, merge
+from smsl_studio.legible import one_line
+from smsl_studio.smsl.files import read_content, save_document
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the arguments of ``merge``."""
+    parser.add_argument("base", metavar="BASE", help="the version that both sides come from")
+    parser.add_argument("ours", metavar="OURS", help="your version; conflicts keep it")
+    parser.add_argument("theirs", metavar="THEIRS", help="the other version")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT", help="where the merged blueprint goes (default: OURS)"
+    )
+    parser.add_argument(
+        "--name",
+        metavar="NAME",
+        help="the name of the file in the project, if the three files have other names, as those "
+        "of git",
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    """Merge, write the result and list the conflicts. 0: none is open; 1: some are."""
+    files = [options.base, options.ours, options.theirs]
+    if files.count("-") > 1:
+        raise UsageError("standard input can be one of the files only", advice="Name the others.")
+    target = options.output or options.ours
+    if target == "-":
+        raise UsageError("there is no file to write to", advice="Name one with -o OUT.")
+    if options.output:
+        form_of(options.output)
+    over = None if options.output else read_content(target).seen
+    base, ours, theirs = (_read(file, options.name) for file in files)
+    done = merge(base, ours, theirs)
+    note_losses(target)
+    if options.output:
+        inputs = (*inputs_of(base), *inputs_of(theirs))
+        save_document(converted(done.blueprint, target).document, target, made_of=inputs)
+    else:
+        save_document(done.blueprint.document, target, over)
+    _tell(done, target, out, options.format == "json")
+    return 1 if done.conflicts else 0
+
+
+def _read(file: str, name: str | None) -> Blueprint:
+    """Read one version. ``name`` says the form, and where the imported files are.
+
+    An empty file is an empty blueprint: git gives one as the base of a file that both sides added.
+    """
+    if name is None or file == "-":
+        return read_argument(file)
+    raw = read_content(file).raw
+    blueprint = read_bytes(raw, name) if raw.strip() else read_bytes(b"{}", "nothing.json")
+    note_stand_ins(blueprint)
+    return blueprint
+
+
+def _tell(done: Merge, target: str, out: Output, as_json: bool) -> None:
+    if as_json:
+        out.json(
+            {
+                "conflicts": [one.as_json() for one in done.conflicts],
+                "layout_kept": list(done.layout_kept),
+            }
+        )
+        return
+    for one in done.conflicts:
+        out.line(one_line(f"{one.address}: {one.words}"))
+    number = len(done.conflicts)
+    if number:
+        words = "1 conflict keeps" if number == 1 else f"{number} conflicts keep"
+        note(f"{words} your version in {target}, and stand there under _conflicts.")
+    else:
+        out.line(one_line(f"{target}: merged"))
+    if done.layout_kept:
+        note(f"The drawing of {len(done.layout_kept)} elements differs; yours is kept.")

@@ -1,0 +1,189 @@
+"""``merge``: exit status, text and JSON, what is written; and as git's driver in a repository."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from smsl_studio.front.inputs import read
+from tests.cli.shell import Shell, sample
+
+BASE = {"S": {"HEADER": {"INITIAL": "A", "ACTIVATING": "B"}, "A": {"go": "B"}, "B": {"back": "A"}}}
+
+
+def versions(folder: Path, ours: Any, theirs: Any) -> list[str]:
+    """The three files, with other operations of the states A and B."""
+    files = []
+    for name, (here, there) in {"base": ({}, {}), "ours": ours, "theirs": theirs}.items():
+        inside = {**BASE["S"], "A": {**BASE["S"]["A"], **here}, "B": {**BASE["S"]["B"], **there}}
+        file = folder / f"{name}.json"
+        file.write_text(json.dumps({"S": inside}, indent=2))
+        files.append(str(file))
+    return files
+
+
+def test_a_merge_without_conflicts_replaces_ours(shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({"one": "A"}, {}), ({}, {"two": "B"}))
+    before = [Path(file).read_bytes() for file in (files[0], files[2])]
+    answer = shell("merge", *files)
+    assert (answer.status, answer.out) == (0, f"{files[1]}: merged\n")
+    table = read(files[1])["S"].table
+    assert table == {"A": {"go": "B", "one": "A"}, "B": {"back": "A", "two": "B"}}
+    assert [Path(file).read_bytes() for file in (files[0], files[2])] == before
+
+
+def test_a_conflict_is_told_and_kept_in_the_file(shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({"go": "A"}, {}), ({"go": "C"}, {}))
+    out = tmp_path / "out.json"
+    ours = Path(files[1]).read_bytes()
+    answer = shell("merge", *files, "-o", str(out), "--format", "json")
+    assert answer.status == 1
+    told = {"address": "S/A/go", "base": "B", "ours": "A", "theirs": "C", "path": ["S", "A", "go"]}
+    assert answer.json == {"conflicts": [told], "layout_kept": []}
+    assert Path(files[1]).read_bytes() == ours
+    assert read(out)["S"].table["A"]["go"] == "A"
+    found = shell("check", str(out), "--rule", "R29", "--format", "json")
+    assert found.status == 1
+    (finding,) = found.json["files"][0]["findings"]
+    assert (finding["severity"], finding["address"]) == ("E", "S/A/go")
+    words = shell("merge", *files, "-o", str(out))
+    assert words.out == "S/A/go: mine is A, theirs is C\n"
+    assert "_conflicts" in words.err
+
+
+def test_hostile_names_are_told_without_their_marks(shell: Shell, tmp_path: Path) -> None:
+    odd = "C\x1b[2J\u202e\n"
+    files = versions(tmp_path, ({odd: "A"}, {}), ({odd: "B"}, {}))
+    answer = shell("merge", *files, "-o", str(tmp_path / "out.json"))
+    assert answer.status == 1
+    assert answer.out.startswith("S/A/C\\x1b[2J\\u202e\\n: mine is A")
+    assert len(answer.out.splitlines()) == 1
+
+
+def test_the_digest_leaves_open_conflicts_out(shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({"go": "A"}, {}), ({"go": "C"}, {}))
+    out = tmp_path / "out.json"
+    shell("merge", *files, "-o", str(out))
+    digests = shell("digest", files[1], str(out), "--format", "json").json["files"]
+    assert digests[0]["closure"] == digests[1]["closure"]
+    assert digests[0]["meaning"] == digests[1]["meaning"]
+
+
+def test_entries_that_are_not_understood_are_an_error(shell: Shell, tmp_path: Path) -> None:
+    file = tmp_path / "odd.json"
+    file.write_text(json.dumps({**BASE, "_conflicts": ["odd", {"path": []}]}))
+    answer = shell("check", str(file), "--rule", "R29", "--format", "json")
+    found = answer.json["files"][0]["findings"]
+    assert [(one["severity"], one["address"]) for one in found] == [("E", "_conflicts")] * 2
+
+
+@pytest.mark.parametrize("form", ["smsl", "yaml"])
+def test_out_has_the_form_of_its_suffix(form: str, shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({"go": "A"}, {}), ({"go": "C"}, {}))
+    out = tmp_path / f"out.{form}"
+    assert shell("merge", *files, "-o", str(out)).status == 1
+    assert read(out).document.form == form
+    assert read(out).document.values["_conflicts"][0]["theirs"] == "C"
+
+
+def test_what_cannot_be_merged_changes_nothing(shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({"one": "A"}, {}), ({}, {}))
+    ours = Path(files[1]).read_bytes()
+    Path(files[2]).write_text('{"S": {"A": {}, "A": {}}}')
+    answer = shell("merge", *files)
+    assert answer.status == 2
+    assert f"{files[2]}:1:17: S/A is written 2 times" in answer.err
+    assert Path(files[1]).read_bytes() == ours
+    assert shell("merge", files[0], files[1], str(tmp_path / "none.json")).status == 2
+    assert shell("merge", "-", "-", files[0]).status == 2
+    assert shell("merge", files[0], files[1]).status == 2
+    assert shell("merge", sample("hanoi"), "-", sample("hanoi")).status == 2
+    assert shell("merge", files[0], files[1], files[0], "-o", files[0]).status == 2
+
+
+# --- git -----------------------------------------------------------------------------------------
+
+
+class Repository:
+    """A repository with the merge driver of the pages."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.git("init", "-q", "-b", "main")
+        driver = f'"{sys.executable}" -m smsl_studio merge %O %A %B --name %P'
+        self.git("config", "merge.smsl.driver", driver)
+        (folder / ".gitattributes").write_text("*.json merge=smsl\n")
+
+    def git(self, *arguments: str, status: int = 0) -> str:
+        kept = {k: v for k, v in os.environ.items() if not k.startswith("GIT_")}
+        who = {f"GIT_{w}_{k}": "person" for w in ("AUTHOR", "COMMITTER") for k in ("NAME", "EMAIL")}
+        nowhere = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1", "GIT_PAGER": "cat"}
+        done = subprocess.run(
+            ["git", *arguments], cwd=self.folder, env=kept | who | nowhere,
+            capture_output=True, text=True, check=False, timeout=60,
+        )  # fmt: skip
+        assert done.returncode == status, done.stderr
+        return done.stdout
+
+    def commit(self, here: Any, there: Any) -> None:
+        inside = {**BASE["S"], "A": {**BASE["S"]["A"], **here}, "B": {**BASE["S"]["B"], **there}}
+        (self.folder / "plan.json").write_text(json.dumps({"S": inside}, indent=2))
+        self.git("add", "-A")
+        self.git("commit", "-q", "-m", "a step")
+
+    def table(self) -> Any:
+        return read(self.folder / "plan.json")["S"].table
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Repository:
+    made = Repository(tmp_path)
+    made.commit({}, {})
+    return made
+
+
+def test_git_merges_a_branch_and_a_rebase_by_meaning(repository: Repository) -> None:
+    repository.git("checkout", "-q", "-b", "other")
+    repository.commit({"go": "A"}, {})
+    repository.commit({"go": "A", "more": "B"}, {})
+    repository.git("checkout", "-q", "main")
+    # In the lines of the text this stands beside the other change.
+    repository.commit({"extra": "A"}, {"back": "B"})
+    repository.git("checkout", "-q", "other")
+    repository.git("rebase", "-q", "main")
+    merged = {"A": {"go": "A", "extra": "A", "more": "B"}, "B": {"back": "B"}}
+    assert repository.table() == merged
+    repository.git("checkout", "-q", "main")
+    repository.git("merge", "-q", "--no-ff", "-m", "joined", "other")
+    assert repository.table() == merged
+
+
+def test_a_conflict_in_git_leaves_a_readable_file(repository: Repository) -> None:
+    repository.git("checkout", "-q", "-b", "other")
+    repository.commit({"go": "A"}, {})
+    repository.git("checkout", "-q", "main")
+    repository.commit({"go": "B", "slow": "B"}, {"back": "B"})
+    repository.commit({"go": "C"}, {"back": "B"})
+    told = repository.git("merge", "other", status=1)
+    assert "CONFLICT" in told
+    assert repository.table() == {"A": {"go": "C"}, "B": {"back": "B"}}
+    (entry,) = read(repository.folder / "plan.json").document.values["_conflicts"]
+    assert (entry["ours"], entry["theirs"]) == ("C", "A")
+
+
+def test_a_file_that_both_branches_added_is_merged(repository: Repository) -> None:
+    for branch, here in (("other", {"one": "A"}), ("third", {"two": "A"})):
+        repository.git("checkout", "-q", "-b", branch, "main")
+        inside = {**BASE["S"], "A": {**BASE["S"]["A"], **here}}
+        (repository.folder / "new.json").write_text(json.dumps({"S": inside}))
+        repository.git("add", "-A")
+        repository.git("commit", "-q", "-m", "a file")
+    repository.git("merge", "-q", "-m", "joined", "other")
+    table = read(repository.folder / "new.json")["S"].table
+    assert table["A"] == {"go": "B", "one": "A", "two": "A"}
