@@ -299,3 +299,38 @@ def test_the_bar_has_its_keys_and_f3_stays_with_the_findings(sit: Sit) -> None:
     assert bar.back.hasFocus()
     person.press(Key.Key_Escape)
     assert bar.isHidden()
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_alt_and_left_lead_back_to_where_the_find_began(
+    sit: Sit, noted: Path, closed: bool
+) -> None:
+    person = sit(noted)
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    person.select("SB1/State100")
+    canvas.zoom_to(1.25)
+    canvas.camera.pan(40.0, -30.0)
+    before = canvas.camera.stand
+    find(person, "locked")
+    person.press(Key.Key_Return)
+    assert person.window.session.branch == "SB2"
+    if closed:
+        person.press(Key.Key_Escape)
+    person.press(Key.Key_Left, [Qt.KeyboardModifier.AltModifier])
+    assert bar_of(person).isHidden()
+    assert person.window.session.branch == "SB1"
+    assert person.selected() == ["SB1/State100"]
+    assert canvas.camera.stand == before
+    assert canvas.hasFocus()
+    assert not person.window.actions_table["find_back"].isEnabled()
+
+
+def test_the_zoom_stays_if_a_hit_can_be_read_at_it(sit: Sit) -> None:
+    person = sit(HANOI)
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    canvas.zoom_to(0.5)
+    find(person, "State_ccc")
+    assert is_in_the_middle(person, "SB1/State_ccc")
+    assert canvas.zoom == 0.5

@@ -144,7 +144,7 @@ class DrawFeature(Feature):
         return (
             *file_actions(files, session, shell.program, shell),
             *sample_actions(files),
-            *edit_actions(session, self.drawing, self.clipping, self.search.open, shell),
+            *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
             *view_actions(self.drawing, shell.sides, shell.program, shell),
             *blueprint_actions(

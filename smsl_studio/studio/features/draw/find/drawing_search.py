@@ -8,8 +8,10 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QTimer
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.base.paint.drawn_paint import READABLE
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.find.bar import DrawingFindBar
@@ -23,8 +25,17 @@ from smsl_studio.studio.features.draw.find.value_filter import (
 )
 
 LEAST_ZOOM = 0.7
+"""The zoom to which a view rises in which a hit cannot be read."""
 WAIT = 60
 """Milliseconds after an edit before its drawing is searched again."""
+
+
+class _Begin:
+    """Where a person was when a search began."""
+
+    def __init__(self, session: Session, canvas: Canvas) -> None:
+        self.branch, self.selection = session.branch, session.selection
+        self.drawn, self.stand = canvas.drawn.chosen, canvas.camera.stand
 
 
 class DrawingSearch(QObject):
@@ -48,6 +59,7 @@ class DrawingSearch(QObject):
         """The operations that plugins offer."""
         self.show_drawn: Callable[[DrawnKey, float], None] = lambda key, least: None
         """Selects a note or group of the SB that is shown, and scrolls to it."""
+        self._begun: _Begin | None = None
         self._again = _timer(self, WAIT, self.look)
         # It waits until no key is left to be read, so typing calls off what it makes obsolete.
         self._soon = _timer(self, 0, self._typed)
@@ -57,9 +69,12 @@ class DrawingSearch(QObject):
         session.blueprint_changed.connect(lambda *_: self._changed())
         session.branch_changed.connect(lambda _: self._mark())
         inspector.found.connect(lambda _: self._changed())
+        session.opened.connect(self._forget)
 
     def open(self) -> None:
         """Open the bar with the text that was typed last. A selected hit is the shown one."""
+        if self.bar.isHidden():
+            self._begun = _Begin(self._session, self._canvas)
         self.bar.open_bar(self._example())
         self.look()
         if self.current is None and self._session.selection:
@@ -74,6 +89,26 @@ class DrawingSearch(QObject):
         self._soon.stop()
         self.hits, self.current = Hits(), None
         self._mark()
+        self._canvas.setFocus()
+
+    def can_go_back(self) -> bool:
+        """Whether a search has begun in this file."""
+        return self._begun is not None
+
+    def go_back(self) -> None:
+        """Close the bar, and show SB, selection, zoom and place as they were when it was opened."""
+        begun, self._begun = self._begun, None
+        if begun is None:
+            return
+        if not self.bar.isHidden():
+            self.close()
+            self._settle_page()
+        self._session.show_branch(begun.branch)
+        self._session.select(begun.selection)
+        if self._session.branch == begun.branch:
+            if begun.drawn is not None:
+                self._canvas.drawn_wanted.emit(begun.drawn)
+            self._canvas.camera.look_back(begun.stand)
         self._canvas.setFocus()
 
     def look(self) -> None:
@@ -107,6 +142,20 @@ class DrawingSearch(QObject):
         return self._soon.isActive() or self._again.isActive()
 
     # Inside
+
+    def _settle_page(self) -> None:
+        """Give the canvas the room of the closed bar now, because the view depends on its size."""
+        page = self.bar.parentWidget()
+        layout = page.layout() if page is not None else None
+        if layout is not None:
+            layout.activate()
+
+    def _forget(self) -> None:
+        self._begun = None
+
+    def _least(self, readable: bool) -> float:
+        """The zoom that a hit needs: the present one, if it can be read at it."""
+        return self._canvas.zoom if readable else LEAST_ZOOM
 
     def _shown(self) -> There | None:
         """Where the hit is that is shown."""
@@ -157,7 +206,9 @@ class DrawingSearch(QObject):
                 session.show_branch(there.branch)
                 session.select((there,) if there.state else ())
             self._mark()
-            self._canvas.show_in_middle(there, LEAST_ZOOM)
+            sheet = self._canvas.sheet
+            readable = sheet is not None and sheet.level >= Level.COMPACT
+            self._canvas.show_in_middle(there, self._least(readable))
         else:
             self._mark()
             self._show_aside(hit)
@@ -169,7 +220,7 @@ class DrawingSearch(QObject):
         """
         if isinstance(hit.there, DrawnPlace):
             self._session.show_branch(hit.there.branch)
-            self.show_drawn(hit.there.key, LEAST_ZOOM)
+            self.show_drawn(hit.there.key, self._least(self._canvas.zoom >= READABLE))
         elif isinstance(hit.there, tuple):
             self._going.show_fact(*hit.there)
         elif hit.kind == "Hazard":

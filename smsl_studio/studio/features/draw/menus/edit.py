@@ -10,6 +10,7 @@ from smsl_studio.studio.base.feature import Shell
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs, selection_actions
+from smsl_studio.studio.features.draw.find.drawing_search import DrawingSearch
 
 NOT_SHOWN = EditRefused(
     "undo and redo work only while the drawing is shown",
@@ -21,10 +22,10 @@ def edit_actions(
     session: Session,
     drawing: DrawVerbs,
     clipping: ClipboardVerbs,
-    find: Callable[[], object],
+    search: DrawingSearch,
     shell: Shell,
 ) -> tuple[Action, ...]:
-    """The rows of the Edit menu. ``find`` opens the bar that finds in the drawing."""
+    """The rows of the Edit menu."""
     history = session.history
 
     def drawn() -> bool:
@@ -63,7 +64,10 @@ def edit_actions(
         *selection_actions(drawing, drawn),
         Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
                "search", ("Ctrl+K",), section=2),
-        Action("find", "Find in the drawing", find, "Edit", "", ("Ctrl+F",),
+        Action("find", "Find in the drawing", search.open, "Edit", "", ("Ctrl+F",),
                drawn, section=2,
                tip="Go from hit to hit on the canvas, also by fact values such as Disk 2 = b"),
+        Action("find_back", "Back to before the find", search.go_back, "Edit", "", ("Alt+Left",),
+               lambda: drawn() and search.can_go_back(), section=2,
+               tip="Show the place, the zoom and the selection as they were when it began"),
     )  # fmt: skip
