@@ -97,7 +97,7 @@ def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
             f"there is no {what} {name!r}",
             advice=did_you_mean(name, COMMANDS) or "smsl-studio --help lists what there is.",
         )
-    module = import_module(f"smsl_studio.cli.{name}")
+    module = import_module(f"smsl_studio.cli.{name.replace('-', '_')}")
     parser = ArgumentParser(name, out)
     module.add_arguments(parser)
     options = parser.parse_args(rest)

@@ -12,6 +12,7 @@ from smsl_studio.blueprint.merge import Merge
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import inputs_of, note_stand_ins, read_argument
+from smsl_studio.cli.merge_of_lines import by_lines
 from smsl_studio.cli.output import Output, note, note_losses
 from smsl_studio.errors import UsageError
 from smsl_studio.front.inputs import read_bytes
@@ -48,6 +49,10 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.output:
         form_of(options.output)
     over = None if options.output else read_content(target).seen
+    if options.name is not None and not options.output:
+        lines = by_lines(files, options.name)
+        if lines is not None:
+            return lines
     base, ours, theirs = (_read(file, options.name) for file in files)
     done = merge(base, ours, theirs)
     note_losses(target)

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.hosts import worlds
     from smsl_studio.front.inputs import inspect, read, refusals
     from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
@@ -42,6 +43,7 @@ __all__ = [
     "digest",
     "fmt",
     "forbid_plugin",
+    "git_setup",
     "inspect",
     "merge",
     "open_request",
@@ -76,6 +78,7 @@ VERBS = {
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
     "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
     "merge": Verb("merge two versions of a blueprint by what they mean", ("merge",)),
+    "git-setup": Verb("let git compare and merge blueprints by what they mean", ("git_setup",)),
     "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
     "digest": Verb("SHA-256 of what blueprints do, say and need", ("digest",)),
     "route": Verb("plan the cheapest route between two states", ("plan_route",)),
@@ -114,6 +117,7 @@ _HOMES = {
     "diff": "outputs",
     "digest": "outputs",
     "fmt": "outputs",
+    "git_setup": "git_drivers",
     "merge": "outputs",
     "render": "outputs",
     "allow_plugin": "installed",

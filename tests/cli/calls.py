@@ -17,7 +17,7 @@ VALUES = {"--world": "table", "--from": "FROM", "--to": "TO"}
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""
-NO_BLUEPRINT = ("open", "replay", "worlds", "plugins")
+NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup")
 
 
 def calls() -> dict[str, list[str]]:
@@ -61,5 +61,5 @@ def _suffix(action: argparse.Action) -> str:
 def _options(name: str) -> dict[str, argparse.Action]:
     """The options of a command, each by its first name."""
     parser = ArgumentParser(name, Output(sys.stdout))
-    import_module(f"smsl_studio.cli.{name}").add_arguments(parser)
+    import_module(f"smsl_studio.cli.{name.replace('-', '_')}").add_arguments(parser)
     return {one.option_strings[0]: one for one in parser._actions if one.option_strings}

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.front.git_drivers import DRIVERS, git_setup
 from smsl_studio.front.inputs import read
 from tests.cli.shell import Shell, sample
 
@@ -111,14 +112,15 @@ def test_what_cannot_be_merged_changes_nothing(shell: Shell, tmp_path: Path) -> 
 
 
 class Repository:
-    """A repository with the merge driver of the pages."""
+    """A repository after ``git-setup``, with a program of this environment as the driver."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.git("init", "-q", "-b", "main")
-        driver = f'"{sys.executable}" -m smsl_studio merge %O %A %B --name %P'
-        self.git("config", "merge.smsl.driver", driver)
-        (folder / ".gitattributes").write_text("*.json merge=smsl\n")
+        git_setup(folder)
+        for key, command in DRIVERS.items():
+            here = command.replace("smsl-studio", f'"{sys.executable}" -m smsl_studio')
+            self.git("config", key, here)
 
     def git(self, *arguments: str, status: int = 0) -> str:
         kept = {k: v for k, v in os.environ.items() if not k.startswith("GIT_")}
@@ -187,3 +189,52 @@ def test_a_file_that_both_branches_added_is_merged(repository: Repository) -> No
     repository.git("merge", "-q", "-m", "joined", "other")
     table = read(repository.folder / "new.json")["S"].table
     assert table["A"] == {"go": "B", "one": "A", "two": "A"}
+
+
+@pytest.mark.parametrize("name", ["package.json", "compose.yaml", "broken.json"])
+def test_files_that_are_no_blueprints_are_merged_line_by_line(
+    name: str, repository: Repository
+) -> None:
+    file = repository.folder / name
+    text = '{"web":\n {"app":\n  {"image": "one",\n\n\n   "ports": "two"}}}\n'
+    text = text[:-2] if name == "broken.json" else text
+    texts = text, text.replace("one", "ONE"), text.replace("two", "TWO")
+    for branch, words in zip(("main", "third", "main"), texts, strict=True):
+        repository.git("checkout", "-q", *(["-b", branch] if branch == "third" else [branch]))
+        file.write_text(words)
+        repository.git("add", "-A")
+        repository.git("commit", "-q", "-m", "a step")
+    repository.git("merge", "-q", "-m", "joined", "third")
+    assert file.read_text() == text.replace("one", "ONE").replace("two", "TWO")
+
+
+def test_git_setup_says_what_it_wrote_and_takes_it_back(shell: Shell, tmp_path: Path) -> None:
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    below = tmp_path / "plans"
+    below.mkdir()
+    attributes = tmp_path / ".gitattributes"
+    attributes.write_bytes(b"*.png binary")
+    config = tmp_path / ".git" / "config"
+    before = config.read_text()
+    told = shell("git-setup", str(below))
+    assert told.status == 0
+    assert [line.rpartition(": ")[2] for line in told.out.splitlines()] == [
+        "the block of smsl-studio", *DRIVERS,
+    ]  # fmt: skip
+    text = attributes.read_bytes()
+    assert text.startswith(b"*.png binary\n# smsl-studio begin\n*.smsl diff=smsl merge=smsl\n")
+    assert shell("git-setup", str(below)).out == "all is written already\n"
+    assert attributes.read_bytes() == text
+    assert shell("git-setup", str(below), "--undo").status == 0
+    assert attributes.read_bytes() == b"*.png binary\n"
+    assert "smsl" not in config.read_text()
+    assert before.splitlines()[0] in config.read_text()
+    assert shell("git-setup", str(below), "--undo").out == "nothing to take back\n"
+
+
+def test_git_setup_needs_a_repository(shell: Shell, tmp_path: Path) -> None:
+    answer = shell("git-setup", str(tmp_path))
+    assert answer.status == 2
+    assert "is in no git repository" in answer.err
+    assert not list(tmp_path.iterdir())
+    assert shell("git-setup", str(tmp_path / "none")).status == 2

@@ -1,0 +1,119 @@
+"""Makes git compare and merge the blueprints of a repository by what they mean.
+
+Two things are written: a block of lines in ``.gitattributes``, which goes along with the
+repository, and the two commands in the repository's own configuration, which does not.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from smsl_studio.errors import ReadError, SaveError
+
+BEGIN, END = "# smsl-studio begin", "# smsl-studio end"
+PATTERNS = ("*.smsl", "*.json", "*.yaml", "*.yml")
+DRIVERS = {
+    "diff.smsl.command": "smsl-studio diff --",
+    "merge.smsl.name": "merge of blueprints by what they mean",
+    "merge.smsl.driver": "smsl-studio merge %O %A %B --name %P",
+}
+_PATIENCE = 20.0
+
+
+@dataclass(frozen=True)
+class GitSetup:
+    """What was written or taken back: the file of attributes, and the keys of the
+    configuration."""
+
+    attributes: Path
+    keys: tuple[str, ...]
+    changed: bool
+
+
+def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSetup:
+    """Let git call smsl-studio for blueprints in the repository of a folder, or take that back.
+
+    What others wrote into ``.gitattributes`` stays as it is. A second call changes nothing.
+    ReadError if the folder is in no repository. SaveError if a file cannot be written.
+
+    >>> git_setup("nowhere")
+    Traceback (most recent call last):
+    smsl_studio.errors.ReadError: git cannot be asked about nowhere: No such file or directory
+    """
+    top = Path(_git(Path(folder), "rev-parse", "--show-toplevel").strip())
+    attributes = top / ".gitattributes"
+    try:
+        before = attributes.read_bytes() if attributes.exists() else b""
+        after = _without(before) if undo else _with_block(before)
+        if after != before:
+            _write(attributes, after)
+    except OSError as error:
+        raise SaveError(
+            f"{attributes} was not written: {error.strerror or error}",
+            advice="Check the right to write it.",
+        ) from error
+    keys = []
+    for key, value in DRIVERS.items():
+        now = _git(top, "config", "--local", "--default", "", "--get", key).rstrip("\n")
+        if undo and now == value:
+            _git(top, "config", "--local", "--unset", key)
+            keys.append(key)
+        elif not undo and now != value:
+            _git(top, "config", "--local", key, value)
+            keys.append(key)
+    return GitSetup(attributes, tuple(keys), after != before)
+
+
+def _write(attributes: Path, text: bytes) -> None:
+    if text:
+        attributes.write_bytes(text)
+    else:
+        attributes.unlink()
+
+
+def _with_block(text: bytes) -> bytes:
+    """Return the attributes with the block at the end. Line ends are those of the text."""
+    end = b"\r\n" if b"\r\n" in text else b"\n"
+    lines = [BEGIN, *(f"{pattern} diff=smsl merge=smsl" for pattern in PATTERNS), END]
+    block = b"".join(line.encode() + end for line in lines)
+    if block in text:
+        return text
+    rest = _without(text)
+    return rest + (end if rest and not rest.endswith(b"\n") else b"") + block
+
+
+def _without(text: bytes) -> bytes:
+    """Return the attributes without the block."""
+    kept, inside = [], False
+    for line in text.splitlines(keepends=True):
+        said = line.strip()
+        inside = inside or said == BEGIN.encode()
+        if not inside:
+            kept.append(line)
+        inside = inside and said != END.encode()
+    return b"".join(kept)
+
+
+def _git(folder: Path, *arguments: str) -> str:
+    kept = {k: v for k, v in os.environ.items() if k not in ("GIT_DIR", "GIT_WORK_TREE")}
+    try:
+        done = subprocess.run(
+            ["git", *arguments], cwd=folder, env=kept | {"LC_ALL": "C"}, capture_output=True,
+            stdin=subprocess.DEVNULL, text=True, timeout=_PATIENCE, check=False,
+        )  # fmt: skip
+    except (OSError, ValueError, subprocess.TimeoutExpired) as error:
+        raise ReadError(
+            f"git cannot be asked about {folder}: {getattr(error, 'strerror', None) or error}",
+            advice="Install git, and name a folder that exists.",
+        ) from error
+    if done.returncode:
+        words = done.stderr.strip().removeprefix("fatal: ").splitlines()
+        raise ReadError(
+            f"{folder} is in no git repository" if "not a git repository" in done.stderr
+            else f"git refuses: {words[0] if words else 'it gave no reason'}",
+            advice="Make one with: git init",
+        )  # fmt: skip
+    return done.stdout
