@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -50,6 +51,18 @@ class Ties:
             own[b].append(number)
         object.__setattr__(self, "of", [np.array(one, dtype=np.intp) for one in own])
 
+    @cached_property
+    def apart(self) -> list[Ints]:
+        """The numbers of the pairs that each state is not in."""
+        every = np.arange(len(self.pairs))
+        return [np.delete(every, own) for own in self.of]
+
+    @cached_property
+    def meet(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Which pairs have a state in common with which, (n, n)."""
+        one = self.pairs[:, None, :, None]
+        return np.asarray((one == self.pairs[None, :, None, :]).any(axis=(2, 3)))
+
     def others(self, state: int) -> Ints:
         """Return the states that operations join with a state."""
         return np.asarray(self.pairs[self.of[state]].sum(axis=1) - state)
@@ -75,51 +88,75 @@ def ties_of(graph: BranchGraph, far: Sequence[int], half: Floats) -> Ties:
 
 def cost_of(ties: Ties, at: Floats) -> float:
     """Return the cost of a whole layout. ``at`` has the centre of each node, (n, 2)."""
-    total = 0.0
-    for state in range(len(at)):
-        total += float(costs_at(ties, at, state, at[state : state + 1], once=True)[0])
-    return total
+    starts, ends = at[ties.pairs[:, 0]], at[ties.pairs[:, 1]]
+    step = ends - starts
+    total = _lengths(step) @ ties.weight
+    total += BACKWARDS * (_leads_back(step, ties.onwards) @ ties.weight)
+    hits = _hits(starts[:, None], ends[:, None], at[None], ties.half[None])
+    hits[np.arange(len(hits))[:, None], ties.pairs] = False
+    total += THROUGH * (hits.sum(axis=1) @ ties.weight)
+    a, b = (_area(step[:, None], points[None] - starts[:, None]) for points in (starts, ends))
+    crossed = (a * b <= 0.0) & (a * b <= 0.0).T & ~((a == 0.0) & (b == 0.0)) & ~ties.meet
+    return float(total + CROSSING / 2.0 * (ties.weight @ crossed @ ties.weight))
 
 
 def is_clear(ties: Ties, at: Floats) -> bool:
     """Return whether no line crosses another one or passes through a node."""
     gap = at[ties.pairs[:, 0]] - at[ties.pairs[:, 1]]
-    length = np.floor(np.sqrt((gap**2).sum(axis=1))) @ ties.weight
-    return bool(cost_of(ties, at) - length < CROSSING)
+    return bool(cost_of(ties, at) - _lengths(gap) @ ties.weight < CROSSING)
 
 
-def costs_at(ties: Ties, at: Floats, state: int, places: Floats, once: bool = False) -> Floats:
-    """Return the cost of a state at each of some places: its lines, and the lines through its node.
+def costs_at(
+    ties: Ties, at: Floats, state: int, places: Floats, most: float = np.inf
+) -> Floats:
+    """Return what a state costs at each of some places: its lines, and the lines through its node.
 
-    With ``once``, only lines to states with larger numbers count, and only crossings with later
-    lines. Then a sum over all states counts nothing twice.
+    The result is ``inf`` for places at which it costs ``most`` or more.
     """
     own = ties.of[state]
-    a, b = ties.pairs[:, 0], ties.pairs[:, 1]
-    rest = np.flatnonzero((a != state) & (b != state))
-    starts, ends = at[a[rest]], at[b[rest]]
-    hits = _hits(starts[None], ends[None], places[:, None], ties.half[state])
-    found = THROUGH * (hits @ ties.weight[rest])
-    if once:
-        own = own[ties.pairs[own, 0] == state]
-    if not len(own):
-        return np.asarray(found)
     others = ties.pairs[own].sum(axis=1) - state
     weight, goals = ties.weight[own], at[others]
     step = goals[None] - places[:, None]
-    # Every machine rounds a square root in the same way (IEEE 754).
-    found += np.floor(np.sqrt((step**2).sum(axis=2))) @ weight
     onwards = ties.onwards[own] * np.where(ties.pairs[own, 0] == state, 1.0, -1.0)
-    found += BACKWARDS * (((step[..., 0] * onwards <= 0.0) & (onwards != 0.0)) @ weight)
-    if not once:
-        found += THROUGH * (_nodes_on(ties, at, state, others, places) @ weight)
+    found = (_lengths(step) + BACKWARDS * _leads_back(step, onwards)) @ weight
+    # Few places are cheap enough to be looked at further: what takes longest comes last.
+    here = np.flatnonzero(found < most)
+    rest = _near_pairs(ties, at, state, np.vstack([places[here], goals]))
+    a, b = ties.pairs[rest].T
+    starts, ends = at[a], at[b]
     worth = weight[:, None] * ties.weight[rest]
-    worth[(a[rest] == others[:, None]) | (b[rest] == others[:, None])] = 0.0
-    if once:
-        worth[own[:, None] > rest] = 0.0
-    crossed = _cross(places, goals, starts, ends)
-    found += CROSSING * (crossed.reshape(len(places), -1) @ worth.ravel())
+    worth[(a == others[:, None]) | (b == others[:, None])] = 0.0
+    crossed = _cross(places[here], goals, starts, ends)
+    found[here] += CROSSING * (crossed.reshape(len(here), worth.size) @ worth.ravel())
+    here = here[found[here] < most]
+    hits = _hits(starts[None], ends[None], places[here, None], ties.half[state])
+    found[here] += THROUGH * (hits @ ties.weight[rest])
+    here = here[found[here] < most]
+    found[here] += THROUGH * (_nodes_on(ties, at, state, others, places[here]) @ weight)
+    found[found >= most] = np.inf
     return np.asarray(found)
+
+
+def _near_pairs(ties: Ties, at: Floats, state: int, points: Floats) -> Ints:
+    """Return the pairs without a state whose lines may meet one between some points, or its node at
+    one of them.
+    """
+    rest = ties.apart[state]
+    if not len(points):
+        return rest[:0]
+    low, high = points.min(axis=0) - ties.half[state], points.max(axis=0) + ties.half[state]
+    starts, ends = at[ties.pairs[rest, 0]], at[ties.pairs[rest, 1]]
+    near = (np.minimum(starts, ends) <= high) & (np.maximum(starts, ends) >= low)
+    return rest[near[:, 0] & near[:, 1]]
+
+
+def _lengths(step: Floats) -> Floats:
+    # A square root is rounded in the same way everywhere.
+    return np.asarray(np.floor(np.sqrt((step**2).sum(axis=-1))))
+
+
+def _leads_back(step: Floats, onwards: Floats) -> Any:
+    return (step[..., 0] * onwards <= 0.0) & (onwards != 0.0)
 
 
 def _area(a: Floats, b: Floats) -> Any:
@@ -143,10 +180,13 @@ def _cross(places: Floats, goals: Floats, a: Floats, b: Floats) -> Any:
 
 def _nodes_on(ties: Ties, at: Floats, state: int, others: Ints, places: Floats) -> Any:
     """Return how many nodes the line from each place to each neighbour passes through, (k, d)."""
-    hits = _hits(places[:, None, None], at[others][None, :, None], at[None, None], ties.half)
-    hits[:, np.arange(len(others)), others] = False
-    hits[:, :, state] = False
-    return hits.sum(axis=2)
+    goals = at[others]
+    points = np.vstack([places, goals])
+    near = (at >= points.min(axis=0) - ties.half) & (at <= points.max(axis=0) + ties.half)
+    near[state] = False
+    nodes = np.flatnonzero(near[:, 0] & near[:, 1])
+    hits = _hits(places[:, None, None], goals[None, :, None], at[nodes], ties.half[nodes])
+    return (hits & (others[:, None] != nodes)).sum(axis=2)
 
 
 def _hits(a: Floats, b: Floats, centre: Floats, half: Floats) -> Any:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from smsl_studio.graph.crossings import CROSSING, Floats, Ties, costs_at
+from smsl_studio.graph.crossings import Floats, Ties, costs_at
 from smsl_studio.stop import heed
 
 STEP = np.array([109.0, 52.0])
@@ -25,11 +25,10 @@ WIDE, NARROW = (4, 6), (2, 4)
 ``MANY_PAIRS`` pairs of states has the smaller reach, because each step costs time.
 """
 MANY_PAIRS = 100
-_PARTNERS = 6
 
 
 def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = True) -> Floats:
-    """Return the places after the search, (n, 2) in pixels.
+    """Return places at which no state can stand better.
 
     ``at`` has the places at the beginning. The states of ``stays`` do not move. Without ``across``
     every state keeps its x.
@@ -45,12 +44,7 @@ def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = Tru
         for state in [i for i in movable if i in waiting]:
             heed()
             if _moved(ties, at, state, moves, across):
-                changed.update(_near(ties, state))
-        for state in [i for i in movable if i in waiting]:
-            heed()
-            other = _swapped(ties, at, state, fixed, across)
-            if other >= 0:
-                changed.update(_near(ties, state), _near(ties, other))
+                changed.update((state, *ties.others(state).tolist()))
         waiting = changed
         if not waiting:
             break
@@ -64,23 +58,20 @@ def _steps(across: int, down: int) -> Floats:
     return np.array(near, dtype=np.float64)
 
 
-def _near(ties: Ties, state: int) -> list[int]:
-    return [state, *ties.others(state).tolist()]
-
-
 def _moved(ties: Ties, at: Floats, state: int, moves: Floats, across: bool) -> bool:
     """Move a state to the cheapest free place near it or near the middle of its neighbours."""
-    ends = np.sort(at[ties.others(state)], axis=0)
-    middle = np.round((ends[len(ends) // 2] - at[state]) / STEP) * STEP
+    middle = np.sort(at[ties.others(state)], axis=0)[len(ties.of[state]) // 2]
+    middle = np.round((middle - at[state]) / STEP) * STEP
     if not across:
         middle[0] = 0.0
     places = np.vstack([moves, moves + middle]) + at[state]
-    free = _free(ties, at, state, places)
-    free[0] = True
-    places = places[free]
-    costs = costs_at(ties, at, state, places)
+    places = places[_free(ties, at, state, places)]
+    if not len(places):
+        return False
+    now = float(costs_at(ties, at, state, at[state : state + 1])[0])
+    costs = costs_at(ties, at, state, places, now)
     best = int(costs.argmin())
-    if costs[best] >= costs[0]:
+    if costs[best] == np.inf:
         return False
     at[state] = places[best]
     return True
@@ -90,34 +81,9 @@ def _free(
     ties: Ties, at: Floats, state: int, places: Floats
 ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     room = ties.half + ties.half[state] + GAP
-    gap = np.abs(places[:, None] - at)
-    meets = (gap[..., 0] < room[:, 0]) & (gap[..., 1] < room[:, 1])
-    meets[:, state] = False
+    near = (at > places.min(axis=0) - room) & (at < places.max(axis=0) + room)
+    near[state] = False
+    nodes = np.flatnonzero(near[:, 0] & near[:, 1])
+    gap = np.abs(places[:, None] - at[nodes])
+    meets = (gap[..., 0] < room[nodes, 0]) & (gap[..., 1] < room[nodes, 1])
     return np.asarray(~meets.any(axis=1))
-
-
-def _swapped(ties: Ties, at: Floats, state: int, fixed: set[int], across: bool) -> int:
-    """Let a state change places with another one if that is cheaper. Return the other one, or -1 if
-    the state stays.
-    """
-    gap = np.abs(at - at[state])
-    near = np.flatnonzero((gap[:, 0] == 0.0) | across)
-    near = near[np.argsort(gap[near].sum(axis=1), kind="stable")][: _PARTNERS + 1]
-    costs = costs_at(ties, at, state, at[near])
-    now = costs[near == state][0]
-    for other, there in zip(near.tolist(), costs.tolist(), strict=True):
-        if other == state or other in fixed or there > now + CROSSING:
-            continue
-        trial = at.copy()
-        trial[[state, other]] = at[[other, state]]
-        pair = (state, other)
-        if not all(_free(ties, trial, one, trial[one : one + 1])[0] for one in pair):
-            continue
-        before, after = (
-            sum(costs_at(ties, where, one, where[one : one + 1])[0] for one in pair)
-            for where in (at, trial)
-        )
-        if after < before:
-            at[:] = trial
-            return int(other)
-    return -1
