@@ -8,17 +8,19 @@ the graph that no operation joins stand one below another. The part of INITIAL i
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 import numpy as np
 
 from smsl_studio.blueprint.elements import Header
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import BranchGraph, graph_of
+from smsl_studio.graph.compaction import compacted
 from smsl_studio.graph.crossings import CROSSING, Floats, Ties, cost_of, is_clear, ties_of
 from smsl_studio.graph.fact_rows import in_fact_rows
-from smsl_studio.graph.layered import in_layers, words_of
+from smsl_studio.graph.layered import COLUMN, in_layers, lattice, words_of
 from smsl_studio.graph.layers import by_chains, by_steps
-from smsl_studio.graph.local_search import STEP, settle
+from smsl_studio.graph.settling import settle
 from smsl_studio.graph.shape import islands
 from smsl_studio.graph.spread import CELL_X, CELL_Y, by_distance
 
@@ -34,8 +36,10 @@ WORTH = 1.15
 least the cost of one crossing is added.
 """
 FEW_PAIRS = 100
-"""The local search improves every layout of an SB with at most so many pairs of states. With more
-pairs it improves only the layout by distances.
+"""Up to so many pairs of states, all layouts settle, else only the one by distances."""
+MANY_STARTS = 60
+"""Up to so many pairs of states, states leave the columns of each layered layout, else only those
+of the best one.
 """
 LETTER, NARROWEST, WIDEST, HIGH = 7.0, 108.0, 320.0, 54.0
 """The width of a letter of a name, and the sizes of nodes (pixels)."""
@@ -66,7 +70,7 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
         places |= zip(names, map(tuple, at.tolist()), strict=True)
     for number, name in enumerate(alone):
         row, column = divmod(number, _ALONE)
-        places[name] = (column * 2.0 * STEP[0], lowest + (row + 1) * PART)
+        places[name] = (column * float(COLUMN), lowest + (row + 1) * PART)
     return {name: places[name] for name in branch.table}
 
 
@@ -91,7 +95,7 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
     def take(begin: Floats, across: bool) -> None:
         """Improve a layout by the local search, and keep the result with its cost."""
         here = few or (most and (across or kind == LAYERS))
-        at = settle(ties, begin, across=across) if here else begin
+        at = compacted(ties, settle(ties, begin, across=across), across) if here else begin
         cost = cost_of(ties, at) if most else -float(len(found))
         if across and most:
             # Columns are easier to follow, so they are left only for a good reason.
@@ -103,7 +107,9 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
         if not across and most and is_clear(ties, found[-1][2]):
             return found[-1][2]
     if few and kind == BEST and len(graph) > 2:
-        take(min(found[:-1], key=lambda one: one[:2])[2], True)
+        columns = sorted(found[:-1], key=lambda one: one[:2])
+        for _, _, at in columns[: 1 if len(ties.pairs) > MANY_STARTS else None]:
+            take(at, True)
     return min(found, key=lambda one: one[:2])[2]
 
 
@@ -114,15 +120,16 @@ def _starts(
     start = graph.index.get(branch.initial, 0)
     if kind == LAYERS or len(graph) <= (MOST_STATES if kind == BEST else 2):
         steps = by_steps(graph, start)
-        yield in_layers(graph, ties, steps), False
         chains = by_chains(graph, start) if len(graph) <= MOST_STATES else steps
-        if chains != steps:
-            yield in_layers(graph, ties, chains), False
+        for layer in (chains,) if chains == steps else (chains, steps):
+            # States that do not settle keep the first places.
+            for begin in islice(in_layers(ties, layer), None if settles(ties) else 1):
+                yield begin, False
     if kind != LAYERS and len(graph) > 2:
         near = by_distance(branch)
         at = np.array([near[name] for name in graph.names]).reshape(-1, 2)
-        # Without the local search, states stay in cells that are narrower than its lattice.
-        yield (np.round(at / (CELL_X, CELL_Y)) * STEP * 2.0 if settles(ties) else at), True
+        # States that do not settle stay in their narrower cells.
+        yield (np.round(at / (CELL_X, CELL_Y)) * ties.step * 2.0 if settles(ties) else at), True
 
 
 def settles(ties: Ties) -> bool:
@@ -137,4 +144,4 @@ def ties_for(branch: StateBranch) -> Ties:
     chips = max((len(branch.facts(name)) for name in graph.names), default=0)
     wide = max(words_of(branch)[0] * LETTER + 24.0, chips * CHIP + 20.0, NARROWEST)
     half = np.full((len(graph), 2), (min(wide, WIDEST) / 2.0 + AROUND, HIGH / 2.0 + AROUND))
-    return ties_of(graph, far, half)
+    return ties_of(graph, far, half, lattice(graph, half))

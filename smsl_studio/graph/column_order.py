@@ -36,6 +36,8 @@ class OrderedColumns:
     columns: list[list[int]]
     left: list[list[tuple[int, float]]]
     right: list[list[tuple[int, float]]]
+    crossings: float = 0.0
+    """The number of lines that cross between neighbouring columns."""
 
 
 def columns_of(ties: Ties, layer: Sequence[int]) -> OrderedColumns:
@@ -84,7 +86,8 @@ def in_order(given: OrderedColumns) -> OrderedColumns:
                 best = crossings, [list(column) for column in columns]
             if not best[0]:
                 break
-    return OrderedColumns(given.states, best[1] if best else [], given.left, given.right)
+    crossings, columns = best or (0.0, [])
+    return OrderedColumns(given.states, columns, given.left, given.right, crossings)
 
 
 def _begin(column: list[int], start: int) -> list[int]:

@@ -30,16 +30,17 @@ INITIAL but not to the right. One pixel of line costs 1.
 class Ties:
     """The pairs of states that operations join.
 
-    ``weight`` is the number of operations of a pair, in both directions. ``onwards`` is 1 if the
-    second state of a pair is farther from INITIAL, and -1 if the first one is. It is 0 if as many
-    operations lead back. ``half`` is half the width and half the height of each node, with room
-    around it (pixels).
+    ``onwards`` is 1 where the second state of a pair is farther from INITIAL, -1 where the first
+    one is, and 0 if as many operations lead back. ``half`` is half the width and half the height of
+    each node, with room around it (pixels). States stand on a lattice: ``step`` is half the
+    distance of two columns, and half that of two rows (pixels).
     """
 
     pairs: Ints
     weight: Floats
     onwards: Floats
     half: Floats
+    step: Floats
     of: list[Ints] = field(init=False)
     """The numbers of the pairs of each state."""
 
@@ -68,9 +69,9 @@ class Ties:
         return np.asarray(self.pairs[self.of[state]].sum(axis=1) - state)
 
 
-def ties_of(graph: BranchGraph, far: Sequence[int], half: Floats) -> Ties:
-    """Return the pairs of states of a graph. Operations that lead back to their own state do not
-    count. ``far`` has the distance of each state from INITIAL (operations).
+def ties_of(graph: BranchGraph, far: Sequence[int], half: Floats, step: Floats) -> Ties:
+    """Return the pairs of a graph, without operations that lead back to their own state. ``far``
+    tells how far each state is from INITIAL.
     """
     found: dict[tuple[int, int], list[int]] = {}
     for a, b in zip(graph.sources, graph.targets, strict=True):
@@ -83,7 +84,7 @@ def ties_of(graph: BranchGraph, far: Sequence[int], half: Floats) -> Ties:
     weight, away = counts.T
     rank = np.array(far, dtype=np.float64)
     onwards = np.sign(rank[pairs[:, 1]] - rank[pairs[:, 0]])
-    return Ties(pairs, weight, np.where(away > 0.0, onwards, 0.0), half)
+    return Ties(pairs, weight, np.where(away > 0.0, onwards, 0.0), half, step)
 
 
 def cost_of(ties: Ties, at: Floats) -> float:
@@ -106,9 +107,7 @@ def is_clear(ties: Ties, at: Floats) -> bool:
     return bool(cost_of(ties, at) - _lengths(gap) @ ties.weight < CROSSING)
 
 
-def costs_at(
-    ties: Ties, at: Floats, state: int, places: Floats, most: float = np.inf
-) -> Floats:
+def costs_at(ties: Ties, at: Floats, state: int, places: Floats, most: float = np.inf) -> Floats:
     """Return what a state costs at each of some places: its lines, and the lines through its node.
 
     The result is ``inf`` for places at which it costs ``most`` or more.

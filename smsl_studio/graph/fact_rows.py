@@ -39,7 +39,7 @@ def in_fact_rows(branch: StateBranch, ties: Ties) -> dict[str, Point] | None:
     used = sorted(set(away))
     if len(used) * len(values) != len(graph):
         return None
-    x = column_places(graph, ties, [used.index(steps) for steps in away])
+    x = column_places(ties, [used.index(steps) for steps in away])
     rows = list(values)
     return {
         name: (float(x[used.index(steps)]), rows.index(state[digit]) * ROW)

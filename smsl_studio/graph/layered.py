@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -11,40 +11,70 @@ from smsl_studio.graph.brandes_koepf import heights
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.column_order import columns_of, in_order
 from smsl_studio.graph.crossings import Floats, Ties
-from smsl_studio.graph.local_search import STEP
 
 COLUMN, WIDEST = 218, 320
-"""The smallest and the largest distance between two columns of narrow nodes (pixels)."""
+"""The least and the largest distance of two columns of narrow nodes (pixels)."""
+ROW = 110
+"""The distance of two rows (pixels)."""
+BESIDE = 12.0
+"""The room beside a label, in addition to that around nodes (pixels)."""
 LETTER, LETTERS = 6.2, 4
 """The mean width of a letter of a label (pixels), and the step to which lengths are rounded up. So
 a new name seldom changes the whole layout.
 """
 
 
-def in_layers(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> Floats:
-    """Return the centre of each node, (n, 2) in pixels. ``layer`` has the column of each state."""
-    knot = int(STEP[1])
+def in_layers(ties: Ties, layer: Sequence[int]) -> Iterator[Floats]:
+    """Yield the centre of each node, for the column that each state stands in. If no lines cross,
+    a second layout has columns that are farther apart.
+    """
+    count = len(layer)
+    knot = int(ties.step[1])
     row = 2 * knot
     found = in_order(columns_of(ties, layer))
     y = heights(found, [row if v < found.states else knot for v in range(len(found.left))])
-    places = np.zeros((len(graph), 2), dtype=np.float64)
-    for x, column in zip(column_places(graph, ties, layer), found.columns, strict=True):
+    places = np.zeros((count, 2), dtype=np.float64)
+    for x, column in zip(column_places(ties, layer), found.columns, strict=True):
         lowest = None
         for v in column:
-            if v < len(graph):
-                # The y is a whole number of steps of the lattice, and keeps the column's order.
+            if v < count:
+                # Whole steps of the lattice, in the order of the column.
                 wanted = round(y[v] / knot) * knot
                 lowest = wanted if lowest is None else max(wanted, lowest + row)
                 places[v] = x, lowest
-    return places
+    yield places
+    if not found.crossings:
+        yield _wide(ties, layer, places)
 
 
-def column_places(graph: BranchGraph, ties: Ties, layer: Sequence[int]) -> list[float]:
-    """Return the x of each column (pixels). The longest label fits between any two columns."""
-    nodes = 2.0 * float(ties.half[:, 0].max())
-    apart = nodes + 16.0 + LETTER * longest_label(graph.operations)
-    apart = round(min(max(apart, COLUMN), max(WIDEST, nodes + 60.0)))
-    return [float(at * apart) for at in range(max(layer, default=-1) + 1)]
+def _wide(ties: Ties, layer: Sequence[int], places: Floats) -> Floats:
+    """Return places with columns so far apart that steep lines between them do not touch the other
+    nodes of these columns, but no more than twice as far apart as usual.
+    """
+    wide, high = ties.half.max(axis=0, initial=0.0)
+    usual, row = 2.0 * ties.step
+    column = np.array(layer, dtype=np.intp)
+    a, b = ties.pairs.T
+    beside = np.abs(column[a] - column[b]) == 1
+    rise = np.abs(places[a, 1] - places[b, 1])
+    shift = np.zeros(int(column.max()) + 1)
+    for at, steep in zip(np.minimum(column[a], column[b])[beside], rise[beside], strict=True):
+        needed = min(wide * steep / (row - high), 2.0 * usual) - usual
+        shift[at + 1] = max(shift[at + 1], np.ceil(needed / ties.step[0]) * ties.step[0])
+    return np.asarray(places + np.outer(shift.cumsum()[column], (1.0, 0.0)))
+
+
+def column_places(ties: Ties, layer: Sequence[int]) -> list[float]:
+    """Return the x of each column: all as far apart as the longest label needs."""
+    return [2.0 * at * float(ties.step[0]) for at in range(max(layer, default=-1) + 1)]
+
+
+def lattice(graph: BranchGraph, half: Floats) -> Floats:
+    """Return half the distance of two columns, and half that of two rows (whole pixels)."""
+    nodes = 2.0 * float(half[:, 0].max())
+    apart = nodes + BESIDE + LETTER * longest_label(graph.operations)
+    apart = min(max(apart, COLUMN), max(WIDEST, nodes + 60.0))
+    return np.array([round(apart / 2.0), ROW / 2.0])
 
 
 def words_of(branch: StateBranch) -> tuple[int, int]:

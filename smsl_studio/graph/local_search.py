@@ -15,16 +15,12 @@ import numpy as np
 from smsl_studio.graph.crossings import Floats, Ties, costs_at
 from smsl_studio.stop import heed
 
-STEP = np.array([109.0, 52.0])
-"""The lattice: half the distance of two columns, and half that of two rows (pixels)."""
 GAP = np.array([38.0, 20.0])
 """The room between two nodes, in addition to the room around each node (pixels)."""
 ROUNDS = 8
-WIDE, NARROW = (4, 6), (2, 4)
-"""How many steps of the lattice a state may move across and down at once. A graph with more than
-``MANY_PAIRS`` pairs of states has the smaller reach, because each step costs time.
-"""
-MANY_PAIRS = 100
+WIDEST, WIDE, NARROW = (8, 10), (4, 6), (2, 4)
+"""How many steps of the lattice a state looks across and down: many in a graph of few pairs."""
+FEW_PAIRS, MANY_PAIRS = 30, 100
 
 
 def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = True) -> Floats:
@@ -34,8 +30,9 @@ def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = Tru
     every state keeps its x.
     """
     at = at.copy()
-    reach = WIDE if len(ties.pairs) <= MANY_PAIRS else NARROW
-    moves = _steps(reach[0] if across else 0, reach[1]) * STEP
+    pairs = len(ties.pairs)
+    reach = WIDEST if pairs <= FEW_PAIRS else WIDE if pairs <= MANY_PAIRS else NARROW
+    moves = _steps(reach[0] if across else 0, reach[1]) * ties.step
     fixed = set(stays)
     movable = [i for i in range(len(at)) if i not in fixed and len(ties.of[i])]
     waiting = set(movable)
@@ -61,7 +58,7 @@ def _steps(across: int, down: int) -> Floats:
 def _moved(ties: Ties, at: Floats, state: int, moves: Floats, across: bool) -> bool:
     """Move a state to the cheapest free place near it or near the middle of its neighbours."""
     middle = np.sort(at[ties.others(state)], axis=0)[len(ties.of[state]) // 2]
-    middle = np.round((middle - at[state]) / STEP) * STEP
+    middle = np.round((middle - at[state]) / ties.step) * ties.step
     if not across:
         middle[0] = 0.0
     places = np.vstack([moves, moves + middle]) + at[state]

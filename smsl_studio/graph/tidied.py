@@ -19,7 +19,7 @@ from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.layout import free_places, place_anew
-from smsl_studio.graph.local_search import STEP, settle
+from smsl_studio.graph.settling import settle
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
@@ -73,7 +73,7 @@ def _kept(branch: StateBranch, before: Floats, after: Floats) -> Floats | None:
     better, or if the former one was not tidy.
     """
     ties = ties_for(branch)
-    high = float(STEP[1])
+    high = float(ties.step[1])
     ((rest, count),) = Counter(np.mod(np.round(before[:, 1]), high).tolist()).most_common(1)
     if not settles(ties) or count < IN_ROWS * len(before):
         return None

@@ -20,10 +20,12 @@ from smsl_studio.graph.arrangement import MOST_STATES, arranged, ties_for
 from smsl_studio.graph.brandes_koepf import heights
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.column_order import columns_of, in_order
+from smsl_studio.graph.compaction import compacted
 from smsl_studio.graph.crossings import CROSSING, THROUGH, Floats, Ties, cost_of, costs_at, is_clear
 from smsl_studio.graph.layers import by_chains, by_steps
 from smsl_studio.graph.local_search import settle
 from smsl_studio.stop import Stopped, heeding
+from tests.graph.test_layout import covers
 
 Pairs = list[tuple[int, int]]
 
@@ -82,6 +84,41 @@ def test_the_cost_counts_crossings_nodes_in_the_way_and_length() -> None:
     for at in (apart, crossed, through):
         every = [costs_at(two, at, state, at[state : state + 1])[0] for state in range(4)]
         assert max(every) <= cost_of(two, at)
+
+
+def test_a_place_that_is_too_dear_costs_no_more_than_that() -> None:
+    """The cost of a state at each place is the same, whether a limit is known or not."""
+    some = ties([(i, (i * 5 + 2) % 23) for i in range(23)] + [(3, 9), (0, 7)], 23)
+    chance = np.random.default_rng(8)
+    at = np.round(chance.random((23, 2)) * (12, 9)) * some.step
+    places = np.round(chance.random((40, 2)) * (12, 9)) * some.step
+    for state in range(23):
+        whole = costs_at(some, at, state, places)
+        most = float(np.sort(whole)[20])
+        assert (
+            costs_at(some, at, state, places, most) == np.where(whole < most, whole, np.inf)
+        ).all()
+
+
+def test_what_a_state_costs_less_elsewhere_the_whole_layout_costs_less() -> None:
+    some = ties([(i, (i * 7 + 3) % 19) for i in range(19)] + [(1, 9), (0, 7)], 19)
+    chance = np.random.default_rng(3)
+    at = np.round(chance.random((19, 2)) * (40, 40)) * some.step
+    for state in range(19):
+        moved = at.copy()
+        moved[state] = np.round(chance.random(2) * (40, 40)) * some.step
+        here, there = costs_at(some, at, state, np.stack([at[state], moved[state]]))
+        assert cost_of(some, moved) - cost_of(some, at) == there - here
+
+
+def test_a_gap_that_nothing_needs_is_closed() -> None:
+    two = ties([(0, 1), (1, 2)], 3)
+    at = np.array([[0, 0], [218, 0], [1090, 550]], dtype=float)
+    near = compacted(two, at)
+    assert near.tolist() == [[0, 0], [218, 0], [327, 110]]
+    assert compacted(two, near).tolist() == near.tolist()
+    assert (compacted(two, at, across=False)[:, 0] == at[:, 0]).all()
+    assert not covers({str(i): (x, y) for i, (x, y) in enumerate(near.tolist())})
 
 
 def test_states_settle_where_no_lines_cross_and_only_they_move() -> None:

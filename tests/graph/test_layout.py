@@ -20,7 +20,7 @@ from smsl_studio.generate import rules
 from smsl_studio.graph import layout
 from smsl_studio.graph.arrangement import KINDS, LAYERS, ties_for
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.crossings import THROUGH, cost_of, is_clear
+from smsl_studio.graph.crossings import is_clear
 from smsl_studio.graph.layout import (
     MOST_SPREAD,
     QUICK,
@@ -155,13 +155,14 @@ def test_registration_is_a_grid_of_four_columns_and_two_rows() -> None:
     }
     columns = sorted({x for x, _ in places.values()})
     assert len(columns) == 4
-    assert all(218 <= b - a <= 280 for a, b in itertools.pairwise(columns))
+    assert all(218 <= b - a <= 260 for a, b in itertools.pairwise(columns))
 
 
-def test_hfsm_leads_from_left_to_right() -> None:
+def test_hfsm_leaves_its_line_free() -> None:
     places = place_states(sample("hfsm.json")["SB1"])
-    assert places["State000"][0] < places["State100"][0] < places["State111"][0]
-    assert places["State000"][1] == places["State100"][1]
+    assert sorted(places, key=lambda n: places[n]) == list(places)
+    assert len({places[f"State{n}"][1] for n in ("000", "100", "111")}) == 1
+    assert places["State110"][1] < places["State100"][1] - 54
 
 
 def test_a_chain_is_a_line_and_a_sub_sb_two_nodes_side_by_side() -> None:
@@ -171,21 +172,25 @@ def test_a_chain_is_a_line_and_a_sub_sb_two_nodes_side_by_side() -> None:
     assert sub == {"State0": (0.0, 0.0), "State1": (218.0, 0.0)}
 
 
-def test_the_way_back_of_a_ring_is_free() -> None:
+def test_a_ring_bows_around_the_way_back() -> None:
     names = ["One", "Two", "Three", "Four", "Five"]
     branch = chain(*names, more={"Five": {"back": "One"}})
     places = place_states(branch)
-    assert min(places, key=lambda name: places[name]) == "One"
+    assert sorted(places, key=lambda name: places[name]) == names
+    assert places["One"][1] == places["Five"][1]
+    assert all(places[name][1] <= places["One"][1] - 54 for name in names[1:4])
     assert is_clear(ties_for(branch), np.array([places[name] for name in names]))
 
 
-def test_the_lines_of_a_star_are_short_and_meet_next_to_nothing() -> None:
+def test_a_star_has_its_leaves_in_one_column() -> None:
     leaves = {f"leaf{i}": f"Leaf {i}" for i in range(8)}
     branch = StateBranch("SB", {"Hub": leaves, **{leaf: {} for leaf in leaves.values()}})
     places = place_states(branch)
+    assert len({places[leaf][0] for leaf in leaves.values()}) == 1
+    assert min(places, key=lambda name: places[name]) == "Hub"
     assert not covers(places)
     at = np.array([places[name] for name in branch.table])
-    assert cost_of(ties_for(branch), at) < THROUGH + 8 * 500
+    assert is_clear(ties_for(branch), at)
 
 
 def cube(bits: int) -> StateBranch:
@@ -196,14 +201,12 @@ def cube(bits: int) -> StateBranch:
     return StateBranch("SB", dict(table))
 
 
-def test_a_cube_has_no_line_through_a_node() -> None:
-    """Each line of a cube of three facts crosses few others, and none of the nodes."""
+def test_no_lines_of_a_cube_meet() -> None:
+    """Three independent facts: a cube can be drawn without a crossing or a line through a node."""
     branch = cube(3)
     places = place_states(branch)
     assert not covers(places)
-    ties = ties_for(branch)
-    at = np.array([places[name] for name in branch.table])
-    assert cost_of(ties, at) < 8 * THROUGH
+    assert is_clear(ties_for(branch), np.array([places[name] for name in branch.table]))
 
 
 @pytest.mark.parametrize("kind", KINDS)
