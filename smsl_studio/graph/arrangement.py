@@ -56,22 +56,41 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
         rows = in_fact_rows(branch, ties_for(branch))
         if rows is not None:
             return rows
-    parts = sorted(islands(branch), key=lambda part: (branch.initial not in part, -len(part)))
     places: dict[str, Point] = {}
-    lowest, alone = -PART, list[str]()
-    for number, part in enumerate(parts):
-        if len(part) == 1 and number:
-            alone += part
-            continue
-        own = part_of(branch, part) if len(parts) > 1 else branch
-        names, at = graph_of(own).names, _best_of(own, kind)
+    lowest = -PART
+    joined, alone = _parts(branch)
+    for own in joined:
+        at = _best_of(own, kind)
         at = at - at.min(axis=0) + (0.0, lowest + PART)
         lowest = float(at[:, 1].max())
-        places |= zip(names, map(tuple, at.tolist()), strict=True)
+        places |= zip(own.table, map(tuple, at.tolist()), strict=True)
     for number, name in enumerate(alone):
         row, column = divmod(number, _ALONE)
         places[name] = (column * float(COLUMN), lowest + (row + 1) * PART)
     return {name: places[name] for name in branch.table}
+
+
+def _parts(branch: StateBranch) -> tuple[list[StateBranch], list[str]]:
+    """Return the parts of an SB that no operation joins, each as an SB, the part of INITIAL first,
+    and the other states that stand alone.
+    """
+    parts = sorted(islands(branch), key=lambda part: (branch.initial not in part, -len(part)))
+    if len(parts) == 1:
+        return [branch], []
+    joined = [part for number, part in enumerate(parts) if len(part) > 1 or not number]
+    alone = [name for part in parts[1:] if len(part) == 1 for name in part]
+    return [part_of(branch, part) for part in joined], alone
+
+
+def names_of(branch: StateBranch) -> list[object]:
+    """Return all in the names of states and operations that the places of up to ``MOST_STATES``
+    states depend on. The other things are the graph, INITIAL and ACTIVATING.
+    """
+    # The only fact of a state with an opaque name is that name, which makes no rows.
+    found: list[object] = [facts for facts in map(branch.facts, branch.table) if len(facts) > 1]
+    for own in _parts(branch)[0]:
+        found += (words_of(own), *(len(own.facts(name)) for name in own.table))
+    return found
 
 
 def part_of(branch: StateBranch, states: Sequence[str]) -> StateBranch:

@@ -146,7 +146,7 @@ def _near_pairs(ties: Ties, at: Floats, state: int, points: Floats) -> Ints:
     low, high = points.min(axis=0) - ties.half[state], points.max(axis=0) + ties.half[state]
     starts, ends = at[ties.pairs[rest, 0]], at[ties.pairs[rest, 1]]
     near = (np.minimum(starts, ends) <= high) & (np.maximum(starts, ends) >= low)
-    return rest[near[:, 0] & near[:, 1]]
+    return np.asarray(rest[near[:, 0] & near[:, 1]])
 
 
 def _lengths(step: Floats) -> Floats:

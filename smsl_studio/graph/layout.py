@@ -88,19 +88,14 @@ def _placed(branch: StateBranch, kind: str) -> dict[str, Point]:
 
 
 def is_placed(branch: StateBranch, places: Mapping[str, Point]) -> bool:
-    """Return whether ``place_states`` gives all states of an SB these places.
+    """Return whether ``place_states`` gives all states of an SB these places."""
+    return _are_equal(places, place_states(branch))
 
-    With more than ``QUICK`` states the answer may be False although it does, because their
-    arrangement takes too long only to compare it.
-    """
-    if branch.notes.layout:
-        return _are_equal(places, place_states(branch))
-    found = in_triangle(branch)
-    if found is None:
-        if QUICK < len(branch.table) <= MOST_SPREAD:
-            return False
-        found = place_anew(branch)
-    return _are_equal(places, found)
+
+def is_slow(branch: StateBranch) -> bool:
+    """Return whether it takes too long to find the places of an SB anew at every edit."""
+    few = len(branch.table) <= QUICK or 2 * len(branch.notes.layout) >= len(branch.table)
+    return not few and len(branch.table) <= MOST_SPREAD and in_triangle(branch) is None
 
 
 def _are_equal(places: Mapping[str, Point], others: Mapping[str, Point]) -> bool:

@@ -12,10 +12,9 @@ from operator import ne
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.graph.arrangement import MOST_STATES
+from smsl_studio.graph.arrangement import MOST_STATES, names_of
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.layered import words_of
-from smsl_studio.graph.layout import is_placed, place_states
+from smsl_studio.graph.layout import is_placed, is_slow, place_states
 
 Position = tuple[float, float]
 
@@ -70,13 +69,20 @@ class Places:
         self._follow_branch(before, after)
         for name, branch in after.branches.items():
             former, layout = before.branches.get(name), branch.notes.layout
+            if former is branch:
+                continue
             missing = branch.table.keys() - layout.keys()
             bent = _is_bent(former, branch)
-            if not missing or (former is not None and not bent and _laid_out_alike(former, branch)):
+            if not missing:
+                continue
+            if former is not None and not bent and _laid_out_alike(former, branch):
+                self._follow_names(branch)
                 continue
             kept = former is not None and set(layout.values()) <= set(former.notes.layout.values())
             places = self.of(branch)
-            if bent or (layout and not kept) or not is_placed(branch, places):
+            # Nobody waits for a layout that would most likely be another one.
+            anew = (layout and not kept) or is_slow(branch) or not is_placed(branch, places)
+            if bent or anew:
                 rest = {state: places[state] for state in branch.table if state in missing}
                 after = editing.set_layout(after, name, rest)
         return after
@@ -88,14 +94,19 @@ class Places:
                 if old not in after.branches and old in self._placed:
                     self.rename_branch(old, new)
 
+    def _follow_names(self, branch: StateBranch) -> None:
+        """Note the names of an SB now. It may be renamed again before anybody looks at it."""
+        if branch.name in self._placed:
+            self._follow_rename(branch, self._placed[branch.name])
+            self._order[branch.name] = tuple(branch.table)
+
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
         """Keep the places of states that were renamed, one or many."""
         before, now = self._order[branch.name], tuple(branch.table)
         if len(before) != len(now):
             return
-        others = list(compress(zip(before, now, strict=True), map(ne, before, now)))
-        were, are = {old for old, _ in others}, {new for _, new in others}
-        for old, new in others:
+        were, are = _renamed(before, now)
+        for old, new in were.items():
             if old not in are and new not in were and old in former:
                 former[new] = former[old]
 
@@ -123,21 +134,23 @@ def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
     """
     if a is b:
         return True
-    if list(a.table) == list(b.table):
-        if a.initial != b.initial:
-            return False
-    elif _ends(a) != _ends(b):
+    # A name that stood at another place is remembered there.
+    were, are = _renamed(tuple(a.table), tuple(b.table))
+    if _ends(a) != _ends(b) or not were.keys().isdisjoint(are):
         return False
     one, other = a.notes.layout, b.notes.layout
     if (one or other) and list(map(one.get, a.table)) != list(map(other.get, b.table)):
         return False
     if not graph_of(a).is_like(graph_of(b)):
         return False
-    # Names change a layout only by their lengths, and by their facts.
-    if len(b.table) > MOST_STATES:
-        return True
-    facts = [branch.facts(name) for branch in (a, b) for name in branch.table]
-    return words_of(a) == words_of(b) and facts[: len(a.table)] == facts[len(a.table) :]
+    # It would take long to find small parts of a large SB, which alone depend on names.
+    return len(b.table) > MOST_STATES or names_of(a) == names_of(b)
+
+
+def _renamed(before: tuple[str, ...], now: tuple[str, ...]) -> tuple[dict[str, str], set[str]]:
+    """The names of states that changed, each with its new name, and the new ones."""
+    pairs = dict(compress(zip(before, now, strict=False), map(ne, before, now)))
+    return pairs, set(pairs.values())
 
 
 def _ends(branch: StateBranch) -> tuple[int | None, int | None]:
