@@ -121,10 +121,12 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
             cost = max(cost * WORTH, cost + CROSSING)
         found.append((cost, len(found), at))
 
-    for begin, across in _starts(branch, graph, ties, kind):
-        take(begin, across)
-        if not across and most and is_clear(ties, found[-1][2]):
-            return found[-1][2]
+    for begins, across in _starts(branch, graph, ties, kind):
+        for begin in begins:
+            take(begin, across)
+        clear = [one for one in found if not across and most and is_clear(ties, one[2])]
+        if clear:
+            return min(clear, key=lambda one: one[:2])[2]
     if few and kind == BEST and len(graph) > 2:
         columns = sorted(found[:-1], key=lambda one: one[:2])
         for _, _, at in columns[: 1 if len(ties.pairs) > MANY_STARTS else None]:
@@ -134,21 +136,23 @@ def _best_of(branch: StateBranch, kind: str) -> Floats:
 
 def _starts(
     branch: StateBranch, graph: BranchGraph, ties: Ties, kind: str
-) -> Iterator[tuple[Floats, bool]]:
-    """Yield each layout before the local search, and whether states may leave their columns."""
+) -> Iterator[tuple[list[Floats], bool]]:
+    """Yield the layouts before states settle, and whether states may leave their columns. Those in
+    a list differ only in how far columns are apart.
+    """
     start = graph.index.get(branch.initial, 0)
     if kind == LAYERS or len(graph) <= (MOST_STATES if kind == BEST else 2):
         steps = by_steps(graph, start)
         chains = by_chains(graph, start) if len(graph) <= MOST_STATES else steps
         for layer in (chains,) if chains == steps else (chains, steps):
             # States that do not settle keep the first places.
-            for begin in islice(in_layers(ties, layer), None if settles(ties) else 1):
-                yield begin, False
+            yield list(islice(in_layers(ties, layer), None if settles(ties) else 1)), False
     if kind != LAYERS and len(graph) > 2:
         near = by_distance(branch)
         at = np.array([near[name] for name in graph.names]).reshape(-1, 2)
         # States that do not settle stay in their narrower cells.
-        yield (np.round(at / (CELL_X, CELL_Y)) * ties.step * 2.0 if settles(ties) else at), True
+        near_lattice = np.round(at / (CELL_X, CELL_Y)) * ties.step * 2.0
+        yield [near_lattice if settles(ties) else at], True
 
 
 def settles(ties: Ties) -> bool:

@@ -31,7 +31,7 @@ def settle(ties: Ties, at: Floats, stays: Iterable[int] = (), across: bool = Tru
     """
     at = at.copy()
     pairs = len(ties.pairs)
-    reach = WIDEST if pairs <= FEW_PAIRS else WIDE if pairs <= MANY_PAIRS else NARROW
+    reach = WIDEST if across and pairs <= FEW_PAIRS else WIDE if pairs <= MANY_PAIRS else NARROW
     moves = _steps(reach[0] if across else 0, reach[1]) * ties.step
     fixed = set(stays)
     movable = [i for i in range(len(at)) if i not in fixed and len(ties.of[i])]

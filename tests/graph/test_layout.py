@@ -188,6 +188,8 @@ def test_a_star_has_its_leaves_in_one_column() -> None:
     places = place_states(branch)
     assert len({places[leaf][0] for leaf in leaves.values()}) == 1
     assert min(places, key=lambda name: places[name]) == "Hub"
+    heights = sorted(places[leaf][1] for leaf in leaves.values())
+    assert {b - a for a, b in itertools.pairwise(heights)} == {110.0}
     assert not covers(places)
     at = np.array([places[name] for name in branch.table])
     assert is_clear(ties_for(branch), at)
