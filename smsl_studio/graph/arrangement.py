@@ -20,7 +20,7 @@ from smsl_studio.graph.crossings import CROSSING, Floats, Ties, cost_of, is_clea
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.layered import COLUMN, in_layers, lattice, words_of
 from smsl_studio.graph.layers import by_chains, by_steps
-from smsl_studio.graph.settling import settle
+from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.shape import islands
 from smsl_studio.graph.spread import CELL_X, CELL_Y, by_distance
 

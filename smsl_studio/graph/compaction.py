@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from smsl_studio.graph.crossings import Floats, Ties, cost_of
-from smsl_studio.graph.settling import GAP
+from smsl_studio.graph.local_search import GAP
 from smsl_studio.stop import heed
 
 

@@ -19,7 +19,7 @@ from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.layout import free_places, place_anew
-from smsl_studio.graph.settling import settle
+from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
