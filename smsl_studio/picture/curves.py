@@ -63,8 +63,9 @@ def strands_of(
     """Return the lines of all edges between two states, side by side, or only that of the edge
     ``only``. ``shapes_of`` turns them into points.
 
-    ``clear`` says that no other node is in the straight way. A single curve bends upwards: a side
-    that followed from the whole picture would change with every state that is added.
+    ``clear`` says that no other node is in the straight way. A single curve bends upwards
+    if it leads up, else downwards: a side that followed from the whole picture would change with
+    every state that is added.
     """
     straight = clear and not style.compact and in_row(source, target)
     normal = _normal(source, target)
@@ -73,7 +74,7 @@ def strands_of(
         a, b = (source, target) if there else (target, source)
         bow = 0.0
         if not straight and len(pair) == 1 and clear and not style.compact:
-            bow = -_gentle(a, b)
+            bow = _gentle(a, b) if b.y > a.y else -_gentle(a, b)
         strands[edge] = Strand(a, b, offset, bow, normal, straight)
     return strands
 

@@ -13,7 +13,7 @@ from smsl_studio.blueprint.annotations import DrawnNote
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.legible import one_line
 from smsl_studio.picture.shape import Floats, Point
-from smsl_studio.picture.words import broken, elided
+from smsl_studio.picture.words import broken, elided, width
 
 NOTE_WIDTH, FOLD, CORNER, INSET, ABOVE, BELOW = 160.0, 14.0, 3.0, 12.0, 9.0, 9.0
 """The width of a note, the side of its folded corner, the radius of the others, and the room around
@@ -26,6 +26,7 @@ AROUND, BAR, GROUP_RADIUS = 14.0, 24.0, 10.0
 """The room in a group around its states, the height of its title, and the radius of its corners."""
 ARROW = 22.0
 """How far the arrow at the left of INITIAL reaches (pixels)."""
+Rect = tuple[float, float, float, float]
 Members = tuple[NDArray[np.intp], ...]
 """The numbers of the states in each group."""
 _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
@@ -90,6 +91,22 @@ class DrawnParts:
             found[number, :2] = low.min(axis=0)
             found[number, 2:] = (own[:, :2] + own[:, 2:]).max(axis=0)
         return found + np.array([-AROUND, -AROUND - bar, AROUND, AROUND]) * unit
+
+    def readable(self, boxes: Floats, unit: float = 1.0, scale: float = 1.0) -> list[Rect]:
+        """Return where words stand that nothing may cover: the notes, and the words of the titles
+        of groups. The arguments are those of ``group_rects`` and ``note_rects``.
+        """
+        if not self:
+            return []
+        frames, titles = self.group_rects(boxes, unit), np.zeros((len(self.groups), 4))
+        for number, group in enumerate(self.groups):
+            left, top, right, _ = frames[number].tolist()
+            room = max((right - left) / unit - 2 * INSET, 8.0)
+            half = (width(elided(one_line(group.title), TEXT, room), TEXT) + INSET) / 2 * unit
+            middle = (left + right) / 2
+            titles[number] = middle - half, top, middle + half, top + BAR * unit
+        found = np.vstack([self.note_rects(boxes[:, :2], scale), titles]).tolist()
+        return [(left, top, right, bottom) for left, top, right, bottom in found]
 
 
 def lines_of(note: DrawnNote) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.labels import AsideRect
 from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, rest_mark, spacing_of
 from smsl_studio.picture.picture import Chip, Face, Picture
 from smsl_studio.picture.shape import Floats, Point
@@ -105,7 +106,7 @@ class Figure:
         return spacing_of(self.at, self.widths, self.widths).pitch
 
     def _geometry(self) -> Geometry:
-        style = LineStyle(1.0, self.level is not Level.FULL)
+        style = LineStyle(1.0, self.level is not Level.FULL, self.scale)
         found = Geometry(self.picture, self.boxes, style, self.label_size, self.lines)
         if self.shows_nodes:
             found.prepare(range(len(self.picture.operations)))
@@ -124,7 +125,8 @@ class Figure:
 
     def _hidden(self) -> bool:
         edges = range(len(self.picture.operations))
-        return any(self.geometry.label(edge) is None for edge in edges)
+        places = map(self.geometry.label, edges)
+        return any(place is None or isinstance(place, AsideRect) for place in places)
 
     @property
     def height(self) -> float:

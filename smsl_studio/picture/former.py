@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import Between, LineStyle, breadth
 from smsl_studio.picture.detours import GAP
+from smsl_studio.picture.label_candidates import FARTHEST
 from smsl_studio.picture.labels import Rect, meet
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
@@ -40,6 +41,8 @@ class Routing:
     """The pairs whose usual lines meet other nodes. Only nodes inside the rectangle of a pair can
     change its lines.
     """
+    readable: list[Rect] = field(default_factory=list)
+    """The rectangles of notes and of the titles of groups."""
     mark: Rect | None = None
     """The rectangle of the mark of the initial state."""
 
@@ -65,6 +68,7 @@ class FormerLines:
         kept = {old for old, same in zip(self._state, self._same, strict=True) if same}
         self.moved(_rects(former.boxes, (s for s in range(len(before)) if s not in kept)))
         self.moved(_rects(now.boxes, (s for s, same in enumerate(self._same) if not same)))
+        self.moved(set(former.readable) ^ set(now.readable))
 
     @property
     def fits(self) -> bool:
@@ -198,7 +202,7 @@ class FormerLines:
         if self._former.shapes.get(old) is not shape or self._former.sizes.get(old) != size:
             return False
         left, top, right, bottom = shape.bounds
-        wide, high = size
+        wide, high = (side + FARTHEST * self._now.style.unit for side in size)
         return self._is_quiet((left - wide, top - high, right + wide, bottom + high))
 
     def label_moved(self, edge: int, rect: Rect | None) -> None:

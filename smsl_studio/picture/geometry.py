@@ -23,6 +23,7 @@ from smsl_studio.picture.curves import (
     strands_of,
     stub,
 )
+from smsl_studio.picture.drawn_parts import DrawnParts
 from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
@@ -71,7 +72,7 @@ class Geometry:
         self._former: FormerLines | None = None
         self._box: dict[int, NodeBox] = {}
         self._pairs: dict[tuple[int, int], Between] = {}
-        self._places: labels.LabelPlaces | None = None
+        self.places: labels.LabelPlaces | None = None
         self._lines = labels.LinePieces({})
         self._choice: labels.LabelChoice | None = None
         self.small = picture.small
@@ -101,6 +102,10 @@ class Geometry:
         if edge not in self._labels:
             self._place(edge)
         return self._labels[edge]
+
+    def is_hidden(self, edge: int) -> bool:
+        """Return whether the label of an edge has no place."""
+        return self.label(edge) is None and self._label_size(edge)[0] > 0.0
 
     def fallback(self, edge: int) -> labels.Rect:
         """Return the place where a hidden label appears while its edge is hovered or lit: the
@@ -232,6 +237,7 @@ class Geometry:
     def _route_small(self, former: Routing | None) -> None:
         drawn = dict(self._drawn)
         work = self._work = Routing(self.picture, self.boxes, self.style, drawn)
+        work.readable = self._readable()
         if former is not None:
             held = FormerLines(former, work)
             self._former = held if held.fits else None
@@ -276,9 +282,8 @@ class Geometry:
             self._shapes = {edge: same(edge, shape) for edge, shape in self._shapes.items()}
             self._former.lines_known(self._shapes)
         self._lines = labels.LinePieces(self._shapes)
-        self._places = labels.LabelPlaces(self.boxes, self.style.unit)
-        bends.keep_clear(self._drawn.values(), self._places)
-        self._mark_initial(work, self._places)
+        self.places = self._fresh_places()
+        self._mark_initial(work, self.places)
         for edge, layout in self._drawn.items():
             if layout.label is not None and edge in self._shapes:
                 self._place(edge)
@@ -313,9 +318,9 @@ class Geometry:
         if edge in self._labels or size[0] <= 0.0:
             self._labels.setdefault(edge, None)
             return
-        places = self._places
+        places = self.places
         if places is None:
-            places = self._places = self._fresh_places()
+            places = self.places = self._fresh_places()
         former = self._former
         at = self._drawn[edge].label if edge in self._drawn else None
         if at is not None:
@@ -338,18 +343,23 @@ class Geometry:
     def _choice_of(self, edges: Iterable[int]) -> labels.LabelChoice:
         """Return the choice of label places for those of the edges whose lines are known."""
         shapes = {edge: self._shapes[edge] for edge in edges}
-        sizes = [self._label_size(edge) for edge in shapes]
-        if self._places is None:
-            self._places = self._fresh_places()
-        return labels.LabelChoice(shapes, sizes, self._places, self.style.compact)
+        sizes, compact = [self._label_size(edge) for edge in shapes], self.style.compact
+        if self.places is None:
+            self.places = self._fresh_places()
+        return labels.LabelChoice(shapes, sizes, self.places, compact, self.picture.careful)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
-        for rect in self._labels.values():
+        for rect in (*self._readable(), *self._labels.values()):
             if rect is not None:
                 places.take(rect)
         bends.keep_clear(self._drawn.values(), places)
         return places
+
+    def _readable(self) -> list[labels.Rect]:
+        """Return the rectangles of notes and of the titles of groups, which no label may cover."""
+        parts = DrawnParts(self.picture.branch, self.picture.index)
+        return parts.readable(self.boxes, self.style.unit, self.style.scale)
 
     def _route_loops(self, state: int) -> None:
         """Draw the loops of a state at the corner where they and their labels cover least."""
@@ -358,7 +368,7 @@ class Geometry:
         own = [e for e in at_state if picture.source[e] == picture.target[e] == state]
         own = [e for e in own if e not in self._drawn or self._by_hand(e) is None]
         box = self.box(state)
-        places = self._places or self._fresh_places()
+        places = self.places or self._fresh_places()
         sizes = [self._label_size(e) for e in own]
         if self._work is not None:
             self._work.sizes |= dict(zip(own, sizes, strict=True))

@@ -22,6 +22,11 @@ their edges, so they do not meet.
 """
 LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
+FARTHEST = 40.0
+ASIDE_GAPS, ASIDE_SHARES = (14.0, 26.0, FARTHEST), (0.5, 0.36, 0.64, 0.22, 0.78)
+"""The distances (pixels of a mark) from its line at which a label without a place on it is shown,
+and the shares of the line where it is shown.
+"""
 _ON, _BESIDE, _OUTSIDE, _MIDDLE = range(4)
 _LEADING = ("line", "curve", "bent", "detour")
 """The kinds of lines that lead from one node to another, except lanes."""
@@ -89,6 +94,19 @@ def candidates(
         rects, fits = _places(lines, wide, pattern, unit, way == "lane")
         found.append(LabelCandidates([edge for edge, _ in group], pattern.costs, rects, fits))
     return found
+
+
+def aside(shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float) -> Floats:
+    """Return the places of some labels away from their lines, (n, k, 4), the nearest first."""
+    lines, half = _LineArrays(shapes), np.array(sizes)[:, None, :] / 2
+    along = lines.length * np.array(ASIDE_SHARES)
+    feet, across = lines.at(along), lines.direction(along)[:, :, ::-1] * (-1.0, 1.0)
+    gaps = np.array(ASIDE_GAPS)[:, None] * unit
+    reach = (np.abs(across) * half).sum(axis=2)[:, None] + gaps
+    # In order of gap, then of share, then of side.
+    off = (across[:, None] * reach[..., None])[:, :, :, None] * np.array([[1.0], [-1.0]])
+    centres = (feet[:, None, :, None] + off).reshape(len(shapes), -1, 2)
+    return np.concatenate([centres - half, centres + half], axis=2)
 
 
 class _LineArrays:

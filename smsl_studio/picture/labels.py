@@ -1,19 +1,21 @@
 """Labels: the place of each label on its line, so that it covers no node and no other label.
 
-A label slides along its edge to a free place. Without one it is hidden until the edge is hovered,
-selected or lit. It does not evade the lines of other edges: it would jump whenever one of them
-comes or goes, and people find an operation where they last saw it. Pure geometry.
+A label slides along its edge to a free place, or stands away from it with a leader. Without a place
+it is hidden until the edge is hovered, selected or lit. It does not evade the lines of other edges:
+it would jump whenever one of them comes or goes, and people find an operation where they last saw
+it. Pure geometry.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
-from smsl_studio.picture.label_candidates import candidates
+from smsl_studio.picture.label_candidates import aside, candidates
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
@@ -21,6 +23,15 @@ Rect = tuple[float, float, float, float]
 _RECTS_AT_ONCE = 4_000
 """The number of places that are compared with all nodes at once. It limits the memory."""
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
+
+
+class AsideRect(NamedTuple):
+    """The rectangle of a label that stands away from its line, so a leader joins them."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
 
 
 def meet(a: Rect, b: Rect) -> bool:
@@ -142,14 +153,20 @@ class LabelChoice:
         sizes: Sequence[tuple[float, float]],
         places: LabelPlaces,
         compact: bool,
+        away: bool = False,
     ) -> None:
-        self._places = places
+        """``away`` says that labels may stand away from their lines."""
+        self._places, self._aside = places, away
+        self._beside: dict[int, list[AsideRect]] = {}
+        self._lines = dict(zip(shapes, zip(shapes.values(), sizes, strict=True), strict=True))
         self._found: dict[int, list[Rect]] = {}
         for some in candidates(shapes, sizes, places.unit, compact):
             free = some.fits.copy()
             free[free] = places.off_nodes(some.rects[free])
             for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
                 self._found[edge] = [(a, b, c, d) for a, b, c, d in rects[ok].tolist()]
+        if away:
+            self._look_aside([edge for edge, own in self._found.items() if not own])
 
     def knows(self, edge: int) -> bool:
         """Return whether the label of an edge may be asked for."""
@@ -158,9 +175,33 @@ class LabelChoice:
     def take(self, edge: int) -> Rect | None:
         """Take and return the best free place of one label, or None if there is none."""
         found = next(filter(self._places.is_untaken, self._found[edge]), None)
+        if found is None and self._aside:
+            if edge not in self._beside:
+                self._look_aside([edge])
+            found = next(filter(self._places.is_untaken, self._beside[edge]), None)
         if found is not None:
             self._places.take(found)
         return found
+
+    def _look_aside(self, edges: Sequence[int]) -> None:
+        """Find the places of some labels away from their lines that cover no node, the nearest
+        first.
+        """
+        if not edges:
+            return
+        lines = [self._lines[edge] for edge in edges]
+        places = self._places
+        rects = aside([shape for shape, _ in lines], [size for _, size in lines], places.unit)
+        free = places.off_nodes(rects.reshape(-1, 4)).reshape(rects.shape[:2])
+        for edge, own, ok in zip(edges, rects, free, strict=True):
+            self._beside[edge] = [AsideRect(*rect) for rect in own[ok].tolist()]
+
+
+def leader(shape: EdgeShape, rect: Rect) -> tuple[Point, Point]:
+    """Return the points of a line and of the border of its label that are near each other."""
+    left, top, right, bottom = rect
+    foot = shape.at(shape.along((left + right) / 2, (top + bottom) / 2))
+    return foot, (min(max(foot[0], left), right), min(max(foot[1], top), bottom))
 
 
 def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:

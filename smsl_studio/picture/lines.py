@@ -8,10 +8,12 @@ from smsl_studio.legible import markup
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
 from smsl_studio.picture.guards import needs_words
+from smsl_studio.picture.hidden_names import RADIUS, HiddenNames, hidden_names
+from smsl_studio.picture.labels import AsideRect, leader
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import EdgeShape, Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
-from smsl_studio.picture.strokes import arch, box, number, polygon, polyline, text
+from smsl_studio.picture.strokes import arch, box, circle, number, polygon, polyline, text
 from smsl_studio.stop import heed
 
 HEAD = 8.0
@@ -48,6 +50,12 @@ def draw_labels(
     # All grounds lie below all labels, because labels of neighbouring lines may overlap.
     for left, top, right, bottom in filter(None, places.values()):
         yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
+    for edge, place in places.items():
+        if isinstance(place, AsideRect):
+            joined = leader(figure.geometry.shape(edge), place)
+            yield polyline(joined, colours["edge"], 0.8, "2 2")
+    for names in hidden_names(figure.geometry, edges):
+        yield from _hidden(figure, names, colours)
     for edge, place in places.items():
         if place is not None:
             yield from _label(figure, edge, place, colours, signs.get(edge, ""))
@@ -119,6 +127,15 @@ def _label(
     colour = inks(sign, colours).line if sign else colours["tx2"]
     centre = (x + right - 4.0) / 2
     yield text((centre, middle + 3.9), figure.label(edge), LABEL, colour, 500)
+
+
+def _hidden(figure: Figure, names: HiddenNames, colours: Colours) -> Iterator[str]:
+    """Yield the mark in place of names without room, with the names in its title."""
+    x, y = names.at
+    yield f"<g><title>{markup(', '.join(map(figure.label, names.edges)))}</title>"
+    yield circle(names.at, RADIUS, colours["canvas"], colours["edge"])
+    yield text((x, y + 3.4), names.words, 9.5, colours["tx2"], 600)
+    yield "</g>"
 
 
 def sub_mark_at(at: Point, kind: str, colours: Colours) -> Iterator[str]:

@@ -22,10 +22,13 @@ _LAST = len(_SHARES) - 1
 
 
 class LineStyle(NamedTuple):
-    """The style of lines: scene units in one pixel of a mark, and whether nodes are compact."""
+    """The style of lines: scene units in one pixel of a mark, whether nodes are compact, and how
+    many times as large as it is written the layout is drawn.
+    """
 
     unit: float = 1.0
     compact: bool = False
+    scale: float = 1.0
 
 
 class Strand(NamedTuple):

@@ -19,6 +19,7 @@ from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.studio.base.canvas.edge_reaches import Numbers
+from smsl_studio.studio.base.canvas.hidden_marks import paint_hidden_names, paint_leaders
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint import batch
@@ -83,13 +84,17 @@ class EdgePainter:
         looks, unit = sheet.looks, sheet.unit
         if not self._near or looks.marks.dimmed:
             return
-        rest = [e for e in sheet.edges_in(*_sides(exposed)).tolist() if not looks.is_lit(e)]
+        edges = sheet.edges_in(*_sides(exposed)).tolist()
+        rest = [edge for edge in edges if not looks.is_lit(edge)]
         look = looks.plain
         painter.save()
         painter.scale(unit, unit)
-        for edge, rect in self.names(sheet, rest).items():
+        names = self.names(sheet, rest)
+        paint_leaders(painter, sheet, names)
+        for edge, rect in names.items():
             centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
             paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
+        paint_hidden_names(painter, sheet, edges)
         painter.restore()
 
     def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:

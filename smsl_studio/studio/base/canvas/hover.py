@@ -10,6 +10,7 @@ from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, takes
+from smsl_studio.studio.base.canvas.hidden_marks import hidden_tip
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.canvas.sheet import Sheet
@@ -170,7 +171,8 @@ class Hover:
             face = sheet.picture.face(state)
             tip = face.name if not face.title else f"{face.name}\n{face.title}"
         elif edge >= 0:
-            tip = edge_tip(self._canvas, edge)
+            hidden = hidden_tip(sheet, edge) if sheet.level >= Level.COMPACT else ""
+            tip = "\n".join(filter(None, (edge_tip(self._canvas, edge), hidden)))
         if self._canvas.viewport().toolTip() != tip:
             self._canvas.viewport().setToolTip(tip_text(tip))
 

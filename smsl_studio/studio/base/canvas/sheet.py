@@ -308,8 +308,8 @@ class Sheet:
             return np.zeros(0, dtype=np.intp)
         if self._reaches.version != self.version:
             self._reaches.compute(self.version, self.at, self.lines)
-        # Parallel lanes and self loops leave the straight line between two states.
-        room = (170.0 if self.picture.small else 60.0) * self.unit
+        # Parallel lanes, self loops and labels with a leader leave the line between two states.
+        room = (170.0 if self.picture.careful else 60.0) * self.unit
         return self._reaches.touching((left, top, right, bottom), room)
 
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:

@@ -72,6 +72,7 @@ class Ink:
         self.short = Type(_spaced(mono_font(12, 600), 0.6))
         self.mono_label = Type(mono_font(11, 500))
         self.boxed = Type(mono_font(11, 700))
+        self.count = Type(text_font(9, 600))
         self.note = Type(text_font(11))
         self.note_title = Type(text_font(11, 600))
 
