@@ -64,12 +64,12 @@ def test_of_very_many_operations_the_library_lists_the_first(sit: Sit, tmp_path:
     names = [f"Op_{at:05}" for at in range(library.MOST + 345)]
     path.write_text(json.dumps({"B": {"S": dict.fromkeys(names, "S")}}))
     shown = sit(path).window.library
-    texts = [row.text for row in shown.list.rows.rows if row.text.startswith("Op_0")]
+    texts = [row.text for row in shown.list.rows.rows if isinstance(row.payload, str)]
     assert texts == names[: library.MOST]
     said = next(row.text for row in shown.list.rows.rows if row.text.startswith("and "))
     assert said == "and 345 more: filter them by a part of their name"
     shown.filter.setText(names[-1])
-    found = [row.text for row in shown.list.rows.rows if row.text.startswith("Op_0")]
+    found = [row.text for row in shown.list.rows.rows if isinstance(row.payload, str)]
     assert found == names[-1:]
 
 
