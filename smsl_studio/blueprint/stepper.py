@@ -5,11 +5,9 @@ It is pure: it maps a configuration to a value. Dispatch and inspection share it
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.allowance import Allowance, Part, refuse_too_many_carried
 from smsl_studio.blueprint.along import Along, Held, Unavailable
 from smsl_studio.blueprint.check import FactKey
@@ -20,35 +18,18 @@ from smsl_studio.blueprint.configuration import (
     standing,
 )
 from smsl_studio.blueprint.downhill import Downhill
-from smsl_studio.blueprint.edges import NO_COSTS, Edge, EdgeKind, Edges, Extra
+from smsl_studio.blueprint.edges import Edge, EdgeKind, Edges
 from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.joint import Carried, JointStep, StepDraft
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.search import Move, PlanSearch, patience
 from smsl_studio.blueprint.sub_route import Region, SubRoute
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError
 from smsl_studio.stop import heed
 
 MOST_REASONS = 8
 Key = tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Terms:
-    """The edges that may be used: exclusions with reasons, and the edges with a function.
-
-    ``bound`` None means a plan without a world, in which every edge counts as bound. ``failing``
-    are the edges that may be used although they lead into a failure state (None: all of them). Only
-    a request of a person allows one. ``costs`` replace declared costs. ``extra`` gives the
-    additional cost of an edge.
-    """
-
-    shut: Mapping[Address, str] = field(default_factory=dict)
-    bound: Collection[Address] | None = None
-    exact: Collection[Address] = ()
-    failing: Collection[Address] | None = ()
-    costs: Mapping[Address, float] = field(default_factory=lambda: NO_COSTS)
-    extra: Extra | None = None
 
 
 class Stepper:
@@ -151,24 +132,14 @@ class Stepper:
 
     def closed(self, edge: Edge) -> bool:
         """Return whether an edge can be used from no configuration at all."""
-        return next(self._closures(edge), None) is not None
+        return next(self.terms.closures(edge), None) is not None
 
     def _allow(self, configuration: Configuration, edge: Edge) -> None:
-        reasons = list(self._closures(edge))
+        reasons = list(self.terms.closures(edge))
         if edge.requires:
             reasons.extend(self.edges.missing(edge, configuration))
         if reasons:
             raise Unavailable(*reasons)
-
-    def _closures(self, edge: Edge) -> Iterator[str]:
-        terms = self.terms
-        shut = terms.shut.get(edge.address) if terms.shut else None
-        if shut is not None:
-            yield f"{edge} is {shut}"
-        if edge.function and terms.bound is not None and edge.address not in terms.bound:
-            yield f"no function is bound to {edge} in this world"
-        if edge.fails and terms.failing is not None and edge.address not in terms.failing:
-            yield f"{edge} leads into a failure: {edge.fails}"
 
     def _transit(self, edge: Edge, loaded: Iterable[str]) -> tuple[FactKey, ...]:
         """Return the base digits in transit from the start of a crossing to its commit."""

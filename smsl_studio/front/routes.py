@@ -47,7 +47,7 @@ def _joint_route(
     blueprint: Blueprint, start: Address, goal: Address, avoid: Iterable[Address]
 ) -> Route | None:
     from smsl_studio.blueprint.configuration import Hierarchy
-    from smsl_studio.blueprint.stepper import Terms
+    from smsl_studio.blueprint.terms import Terms
     from smsl_studio.dispatch.route.effort import refuse_too_large
     from smsl_studio.dispatch.route.planner import Planner
     from smsl_studio.front.starts import starts_for

@@ -9,7 +9,8 @@ from itertools import islice, product
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError, RunRefused
 
 TRIES = 2000

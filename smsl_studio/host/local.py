@@ -16,7 +16,8 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.brief import finite, short_words
-from smsl_studio.host.call import Call, words_of
+from smsl_studio.host.call import Call
+from smsl_studio.host.call_context import HostErrors, prints_aside
 from smsl_studio.host.cost_functions import CostFunctions
 from smsl_studio.host.fact_rules import rules_of
 from smsl_studio.host.injections import Injections
@@ -85,7 +86,7 @@ class LocalHost:
         """Find the code and build the world, so that ``open`` is quick. It raises the same errors
         as ``open``."""
         if self._engine is None:
-            with _prints_aside():
+            with prints_aside():
                 engine = self._build()
                 self._bind()
                 with self._mending("cannot be drawn"):
@@ -98,7 +99,7 @@ class LocalHost:
         or does not suit the blueprint. RunRefused: the world cannot be put into the start states.
         HostError: its code raised an error. PluginError: the bindings file is invalid.
         """
-        with _prints_aside():
+        with prints_aside():
             engine, bindings = self._engine or self._build(), self._bind()
             self._drop()
             self._ticks, self._boot = 0, self._boot + 1
@@ -129,7 +130,7 @@ class LocalHost:
     def sense(self) -> tuple[Sample, ...]:
         """Read every sensor once. The simulated time does not move."""
         engine = self._engine or self._standing()
-        # As ``_prints_aside``, without its calls: this is done at every tick.
+        # As ``prints_aside``, without its calls: this is done at every tick.
         kept, sys.stdout = sys.stdout, sys.stderr
         try:
             return self._sensing.all(self._subject, self._ticks * engine.tick)
@@ -177,7 +178,7 @@ class LocalHost:
         engine = self._standing()
         if mode == "finish":
             return
-        with _prints_aside(), self._mending("broke when it was braked"):
+        with prints_aside(), self._mending("broke when it was braked"):
             self._drop()
             engine.brake()
 
@@ -189,13 +190,13 @@ class LocalHost:
     def inject(self, fault: str, **parameters: float | str) -> None:
         """Cause a fault of the world. It lasts at most until the world is opened again."""
         self._standing()
-        with _prints_aside():
+        with prints_aside():
             self._injecting.inject(self._subject, fault, parameters)
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
         """Ask the cost functions. Return the costs that have changed since the last call."""
         self._standing()
-        with _prints_aside():
+        with prints_aside():
             return self._costing.ask(scene, happened)
 
     def poses(self) -> tuple[float, ...]:
@@ -296,44 +297,10 @@ class LocalHost:
             except StudioError as error:
                 raise RunRefused(error.sentence, error.place, error.advice) from None
 
-    def _mending(self, what: str, passes: type[BaseException] = KeyboardInterrupt) -> _Mending:
+    def _mending(self, what: str, passes: type[BaseException] = KeyboardInterrupt) -> HostErrors:
         """Return a context that turns every error of library code into a HostError, except errors
         of the class ``passes``."""
-        return _Mending(f"the world {self._name!r} {what}", self._location, passes)
-
-
-class _Mending:
-    """Turns errors of library code into a HostError. It is entered at every tick, so it is a class
-    with slots, and no generator."""
-
-    __slots__ = ("_location", "_passes", "_what")
-
-    def __init__(self, what: str, location: str, passes: type[BaseException]) -> None:
-        self._what, self._location, self._passes = what, location, passes
-
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if error is not None:
-            self.mend(error)
-
-    def mend(self, error: BaseException) -> None:
-        """Raise a HostError about ``error``, unless the error passes."""
-        # BaseException: library code may also raise SystemExit or errors of compiled libraries.
-        if not isinstance(error, (KeyboardInterrupt, self._passes)):
-            raise HostError(f"{self._what}: {words_of(error, self._location)}") from None
-
-
-class _prints_aside:  # noqa: N801 -- used as contextlib's own are
-    """Sends printed output to standard error."""
-
-    __slots__ = ("_kept",)
-
-    def __enter__(self) -> None:
-        self._kept, sys.stdout = sys.stdout, sys.stderr
-
-    def __exit__(self, *_: object) -> None:
-        sys.stdout = self._kept
+        return HostErrors(f"the world {self._name!r} {what}", self._location, passes)
 
 
 def _bounds(bindings: Bindings) -> dict[Address, Bound]:

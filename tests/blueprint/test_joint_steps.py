@@ -11,7 +11,8 @@ from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from tests.dispatch.runs import blueprint, branch
 
 LINE = branch({"00": "a>10", "10": "b>11", "11": "c>10, d>01", "01": "e>00"}, activating="11")

@@ -17,7 +17,8 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.errors import StudioError
 from smsl_studio.graph.hierarchy import cycles

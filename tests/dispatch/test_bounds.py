@@ -13,7 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.search import nothing
-from smsl_studio.blueprint.stepper import Terms
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route import planner
 from smsl_studio.dispatch.route.planner import Leg, Planner
 from smsl_studio.errors import RunRefused

@@ -11,7 +11,8 @@ import pytest
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.generate.rules import hanoi

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.stepper import Terms
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.blocks import Blocks
 from smsl_studio.dispatch.route.planner import Leg, Planner
 from smsl_studio.dispatch.route.prices import Prices

@@ -15,7 +15,8 @@ from smsl_studio.blueprint.edges import Edge, EdgeKind
 from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, PlanSearch, patience
-from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.bounds import CostBounds
 from smsl_studio.dispatch.route.effort import fact_count, refuse_too_long
 from smsl_studio.dispatch.route.ways import Ways

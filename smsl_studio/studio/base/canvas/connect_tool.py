@@ -6,7 +6,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QMouseEvent
 
 from smsl_studio.studio.base.canvas.branch_view import BranchView
-from smsl_studio.studio.base.canvas.gestures import Connect, GestureOwner, is_far
+from smsl_studio.studio.base.canvas.gestures import GestureOwner, is_far
+from smsl_studio.studio.base.canvas.operation_gestures import Connect
 
 FIRST = "Click the state where the operation starts."
 SECOND = "Click the target state, or empty canvas for a new one."

@@ -14,16 +14,15 @@ from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
 from smsl_studio.studio.base.canvas.drawn_gestures import press_drawn
 from smsl_studio.studio.base.canvas.gestures import (
     Band,
-    Connect,
     DragStates,
     Gesture,
     Pan,
-    Retarget,
     selection_after,
 )
 from smsl_studio.studio.base.canvas.handles import is_near
 from smsl_studio.studio.base.canvas.hover import GRIP, Hover
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
+from smsl_studio.studio.base.canvas.operation_gestures import Connect, Retarget
 from smsl_studio.studio.base.canvas.overlays import Overlays
 
 
