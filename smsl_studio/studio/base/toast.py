@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, QTimer
-from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, Qt, QTimer
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleAnnouncementEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.errors import StudioError
@@ -17,6 +24,8 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import brief, capital
 
 REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
+NARROWER = (300, 210)
+"""Widths that are tried if a message finds no place (pixels)."""
 TOP = 40
 """Where a message begins that would cover what somebody works on (pixels from the top)."""
 READING_MS = 70
@@ -31,7 +40,7 @@ class Toast(QWidget):
 
     def __init__(self, tokens: Tokens, over: QWidget) -> None:
         super().__init__(over)
-        self._tokens, self.severity, self._over = tokens, "", over
+        self._tokens, self.severity, self.over = tokens, "", over
         self._sentence: QLabel = label("", "heading")
         self._advice: QLabel = label("", "small")
         for part in (self._sentence, self._advice):
@@ -43,8 +52,15 @@ class Toast(QWidget):
         layout.addWidget(self._sentence)
         layout.addWidget(self._advice)
         self._spared = QRect()
+        self.seat: Callable[[QRect, QRect], QPoint | None] = lambda wanted, now: wanted.topLeft()
+        """Called with the usual place and the present one (empty while hidden): where it covers
+        nothing that somebody works on, None if there is no such place."""
+        self.line: Callable[[str, int], object] | None = None
+        """Shows a sentence for some milliseconds (none: 0) where it can cover nothing."""
+        self._folded = ""
         self._call: Callable[[], object] = lambda: None
         self._of_step = self._fresh = False
+        self._seated = True
         self.button = QPushButton("Undo")
         self.button.setProperty("role", "row")
         self.button.clicked.connect(self._press)
@@ -61,7 +77,21 @@ class Toast(QWidget):
     def words(self) -> str:
         """The text that is shown; empty if there is none."""
         parts = (self._sentence.text(), self._advice.text())
-        return " ".join(part for part in parts if part) if not self.isHidden() else ""
+        shown = not self.isHidden() or bool(self._folded)
+        return " ".join(part for part in parts if part) if shown else ""
+
+    def hide(self) -> None:
+        """Hide the message, also where it is only a line."""
+        if self._folded and self.line is not None:
+            self._folded = ""
+            self.line("", 0)
+        super().hide()
+
+    def settle(self) -> None:
+        """Look for another place if what somebody works on came below the message."""
+        if not self.isHidden():
+            self._place()
+            self._fold_if_seatless()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -89,8 +119,7 @@ class Toast(QWidget):
     def spare(self, rect: QRect) -> None:
         """Do not cover this part of the screen (global pixels), because somebody works there."""
         self._spared = rect
-        if not self.isHidden():
-            self._place()
+        self.settle()
 
     def edited(self) -> None:
         """Hide a message about an earlier step, because the history has moved by a step.
@@ -115,8 +144,8 @@ class Toast(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""
-        if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
-            self._place()
+        if watched is self.over and event.type() == QEvent.Type.Resize:
+            self.settle()
         return super().eventFilter(watched, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -147,13 +176,47 @@ class Toast(QWidget):
         self._advice.setText(advice)
         self._advice.setVisible(bool(advice))
         self.setAccessibleName(plain_text(f"{sentence} {advice}".strip()))
+        self._folded, self._seated = "", True
+        super().hide()
         self._place()
         self.show()
         self.raise_()
         self._timer.start(lasts)
+        self._tell(severity)
+        self._fold_if_seatless()
+
+    def _tell(self, severity: str) -> None:
+        """Let a screen reader read the message, wherever it stands."""
+        if QAccessible.isActive():
+            event = QAccessibleAnnouncementEvent(self, self.accessibleName())
+            if severity == "E":
+                event.setPoliteness(QAccessible.AnnouncementPoliteness.Assertive)
+            QAccessible.updateAccessibility(event)
+
+    def _fold_if_seatless(self) -> None:
+        """Become a line if there is no free place. A refusal or a button stays as it is."""
+        if self._seated or self.severity == "E" or not self.button.isHidden():
+            return
+        if self.line is not None:
+            super().hide()
+            self._folded = self.accessibleName()
+            self.line(self._folded, max(self._timer.remainingTime(), 1))
 
     def _place(self) -> None:
-        wide = min(WIDTH, self._over.width() - 32)
+        """Take a free place; a message that has none in its usual width is tried narrower."""
+        for most in (WIDTH, *NARROWER):
+            usual = self._usual_place(most)
+            now = QRect() if self.isHidden() else QRect(self.pos(), usual.size())
+            at = self.seat(usual, now)
+            if at is not None:
+                break
+        self._seated = at is not None
+        usual = usual if at is not None else self._usual_place(WIDTH)
+        self.setGeometry(QRect(at if at is not None else usual.topLeft(), usual.size()))
+
+    def _usual_place(self, most: int) -> QRect:
+        """The place at the foot of the widget below, at most so wide (pixels)."""
+        wide = min(most, self.over.width() - 32)
         natural = self._sentence.fontMetrics().horizontalAdvance(self._sentence.text()) + 70
         other = self._advice.fontMetrics().horizontalAdvance(self._advice.text()) + 70
         wide = max(160, min(wide, max(natural, other)))
@@ -162,10 +225,10 @@ class Toast(QWidget):
         high = (
             layout.heightForWidth(wide) if layout.hasHeightForWidth() else self.sizeHint().height()
         )
-        left = (self._over.width() - wide) // 2
-        place = QRect(left, self._over.height() - high - 64, wide, high)
-        spared = QRect(self._over.mapFromGlobal(self._spared.topLeft()), self._spared.size())
+        left = (self.over.width() - wide) // 2
+        place = QRect(left, self.over.height() - high - 64, wide, high)
+        spared = QRect(self.over.mapFromGlobal(self._spared.topLeft()), self._spared.size())
         if place.intersects(spared):
             above = place.translated(0, TOP - place.top())
             place = above if not above.intersects(spared) else place
-        self.setGeometry(place)
+        return place

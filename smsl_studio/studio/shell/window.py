@@ -107,6 +107,7 @@ class Window(QMainWindow):
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
+        self.toast.line = self.status_line.showMessage
         self._modes.dress(self.mode_bar, self.status_line)
         KeysHome(self._modes, (self.mode_bar, self.menu_row), self)
         self._captions = Captions(

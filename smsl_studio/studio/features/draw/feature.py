@@ -42,6 +42,7 @@ from smsl_studio.studio.features.draw.canvas.library_verbs import (
     fill_templates,
     template_actions,
 )
+from smsl_studio.studio.features.draw.canvas.message_seat import MessageSeat
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
@@ -187,6 +188,10 @@ class DrawFeature(Feature):
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_of_step)
         session.selection_changed.connect(self._spare_selected)
+        body = self._parts.toast.over
+        self._parts.toast.seat = MessageSeat(self.canvas, body)
+        for moved in (self.canvas.view_moved, self.canvas.picture_changed):
+            moved.connect(self._parts.toast.settle)
 
     def _connect_parts(self, actions: Actions) -> None:
         shell, toast, comparing = self._shell, self._parts.toast, self.comparing

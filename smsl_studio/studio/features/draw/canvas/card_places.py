@@ -27,6 +27,17 @@ def is_clear(canvas: Canvas, area: QRect) -> bool:
     return not sheet.states_in(*sides) and not sheet.drawn.touches(*sides)
 
 
+def free_of_all(
+    canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect]
+) -> QPoint | None:
+    """The place nearest to a point where a message covers no state, no note, and nothing else.
+
+    None if there is no such place.
+    """
+    at, hidden = _best(canvas, size, near, spared)
+    return at if not hidden else None
+
+
 def least_covering(
     canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect] = ()
 ) -> QPoint:
@@ -34,6 +45,13 @@ def least_covering(
 
     It covers no other floating part, and nothing of ``spared`` if there is another place.
     """
+    return _best(canvas, size, near, spared)[0]
+
+
+def _best(
+    canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect]
+) -> tuple[QPoint, float]:
+    """The best place for a card, and how much it covers there."""
     far = QPoint(canvas.width(), canvas.height()) - QPoint(EDGE, EDGE)
     spots = [
         QPoint(x, y)
@@ -43,11 +61,12 @@ def least_covering(
     ]
     drawn = _drawn_in_view(canvas)
     if not spots or len(drawn) > CROWD:
-        return near
+        return near, 1.0
     kept = np.array([one.getCoords() for one in spared], dtype=np.float64).reshape(-1, 4)
-    hidden = _covered(drawn, spots, size) + len(drawn) * _covered(kept, spots, size)
+    hidden = _covered(drawn, spots, size) + (len(drawn) + 1) * _covered(kept, spots, size)
     ways = [(at - near).manhattanLength() for at in spots]
-    return spots[min(range(len(spots)), key=lambda i: (hidden[i], ways[i]))]
+    best = min(range(len(spots)), key=lambda i: (hidden[i], ways[i]))
+    return spots[best], float(hidden[best])
 
 
 def selected_places(canvas: Canvas) -> list[QRect]:

@@ -1,0 +1,71 @@
+"""A passing message covers nothing that a person works on, and goes by itself."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, QRect
+
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+WORDS = "State_ccc stays the activating state of SB1, and ACTIVATING says so now."
+
+
+def covered(person: Person) -> list[str]:
+    """The states in view that the message covers."""
+    canvas, toast = person.window.canvas, person.window.toast
+    if not toast.isVisible():
+        return []
+    place = QRect(toast.mapToGlobal(QPoint()), toast.size())
+    return [name for name in canvas.positions if place.intersects(node(canvas, person, name))]
+
+
+def node(canvas: Canvas, person: Person, name: str) -> QRect:
+    rect = canvas.rect_of(person.blueprint.resolve(f"SB1/{name}"))
+    assert rect is not None
+    return canvas.screen_rect(rect)
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (960, 540)])
+@pytest.mark.parametrize("zoom", [0.4, 0.7, 1.0, 2.0])
+def test_a_message_covers_no_state_at_any_zoom_and_size(
+    sit: Sit, size: tuple[int, int], zoom: float
+) -> None:
+    person = sit(SAMPLES / "hanoi-corrected.json", size)
+    canvas, toast = person.window.canvas, person.window.toast
+    canvas.camera.motion = False
+    canvas.zoom_to(zoom)
+    middle = canvas.positions["State_bbb"]
+    canvas.camera.go(QPointF(*middle), zoom, smooth=False)
+    toast.say(WORDS)
+    assert toast.words == WORDS
+    assert covered(person) == []
+    told = toast.isVisible() or person.window.status_line.currentMessage() == WORDS
+    assert told
+
+
+def test_it_moves_away_from_what_is_scrolled_below_it(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi-corrected.json")
+    canvas, toast = person.window.canvas, person.window.toast
+    canvas.camera.motion = False
+    toast.say(WORDS)
+    assert covered(person) == []
+    for step in range(12):
+        canvas.camera.pan(37.0, -29.0 if step % 2 else 45.0)
+        assert covered(person) == []
+        assert toast.words == WORDS
+
+
+def test_where_there_is_no_place_it_is_a_line_of_the_status_line(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi-corrected.json", (960, 540))
+    canvas, toast = person.window.canvas, person.window.toast
+    canvas.camera.motion = False
+    toast.seat = lambda wanted, now: None
+    toast.say(WORDS)
+    assert not toast.isVisible()
+    assert toast.words == person.window.status_line.currentMessage() == WORDS
+    toast.hide()
+    assert (toast.words, person.window.status_line.currentMessage()) == ("", "")
+    toast.warn("It failed.")
+    assert toast.isVisible(), "a failure is not put aside"
