@@ -9,6 +9,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.blueprint import editing
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -132,3 +133,54 @@ def test_states_copied_from_the_source_of_another_file_are_pasted(sit: Sit) -> N
     assert person.blueprint["SB1"].table["State010"] == {"Operation010": "State110"}
     assert person.selected() == ["SB1/State010"]
     assert person.steps() == ["Paste State010"]
+
+
+def long_table() -> str:
+    return "".join(f"State_{at}\tgo\tState_{at + 1}\n" for at in range(3_000))
+
+
+def test_a_long_table_is_pasted_beside_the_window_as_one_step(sit: Sit) -> None:
+    person = sit()
+    before = person.blueprint.document.text
+    paste(person, long_table())
+    card = person.window.clipping.table_card
+    assert card.words.text().startswith("The table brings 3,001 new states and 3,000")
+    person.press(Key.Key_Return)
+    assert card.isVisible(), "it can be called off"
+    assert card.words.text().startswith("The table is being pasted.")
+    assert card.cancel.hasFocus()
+    assert not card.agree.isEnabled()
+    assert person.blueprint.document.text == before
+    person.until(lambda: not card.isVisible())
+    assert len(person.blueprint["SB1"].table) == 3_001
+    assert person.steps() == ["Paste 3,001 states and 3,000 operations"]
+    assert person.window.canvas.hasFocus()
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == before
+
+
+@pytest.mark.parametrize("way", ["escape", "edit", "undo", "close"])
+def test_a_long_paste_is_called_off(sit: Sit, way: str) -> None:
+    person = sit()
+    window = person.window
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
+    steps, before = person.steps(), person.blueprint.document.text
+    paste(person, long_table())
+    clipping = window.clipping
+    person.press(Key.Key_Return)
+    assert clipping.table_card.isVisible()
+    if way == "escape":
+        person.press(Key.Key_Escape)
+    elif way == "edit":
+        window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB3"))
+    elif way == "undo":
+        window.session.history.undo()
+    else:
+        window.features.stop()
+    after = person.blueprint.document.text
+    assert way == "close" or not clipping.table_card.isVisible()
+    clipping.finish()
+    QApplication.processEvents()
+    assert person.blueprint.document.text == after
+    assert (person.steps() == steps) is (way != "edit")
+    assert (after == before) is (way in ("escape", "close"))

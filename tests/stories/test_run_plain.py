@@ -53,12 +53,16 @@ def test_an_operation_can_be_followed_paused_and_finished(
     assert _scene(run).shows_tiles
     assert _scene(run).bar.words == "Op_1c, from aaa to caa"
     assert _scene(run).bar.time.endswith("of 1000000.0 s")
+    assert _scene(run).bar.time.startswith("shown for "), "it is not the time of the run"
+    assert "In the simulated time of the run" in _scene(run).bar.toolTip()
+    assert "Simulated 0.0 s" in run.pane.words[0]
     assert _said(run)[0] == "Fact 1: a, moving to c"
     assert [tile.target for tile in _tiles(run)] == ["c", "", ""]
     run.person.until(lambda: _scene(run).bar.share not in (None, 0.0))
     marks = run.pane.canvas.canvas.marks
     assert marks.running is not None
     assert marks.running[1] is not None
+    assert marks.running_words.startswith("shown for ")
     run.person.press(Key.Key_F6)
     run.until_phase("Paused")
     assert _said(run)[0].startswith("Fact 1: a")

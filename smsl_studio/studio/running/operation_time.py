@@ -16,6 +16,10 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.supervision.row import PAUSE, TERMS
 from smsl_studio.world.engines import TABLE
 
+WHY = (
+    "It is shown for this time, so that it can be followed. "
+    "In the simulated time of the run, below, it takes one tick"
+)
 USUAL = 1.0
 """Seconds for which an operation is shown that declares no duration."""
 
@@ -41,6 +45,11 @@ class ShownTime:
     def words(self) -> str:
         """The time in words, such as ``0.4 of 1.0 s``."""
         return f"{min(self.elapsed, self.whole):.1f} of {self.whole:.1f} s"
+
+    @property
+    def said(self) -> str:
+        """The same time, told apart from the simulated time of the run."""
+        return f"shown for {self.words}"
 
 
 def shown_duration(blueprint: Blueprint, address: Address) -> tuple[float, bool]:

@@ -158,7 +158,7 @@ class RunCanvas(QWidget):
         shown = self._time
         if shown is not None and marks.running is not None and marks.running[0] == shown.address:
             running = (shown.address, shown.share)
-            marks = replace(marks, running=running, running_words=shown.words)
+            marks = replace(marks, running=running, running_words=shown.said)
         if marks != self.canvas.marks:
             self.canvas.set_marks(marks)
 

@@ -9,7 +9,8 @@ from hashlib import sha256
 from itertools import count
 from pathlib import Path
 
-from smsl_studio.blueprint.comparison import Difference, compare
+from smsl_studio.blueprint.comparison import Change, Difference, compare
+from smsl_studio.blueprint.drawn import GROUPS, NOTES
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
 from smsl_studio.picture.aligned import as_drawn
@@ -27,6 +28,7 @@ LARGE = 4 << 20
 """From this number of characters on, the offer shows the size instead of a comparison."""
 NOUNS = {"branch": "State Branch", "header": "header field"}
 PLURALS = {"branch": ("State Branches",)}
+DRAWN = {GROUPS: "group", NOTES: "note"}
 STEP = "Recover unsaved work"
 
 
@@ -209,7 +211,8 @@ def tallied(found: Difference) -> str:
     """The number of changes of each kind, such as "2 states added, 1 operation retargeted"."""
     if found.same:
         return "Order, comments or spelling."
-    counts = Counter((change.what, change.kind.value) for change in (*found.changes, *found.fields))
+    counts = Counter((_what(change), change.kind.value)
+                     for change in (*found.changes, *found.fields))  # fmt: skip
     parts = [f"{counted(n, NOUNS.get(what, what), *PLURALS.get(what, ()))} {happened}"
              for (what, happened), n in counts.items()]  # fmt: skip
     if found.moved:
@@ -217,6 +220,12 @@ def tallied(found: Difference) -> str:
     if found.redrawn:
         parts.append(f"{counted(len(found.redrawn), 'operation')} redrawn")
     return f"{', '.join(parts)}."
+
+
+def _what(change: Change) -> str:
+    """What has changed, in a word of the window: a group and a note are fields in the file."""
+    path = change.path_after or change.path_before
+    return DRAWN.get(str(path[-2]), change.what) if len(path) > 1 else change.what
 
 
 def _moved_on(kept: KeptText, entry: JournalEntry) -> bool:

@@ -255,7 +255,7 @@ class DrawFeature(Feature):
 
     def stop(self) -> None:
         """End all background work of the drawing, because the window closes."""
-        for part in (self.source, self.comparing, self.findings):
+        for part in (self.source, self.comparing, self.findings, self.clipping):
             part.stop()
         self.safety.close()
 

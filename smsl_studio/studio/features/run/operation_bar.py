@@ -33,12 +33,15 @@ class OperationBar(QWidget):
         """As wide as there is room."""
         return QSize(240, HIGH)
 
-    def show_operation(self, words: str, time: str, share: float | None) -> None:
-        """Show an operation and how far it is (0 to 1); None if this is not known."""
+    def show_operation(self, words: str, time: str, share: float | None, why: str = "") -> None:
+        """Show an operation and how far it is (0 to 1); None if this is not known.
+
+        ``why`` explains its time in the tooltip.
+        """
         words = words or NOTHING
         if words != self.words:
             self.setAccessibleName(plain_text(words))
-            self.setToolTip(tip_text(words))
+        self.setToolTip(tip_text(f"{words}. {why}" if why else words))
         if (words, time, share) != (self.words, self.time, self.share):
             self.words, self.time, self.share = words, time, share
             self.setAccessibleDescription(plain_text(time))

@@ -26,6 +26,7 @@ from smsl_studio.studio.features.run.operation_bar import OperationBar
 from smsl_studio.studio.features.run.tiles import TilesView
 from smsl_studio.studio.features.run.world_view import WorldView
 from smsl_studio.studio.running.frames import MIDDLE, laid_over, tool, tools_over, words_over
+from smsl_studio.studio.running.operation_time import WHY
 from smsl_studio.studio.running.run_session import RunSession
 
 FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
@@ -162,14 +163,12 @@ class WorldPane(QWidget):
         blueprint, status = run.blueprint, run.status
         if blueprint is None or status is None or not self.shows_tiles:
             return
-        share, time = (
-            progress(blueprint, status, run.story),
-            time_words(blueprint, status, run.story),
-        )
+        share, why = progress(blueprint, status, run.story), ""
+        time = time_words(blueprint, status, run.story)
         if shown is not None and shown.address == status.running:
-            share, time = shown.share, shown.words
+            share, time, why = shown.share, shown.said, WHY
         self.tiles.show_share(share or 0.0)
-        self.bar.show_operation(operation_words(blueprint, status), time, share)
+        self.bar.show_operation(operation_words(blueprint, status), time, share, why)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

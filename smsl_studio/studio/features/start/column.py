@@ -27,7 +27,7 @@ BESIDE = 1180
 """In a page narrower than this the samples stand under the recent files."""
 STACKED = 700
 """In a column narrower than this the cards stand below each other."""
-TITLE = "Draw a procedure as states and operations. Check it, then run it in physics."
+TITLE = "Draw a procedure as states and operations. Check it, then run it."
 WHO = (
     "Engineers draw it, one person supervises it, and a run steps through it in a simulated world."
 )

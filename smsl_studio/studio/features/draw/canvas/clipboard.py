@@ -19,6 +19,7 @@ from smsl_studio.blueprint.editing.pasted_table import is_table
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused, StudioError
+from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.session import Session
@@ -30,6 +31,8 @@ KIND = "text/x-smsl"
 MOST = 1_000_000
 """In characters. A longer text is not pasted; it has to be opened as a file."""
 
+LONG = 50_000
+"""In characters. A longer table is pasted in the background, and can be called off."""
 NO_STATES = StateBranch("SB1", {})
 """The SB that a table makes in a file without SBs."""
 
@@ -70,9 +73,20 @@ class ClipboardVerbs:
         self.table_card = TableCard(canvas)
         """What a pasted table brings."""
         self.table_card.agreed.connect(self._paste_table)
+        self.table_card.closed.connect(self._call_off)
+        self._beside = Beside(session)
+        self._pasting: TablePaste | None = None
         # What it tells is no longer true then.
         session.blueprint_changed.connect(lambda *_: self.table_card.close_card())
         session.branch_changed.connect(lambda _: self.table_card.close_card())
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self._beside.stop()
+
+    def finish(self) -> None:
+        """Wait until the work in the background is done."""
+        self._beside.wait()
 
     def can_copy(self) -> bool:
         """Whether an element is selected or a text field has the keyboard focus."""
@@ -173,7 +187,33 @@ class ClipboardVerbs:
             added = editing.add_branch(blueprint, NO_STATES.name)
             return editing.paste_states(added, NO_STATES.name, paste.text)
 
-        self._put_in("Paste", change)
+        if len(paste.text) > LONG:
+            self._paste_beside(paste.begun(), change)
+        else:
+            self._put_in("Paste", change)
+
+    def _paste_beside(self, paste: TablePaste, change: Callable[[Blueprint], Put]) -> None:
+        """Compute the edit in the background, as long as the card stays open."""
+        before = self._session.blueprint
+        self._pasting = paste
+        self.table_card.show_paste(paste)
+
+        def come(put: Put | StudioError) -> None:
+            """Make the edit, unless it was called off or something else was typed meanwhile."""
+            if self._pasting is not paste:
+                return
+            self.table_card.close_card()
+            if isinstance(put, StudioError):
+                self._session.refused.emit(put)
+            else:
+                self._put_in("Paste", lambda now: put if now is before else change(now))
+
+        self._beside.do(lambda: _tried(lambda: change(before)), come)
+
+    def _call_off(self) -> None:
+        if self._pasting is not None:
+            self._pasting = None
+            self._beside.drop()
 
     def _duplicate(self, chosen: Sequence[Address]) -> None:
         self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
@@ -238,6 +278,13 @@ def _pasted(
     if any(address.branch == name for address in made):
         return after, made
     return editing.paste(blueprint, branch, text, at)
+
+
+def _tried(change: Callable[[], Put]) -> Put | StudioError:
+    try:
+        return change()
+    except StudioError as error:
+        return error
 
 
 def _put(text: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QKeyEvent
@@ -21,18 +21,26 @@ WIDTH = 340
 
 @dataclass(frozen=True)
 class TablePaste:
-    """A table that waits for a yes. ``fault`` says why it cannot be pasted."""
+    """A table that waits for a yes. ``fault`` says why it cannot be pasted. ``under_way`` says that
+    it is being pasted.
+    """
 
     text: str
     sentence: str
     lines: tuple[str, ...] = ()
     fault: str = ""
     verb: str = "Paste"
+    under_way: bool = False
 
     @property
     def ready(self) -> bool:
         """Whether it can be pasted."""
-        return not self.fault
+        return not self.fault and not self.under_way
+
+    def begun(self) -> TablePaste:
+        """The same while it is being pasted."""
+        sentence = "The table is being pasted. Cancel calls it off, and nothing is changed."
+        return replace(self, sentence=sentence, under_way=True)
 
 
 def table_paste(branch: StateBranch, text: str) -> TablePaste:
