@@ -99,11 +99,16 @@ class LineHandles:
     def _drag_line(
         self, event: QMouseEvent, edge: int, bend: int | None = None
     ) -> DragBend | DragPiece:
-        """A line with right angles keeps them; any other one is led through the pointer."""
+        """A line with right angles keeps them; any other one is led through the pointer.
+
+        A straight line has no angle yet, also if it is level: it gets one bend.
+        """
         sheet = self._canvas.sheet
         assert sheet is not None
         corners = corners_of(sheet.geometry.shape(edge), sheet.unit)
-        if corners is None or (bend is not None and len(corners) != len(self.layout.bends) + 2):
+        if corners is None or len(corners) == 2:
+            return DragBend(self._canvas, event, edge, bend)
+        if bend is not None and len(corners) != len(self.layout.bends) + 2:
             return DragBend(self._canvas, event, edge, bend)
         return DragPiece(self._canvas, event, edge, corners, bend)
 

@@ -94,8 +94,6 @@ def moved(
         if own
     )
     way = high[axis] - low[axis]
-    if piece == 0 == last and (fits or abs(way) < 4 * JOIN * unit):
-        return []
     if fits or (piece in (0, last) and abs(way) < 4 * JOIN * unit):
         to = _held(to, ends, piece, last, across)
         points[piece], points[piece + 1] = _at(axis, low[axis], to), _at(axis, high[axis], to)
