@@ -19,6 +19,7 @@ from smsl_studio.blueprint.configuration import start_configuration
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.joint import StepDraft
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.drive import admission as admitting
 from smsl_studio.dispatch.drive import arrival, start
 from smsl_studio.dispatch.drive.driver import Driver
@@ -118,7 +119,7 @@ def _the_supervisor_is_not_heard(patch: Patch) -> None:
 
 
 def _avoided_edges_are_used(patch: Patch) -> None:
-    patch.setattr(stepper.Stepper, "_closures", lambda self, edge: iter(()))
+    patch.setattr(Terms, "closures", lambda self, edge: iter(()))
 
 
 def _rises_come_first(patch: Patch) -> None:
