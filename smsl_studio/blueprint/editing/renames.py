@@ -12,6 +12,7 @@ from smsl_studio.blueprint.editing.bends import edges_follow
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
 from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_carried, levels_follow
+from smsl_studio.blueprint.editing.open_conflicts import conflicts_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
@@ -63,6 +64,7 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
             if renamed != hazards:
                 draft.file(document)["_hazards"] = renamed
     levels_follow(draft, lambda key: (new, *key[1:]) if key[0] == old else key)
+    conflicts_follow(draft, lambda key: (names.get(key[0], key[0]), *key[1:]))
     rename_keys(draft.file(before.home(old)), names)
 
 
@@ -156,6 +158,14 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
         return (names.get(state, state), operation) if stands else edge
 
     edges_follow(draft, branch, follow)
+    conflicts_follow(
+        draft,
+        lambda key: (
+            (branch, names.get(key[1], key[1]), *key[2:])
+            if key[0] == branch and len(key) > 1
+            else key
+        ),
+    )
 
 
 def rename_operations(
@@ -221,6 +231,10 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
             carried |= {(branch, state, new): (branch, old) for state in states}
     levels_follow(draft, lambda key: levels.get(key, key))
     levels_carried(draft, carried)
+    edges: dict[tuple[str, ...], tuple[str, ...]] = {
+        key: name for key, name in levels.items() if len(key) == 3
+    }
+    conflicts_follow(draft, lambda key: edges.get(key, key))
 
 
 def _notes_follow(

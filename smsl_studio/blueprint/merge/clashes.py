@@ -98,9 +98,9 @@ class Clashes:
         )
         if not (new or changed or path in self._renamed[keeper - 1]):
             return
-        if keeper == OURS:
-            self._keep_ways_in(branch, state)
-        self._add(path, self._parts_of_state(branch, state))
+        parts = [*self._parts_of_state(branch, state)]
+        parts += self._ways_in(branch, state, keeper)
+        self._add(path, iter(parts))
         for edge in new:
             if not self._trees.is_kept(edge):
                 self._add(edge, self._parts_of_edge(*edge))
@@ -128,24 +128,26 @@ class Clashes:
                 if target == state and source != state and self._trees.get(0, path) != state:
                     yield path
 
-    def _keep_ways_in(self, branch: str, state: str) -> None:
-        """Keep the operations that theirs deleted together with the state they lead to.
+    def _ways_in(self, branch: str, state: str, keeper: int) -> Iterator[Path]:
+        """Yield the operations that one side deleted together with the state they lead to, with all
+        that belongs to them.
 
-        One whose notes ours changed is a clash of its own.
+        One whose notes the keeper of the state changed is a clash of its own.
         """
-        for source in self._trees.states(OURS, branch):
-            if self._trees.get(THEIRS, (branch, source)) is ABSENT:
+        other = THEIRS if keeper == OURS else OURS
+        for source in self._trees.states(keeper, branch):
+            if self._trees.get(other, (branch, source)) is ABSENT:
                 continue
-            for operation, target in list(self._trees.map(OURS, (branch, source)).items()):
+            for operation, target in list(self._trees.map(keeper, (branch, source)).items()):
                 path = (branch, source, operation)
-                gone = self._trees.get(THEIRS, path) is ABSENT
+                gone = self._trees.get(other, path) is ABSENT
                 if (
                     gone
                     and target == state == self._trees.get(0, path)
-                    and not self._is_noted_anew(OURS, path)
+                    and not self._is_noted_anew(keeper, path)
                 ):
-                    for one in (path, *self._parts_of_edge(*path)):
-                        self._trees.keep_ours(one)
+                    yield path
+                    yield from self._parts_of_edge(*path)
 
     # Operations.
 

@@ -48,7 +48,8 @@ class Conflict:
     that does not have it.
 
     ``about_name`` says that both sides gave an SB or a state another name. Then the values are the
-    names. ``parts`` follow the choice: they belong to the same element.
+    names. ``parts`` follow the choice: they belong to the same element. ``base_known`` is False if
+    the two sides were merged without the version that they come from.
     """
 
     path: Path
@@ -57,6 +58,7 @@ class Conflict:
     theirs: Json
     about_name: bool = False
     parts: tuple[Attachment, ...] = ()
+    base_known: bool = True
 
     @property
     def address(self) -> str:

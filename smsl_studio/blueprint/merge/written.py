@@ -9,7 +9,7 @@ from smsl_studio.blueprint.merge.conflict import ABSENT, KEY, NAME, Attachment, 
 
 Json = Any
 VERSIONS = ("base", "ours", "theirs")
-ABOUT, PATH, PARTS = "about", "path", "parts"
+ABOUT, PATH, PARTS, BASE_KNOWN = "about", "path", "parts", "base_known"
 Faults = list[tuple[Path, str]]
 
 
@@ -18,6 +18,8 @@ def written_conflict(conflict: Conflict) -> dict[str, Json]:
     entry = _written(conflict)
     if conflict.about_name:
         entry[ABOUT] = NAME
+    if not conflict.base_known:
+        entry[BASE_KNOWN] = False
     if conflict.parts:
         entry[PARTS] = [_written(part) for part in conflict.parts]
     return entry
@@ -61,7 +63,10 @@ def _read(entry: Json) -> Conflict | None:
         return None
     if about == NAME and not all(isinstance(value, str) and value for value in _values(entry)):
         return None
-    return Conflict(path, *_values(entry), about == NAME, tuple(read))
+    is_known = entry.get(BASE_KNOWN, True)
+    if not isinstance(is_known, bool):
+        return None
+    return Conflict(path, *_values(entry), about == NAME, tuple(read), is_known)
 
 
 def _path(entry: Json) -> Path | None:
