@@ -56,11 +56,11 @@ class ArgumentParser(argparse.ArgumentParser):
         self._out.line(self.format_help().rstrip())
 
 
-def add_format(parser: ArgumentParser) -> None:
-    """Add ``--format text|json``."""
-    parser.add_argument(
-        "--format", choices=("text", "json"), default="text", help="text for people (default), json"
-    )
+def add_format(parser: ArgumentParser, *more: str) -> None:
+    """Add ``--format text|json``, and ``more`` forms that only this command has."""
+    forms = ("text", "json", *more)
+    words = ", ".join(("text for people (default)", *forms[1:]))
+    parser.add_argument("--format", choices=forms, default="text", help=words)
 
 
 def add_world(parser: ArgumentParser, required: bool) -> None:

@@ -40,14 +40,15 @@ def inputs_of(blueprint: Blueprint) -> tuple[str | int, ...]:
     return tuple(0 if one.file == STDIN else one.file for one in blueprint.documents)
 
 
-def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
-    """Yield the blueprint of every file. A file that cannot be read is reported and gives None."""
+def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | ReadError]:
+    """Yield the blueprint of every file. A file that cannot be read is reported and gives its
+    error."""
     for file in files:
         try:
             blueprint = read_argument(file)
         except ReadError as error:
             report(error, command)
-            yield None
+            yield error
         else:
             yield blueprint
 

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
 from smsl_studio.cli.blueprint_argument import read_each
 from smsl_studio.cli.output import Output
+from smsl_studio.errors import ReadError
 from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
@@ -21,7 +22,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
     )
     add_world(parser, required=False)
-    add_format(parser)
+    add_format(parser, "sarif")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
@@ -29,21 +30,26 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.world is not None:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)
-    reports, status = [], 0
+    inspected: list[tuple[Blueprint, tuple[Finding, ...]]] = []
+    unread: list[ReadError] = []
+    worst = 0
     for blueprint in read_each(options.files, "smsl-studio check"):
-        if blueprint is None:
-            status = 2
+        if isinstance(blueprint, ReadError):
+            unread.append(blueprint)
             continue
         findings = inspect(blueprint, options.rule)
-        if any(finding.severity is Severity.ERROR for finding in findings):
-            status = max(status, 1)
+        worst = max(worst, int(any(found.severity is Severity.ERROR for found in findings)))
         if options.format == "text":
             _print(blueprint, findings, out)
         else:
-            reports.append(_as_json(blueprint, findings))
+            inspected.append((blueprint, findings))
     if options.format == "json":
-        out.json({"files": reports})
-    return status
+        out.json({"files": [_as_json(*one) for one in inspected]})
+    elif options.format == "sarif":
+        from smsl_studio.cli.sarif import sarif
+
+        out.json(sarif(inspected, unread))
+    return 2 if unread else worst
 
 
 def _nothing() -> Blueprint:

@@ -8,6 +8,7 @@ import argparse
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import read_each
 from smsl_studio.cli.output import Output
+from smsl_studio.errors import ReadError
 from smsl_studio.front.outputs import digest
 from smsl_studio.legible import one_line
 
@@ -22,7 +23,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Print the three digests of each file. 0: all were read; 2: some could not be read."""
     found, status = [], 0
     for blueprint in read_each(options.files, "smsl-studio digest"):
-        if blueprint is None:
+        if isinstance(blueprint, ReadError):
             status = 2
             continue
         kinds = digest(blueprint).as_json()
