@@ -32,6 +32,7 @@ BENCHES = (
     "find",
     "journal",
     "compare",
+    "histories",
     "merges",
     "record",
     "stories",

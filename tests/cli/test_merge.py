@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from smsl_studio.front.git_drivers import DRIVERS, git_setup
+from smsl_studio.front.git_drivers import DRIVERS
 from smsl_studio.front.inputs import read
+from tests.cli.histories import History
+from tests.cli.repository import Repository
 from tests.cli.shell import Shell, sample
 
 BASE = {"S": {"HEADER": {"INITIAL": "A", "ACTIVATING": "B"}, "A": {"go": "B"}, "B": {"back": "A"}}}
@@ -111,27 +111,8 @@ def test_what_cannot_be_merged_changes_nothing(shell: Shell, tmp_path: Path) -> 
 # --- git -----------------------------------------------------------------------------------------
 
 
-class Repository:
-    """A repository after ``git-setup``, with a program of this environment as the driver."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self.git("init", "-q", "-b", "main")
-        git_setup(folder)
-        for key, command in DRIVERS.items():
-            here = command.replace("smsl-studio", f'"{sys.executable}" -m smsl_studio')
-            self.git("config", key, here)
-
-    def git(self, *arguments: str, status: int = 0) -> str:
-        kept = {k: v for k, v in os.environ.items() if not k.startswith("GIT_")}
-        who = {f"GIT_{w}_{k}": "person" for w in ("AUTHOR", "COMMITTER") for k in ("NAME", "EMAIL")}
-        nowhere = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1", "GIT_PAGER": "cat"}
-        done = subprocess.run(
-            ["git", *arguments], cwd=self.folder, env=kept | who | nowhere,
-            capture_output=True, text=True, check=False, timeout=60,
-        )  # fmt: skip
-        assert done.returncode == status, done.stderr
-        return done.stdout
+class PlanRepository(Repository):
+    """A repository with one blueprint, ``plan.json``."""
 
     def commit(self, here: Any, there: Any) -> None:
         inside = {**BASE["S"], "A": {**BASE["S"]["A"], **here}, "B": {**BASE["S"]["B"], **there}}
@@ -144,13 +125,13 @@ class Repository:
 
 
 @pytest.fixture
-def repository(tmp_path: Path) -> Repository:
-    made = Repository(tmp_path)
+def repository(tmp_path: Path) -> PlanRepository:
+    made = PlanRepository(tmp_path)
     made.commit({}, {})
     return made
 
 
-def test_git_merges_a_branch_and_a_rebase_by_meaning(repository: Repository) -> None:
+def test_git_merges_a_branch_and_a_rebase_by_meaning(repository: PlanRepository) -> None:
     repository.git("checkout", "-q", "-b", "other")
     repository.commit({"go": "A"}, {})
     repository.commit({"go": "A", "more": "B"}, {})
@@ -166,7 +147,7 @@ def test_git_merges_a_branch_and_a_rebase_by_meaning(repository: Repository) -> 
     assert repository.table() == merged
 
 
-def test_a_conflict_in_git_leaves_a_readable_file(repository: Repository) -> None:
+def test_a_conflict_in_git_leaves_a_readable_file(repository: PlanRepository) -> None:
     repository.git("checkout", "-q", "-b", "other")
     repository.commit({"go": "A"}, {})
     repository.git("checkout", "-q", "main")
@@ -179,7 +160,7 @@ def test_a_conflict_in_git_leaves_a_readable_file(repository: Repository) -> Non
     assert (entry["ours"], entry["theirs"]) == ("C", "A")
 
 
-def test_a_file_that_both_branches_added_is_merged(repository: Repository) -> None:
+def test_a_file_that_both_branches_added_is_merged(repository: PlanRepository) -> None:
     for branch, here in (("other", {"one": "A"}), ("third", {"two": "A"})):
         repository.git("checkout", "-q", "-b", branch, "main")
         inside = {**BASE["S"], "A": {**BASE["S"]["A"], **here}}
@@ -191,9 +172,16 @@ def test_a_file_that_both_branches_added_is_merged(repository: Repository) -> No
     assert table["A"] == {"go": "B", "one": "A", "two": "A"}
 
 
+@pytest.mark.parametrize("number", [0, 1])
+def test_a_history_of_branches_and_rebases_loses_nothing(number: int, tmp_path: Path) -> None:
+    history = History(tmp_path, number)
+    history.grow()
+    assert history.merges > 10
+
+
 @pytest.mark.parametrize("name", ["package.json", "compose.yaml", "broken.json"])
 def test_files_that_are_no_blueprints_are_merged_line_by_line(
-    name: str, repository: Repository
+    name: str, repository: PlanRepository
 ) -> None:
     file = repository.folder / name
     text = '{"web":\n {"app":\n  {"image": "one",\n\n\n   "ports": "two"}}}\n'
