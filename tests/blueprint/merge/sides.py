@@ -31,14 +31,18 @@ GONE = "gone"
 
 
 def drawn(chance: Random) -> Blueprint:
-    """A blueprint of one to three SBs with explicit ends, and some titles and costs."""
+    """A blueprint of one or two SBs with explicit ends, and some titles and costs.
+
+    No operation of one SB is called as one of another, else a state that came from there could be
+    taken for a renamed one.
+    """
     values: dict[str, Any] = {}
     for branch in [f"SB{n}" for n in range(chance.randint(1, 2))]:
         states = [f"{branch}_S{n}" for n in range(chance.randint(3, 5))]
         inside: dict[str, Any] = {"HEADER": {"INITIAL": states[0], "ACTIVATING": states[-1]}}
         for at, state in enumerate(states):
             inside[state] = {
-                f"op{at}{n}": chance.choice(states) for n in range(chance.randint(1, 3))
+                f"{branch}_op{at}{n}": chance.choice(states) for n in range(chance.randint(1, 3))
             }
         inside["_states"] = {s: {"title": s.lower()} for s in chance.sample(states, 2)}
         edges = [(s, op) for s in states for op in inside[s]]
@@ -65,7 +69,7 @@ def _edit(blueprint: Blueprint, chance: Random, renames: bool) -> Blueprint:
         return add_state(blueprint, branch.name, f"N{chance.randint(0, 5)}")
     edge, state = chance.choice(edges), chance.choice(states)
     at = Address(branch.name, edge.source, edge.name)
-    kind = chance.randrange(10 if renames else 9)
+    kind = chance.randrange(11 if renames else 10)
     if kind < 2:
         return retarget(blueprint, at, chance.choice(states))
     if kind == 2:
@@ -90,7 +94,22 @@ def _edit(blueprint: Blueprint, chance: Random, renames: bool) -> Blueprint:
         if chance.random() < 0.3:
             return add_branch(blueprint, f"NEW{chance.randint(0, 2)}")
         return set_header(blueprint, branch.name, chance.choice(("INITIAL", "ACTIVATING")), state)
+    if kind == 9:
+        return _moved(blueprint, branch.name, state, chance)
     return rename(blueprint, Address(branch.name, state), f"R{chance.randint(0, 999)}")
+
+
+def _moved(blueprint: Blueprint, branch: str, state: str, chance: Random) -> Blueprint:
+    """Move a state to an SB, with the names of its operations: all lead to one state there."""
+    home = chance.choice(list(blueprint))
+    if home.name == branch:
+        return blueprint
+    names = list(blueprint[branch].table[state])
+    blueprint = add_state(blueprint, home.name, state)
+    target = chance.choice(list(blueprint[home.name].table))
+    for name in names:
+        blueprint = add_operation(blueprint, home.name, state, name, target)
+    return delete(blueprint, [Address(branch, state)])
 
 
 def things(blueprint: Blueprint) -> dict[Thing, str]:
