@@ -61,11 +61,31 @@ def revisions(file: Path) -> tuple[Revision, ...]:
 def bytes_at(file: Path, revision: Revision) -> bytes:
     """Return the content of a file at a revision. ReadError if the file is missing there or too
     large."""
-    thing = f"{revision.commit}:{revision.name}"
+    return _blob(file, f"{revision.commit}:{revision.name}", revision.short)
+
+
+def unmerged_bytes(file: Path) -> tuple[bytes | None, bytes | None, bytes | None]:
+    """Return base, ours and theirs of a file as git's index keeps them while a merge has not ended;
+    None for a version that does not exist. All are None if no merge of the file is open.
+
+    ReadError if there is no git, no repository, or a version is too large.
+    """
+    told = _git(file, "ls-files", "--unmerged", "-z", "--", file.name)
+    found: dict[str, bytes] = {}
+    for entry in told.decode("utf-8", "replace").split("\0"):
+        head, _, _name = entry.partition("\t")
+        parts = head.split(" ")
+        if len(parts) == 3:
+            found[parts[2]] = _blob(file, parts[1], "the index of git")
+    return found.get("1"), found.get("2"), found.get("3")
+
+
+def _blob(file: Path, thing: str, where: str) -> bytes:
+    """Return the content of an object of git. ReadError if it is too large."""
     size = _git(file, "cat-file", "-s", thing)
     if not size.strip().isdigit() or int(size) > LARGEST_FILE:
         raise ReadError(
-            f"{file.name} is larger than {LARGEST_FILE >> 20} MB in {revision.short}",
+            f"{file.name} is larger than {LARGEST_FILE >> 20} MB in {where}",
             advice="Compare with another commit.",
         )
     return _git(file, "cat-file", "blob", thing)

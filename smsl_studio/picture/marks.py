@@ -18,9 +18,11 @@ class Marks:
     severity (E, W or I) for each address. ``facts`` says how a state's digit and the sensed fact
     compare: ``agrees``, ``differs``, ``unknown`` or ``transit``. The names of ``goals`` stand below
     their nodes. If ``dimmed``, everything without a mark is pale, as in a run. ``changes`` has the
-    sign of a comparison for each address: ``+`` added, ``-`` removed, ``~`` changed. ``guards``
-    says whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why
-    in words. ``found`` are the hits of a search, and ``hit`` is the one that is shown. ``ways`` are
+    sign of a comparison for each address: ``+`` added, ``-`` removed, ``~`` changed. In a merge
+    the sides stand before it: ``M~``, ``T+``, ``MT~``. ``conflicts`` has the number of each
+    conflict of a merge, a tick if it is chosen. ``guards`` says
+    whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why in
+    words. ``found`` are the hits of a search, and ``hit`` is the one that is shown. ``ways`` are
     the operations on the ways between two selected states.
     """
 
@@ -40,6 +42,7 @@ class Marks:
     findings: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     facts: Mapping[tuple[str, int], str] = field(default_factory=lambda: MappingProxyType({}))
     changes: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
+    conflicts: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     guards: Mapping[Address, tuple[str, str]] = field(default_factory=lambda: MappingProxyType({}))
     goals: frozenset[str] = frozenset()
     found: tuple[Address, ...] = ()

@@ -27,6 +27,15 @@ def open_conflicts(blueprint: Blueprint) -> tuple[Conflict, ...]:
     return tuple(read_conflicts(blueprint.document.values[KEY])[0].values())
 
 
+def refusal_of_open(blueprint: Blueprint) -> EditRefused | None:
+    """Return why a blueprint cannot be run yet: conflicts of a merge are open. None if it can."""
+    number = len(open_conflicts(blueprint))
+    if not number:
+        return None
+    words = "1 conflict of a merge is open" if number == 1 else f"{number:,} conflicts are open"
+    return EditRefused(words, advice="Choose on the page Merge of Draw first.")
+
+
 def choose(blueprint: Blueprint, conflict: Conflict, side: Side) -> Blueprint:
     """Decide a conflict: its element gets the value of one version, with all parts, and its entry
     under ``_conflicts`` goes.

@@ -42,6 +42,16 @@ class Page:
     row: QWidget | None = None
 
 
+@dataclass(frozen=True)
+class ModePage:
+    """A further page of the mode Draw: ``words`` stand on its tab, ``make`` is called when it is
+    first shown. The tab is there after ``Shell.show_page``."""
+
+    id: str
+    words: str
+    make: Callable[[], Page]
+
+
 @runtime_checkable
 class Coloured(Protocol):
     """A widget that paints with colours of its own, and not with the palette alone."""
@@ -75,6 +85,8 @@ class Feature:
 
     pages: Mapping[str, Callable[[], Page]] = MappingProxyType({})
     """The pages by mode. A page is made when its mode is shown for the first time."""
+    mode_pages: tuple[ModePage, ...] = ()
+    """Further pages of the mode Draw, for its row of pages."""
     panels: tuple[DockPanel, ...] = ()
     badges: tuple[QWidget, ...] = ()
     """Widgets at the right of the menu bar, visible in every mode."""
@@ -197,6 +209,12 @@ class Shell(Protocol):
 
     def show_count(self, panel: str, count: int) -> None:
         """Show a number on the tab of a panel."""
+
+    def show_page(self, page: str, count: int | None) -> None:
+        """Offer a page of Draw in the row of pages, with a number; None takes it away."""
+
+    def hold_run(self, reason: str) -> None:
+        """Let Run wait, for a reason in words; empty text lets it go on."""
 
     def show_segment(self, name: str, shown: bool) -> None:
         """Show or hide the button of a mode in the mode bar."""

@@ -65,6 +65,16 @@ class Tabs(QWidget):
         self.bar.addTab(name)
         self._show(self.bar.currentIndex())
 
+    def remove(self, name: str) -> None:
+        """Remove a panel and its tab."""
+        at = self._names.index(name)
+        self.set_count(name, 0)
+        page = self.page(name)
+        self._names.pop(at)
+        self.bar.removeTab(at)
+        self._pages.removeWidget(page)
+        page.deleteLater()
+
     def add_button(self, button: QWidget) -> None:
         """Add a button at the right end that is visible with every panel."""
         self._top.addWidget(button)
@@ -101,6 +111,8 @@ class Tabs(QWidget):
         """Show a number beside the name on a tab; 0 hides it."""
         at = self._names.index(name)
         badge = self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide)
+        if badge is None and not count:
+            return
         if not isinstance(badge, QLabel):
             badge = label("", "count")
             badge.installEventFilter(self)

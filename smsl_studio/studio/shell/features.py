@@ -15,6 +15,7 @@ from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
 from smsl_studio.studio.features.help.feature import HelpFeature
+from smsl_studio.studio.features.merge.feature import MergeFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
@@ -59,6 +60,7 @@ class Features(QObject):
         self.draw.notes.author = windows.persons.author
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.branch_map = BranchMapFeature(parts, shell)
+        self.merge = MergeFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.tour = TourFeature(parts, shell, self.help.show_first)
@@ -75,8 +77,8 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.branch_map, self.start, self.export, self.run, self.supervise)
-        yield from (self.people, self.monitor, self.replay, self.tour, self.help)
+        yield from (self.draw, self.merge, self.branch_map, self.start, self.export, self.run)
+        yield from (self.supervise, self.people, self.monitor, self.replay, self.tour, self.help)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane
@@ -153,7 +155,7 @@ class Features(QObject):
     def stop(self) -> None:
         """End all work, because the window closes. The run ends first."""
         self.end_run()
-        for feature in (self.replay, self.export, self.draw, self.start):
+        for feature in (self.replay, self.export, self.merge, self.draw, self.start):
             feature.stop()
 
     def end_run(self) -> None:

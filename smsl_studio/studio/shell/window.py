@@ -30,6 +30,7 @@ from smsl_studio.studio.shell.frame.keys_home import KeysHome
 from smsl_studio.studio.shell.frame.menu_row import MenuRow
 from smsl_studio.studio.shell.frame.mode_bar import ModeBar
 from smsl_studio.studio.shell.frame.modes import Modes
+from smsl_studio.studio.shell.frame.page_row import PageRow
 from smsl_studio.studio.shell.frame.screen_room import ScreenRoom
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 from smsl_studio.studio.shell.menus import all_actions
@@ -78,6 +79,7 @@ class Window(QMainWindow):
         panels = [panel for feature in self.features for panel in feature.panels]
         self.docks = Docks(self, panels, self.tokens)
         pages = {mode: page for feature in self.features for mode, page in feature.pages.items()}
+        pages |= {page.id: page.make for feature in self.features for page in feature.mode_pages}
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
     def _name_parts(self) -> None:
@@ -105,6 +107,10 @@ class Window(QMainWindow):
         self.setMenuWidget(self.features.below(self.menu_row))
         self.mode_bar = ModeBar(actions, tokens)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
+        self.page_row = PageRow([one for f in self.features for one in f.mode_pages])
+        self.addToolBarBreak(Qt.ToolBarArea.TopToolBarArea)
+        self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.page_row)
+        self.page_row.page_wanted.connect(self.set_mode)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
         self.toast.line = self.status_line.showMessage
@@ -187,6 +193,7 @@ class Window(QMainWindow):
             mode = "start"
         if mode != self.mode:
             self._modes.show(mode, self.size())
+            self.page_row.show_mode(mode)
             self.features.mode_shown()
             self._show_said()
             self._captions.show_title()
@@ -259,6 +266,16 @@ class Window(QMainWindow):
     def show_count(self, panel: str, count: int) -> None:
         """Show a number on the tab of a panel."""
         self.docks.bottom_tabs.set_count(panel, count)
+
+    def show_page(self, page: str, count: int | None) -> None:
+        """Offer a page of Draw in the row of pages, with a number; None takes it away."""
+        self.page_row.show_page(page, count)
+        if count is None and self.mode == page:
+            self.set_mode("draw")
+
+    def hold_run(self, reason: str) -> None:
+        """Let Run wait, for a reason in words; empty text lets it go on."""
+        self.mode_bar.hold_run(reason)
 
     def show_segment(self, name: str, shown: bool) -> None:
         """Show or hide the button of a mode in the mode bar."""

@@ -129,7 +129,7 @@ def _guards(sheet: Sheet, taken: list[Rect]) -> Iterator[LitLabel]:
 def _says_more(look: EdgeLook) -> bool:
     """Whether the label says more than that the edge is selected, possible or on a route."""
     marked = look.pruned or look.held_back or look.risky or look.hovered
-    return marked or bool(look.finding or look.change) or look.running is not None
+    return marked or bool(look.finding or look.change or look.conflict) or look.running is not None
 
 
 def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:
@@ -151,7 +151,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         if look.pruned:
             text = replace(text, text=f"{text.text} pruned")
         return _first(sheet, edge, text, _near_sign(sheet, edge, text, shape), taken, False)
-    if sheet.compact and look.change:
+    if look.conflict or (sheet.compact and look.change):
         rects = _clear_of_names(sheet, edge, text, shape)
         return _first(sheet, edge, text, rects, taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):
@@ -220,7 +220,7 @@ def _plain(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
     """A label on its line, or one that is hidden while its edge has no highlight."""
     look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
     hidden = rect is None or any(labels.meet(rect, other) for other in taken)
-    if hidden and not (look.selected or look.hovered or look.change):
+    if hidden and not (look.selected or look.hovered or look.change or look.conflict):
         return None
     return LitLabel(edge, sheet.text(edge), rect or sheet.geometry.fallback(edge))
 

@@ -88,8 +88,10 @@ class Overlays:
         sheet = self._canvas.sheet
         guarded = sheet is not None and bool(sheet.picture.guarded)
         anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
-        if marks.dimmed != self._dimmed or (anew and marks.dimmed):
-            self._dimmed = marks.dimmed
+        # A merge dims what did not change, but its signs are not those of a run.
+        dimmed = marks.dimmed and not (marks.changes or marks.conflicts)
+        if dimmed != self._dimmed or (anew and dimmed):
+            self._dimmed = dimmed
             self._place_legend()
 
     def show_zoom(self, zoom: float) -> None:

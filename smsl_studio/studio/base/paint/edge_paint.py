@@ -11,7 +11,13 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.picture.shape import EdgeShape, Floats
-from smsl_studio.studio.base.paint.change_signs import change_colours, change_dashes, draw_change
+from smsl_studio.studio.base.paint.change_signs import (
+    change_colours,
+    change_dashes,
+    conflict_colour,
+    draw_change,
+    draw_conflict,
+)
 from smsl_studio.studio.base.paint.guard_sign import draw_guard
 from smsl_studio.studio.base.paint.ink import (
     NO_BRUSH,
@@ -55,6 +61,8 @@ class EdgeLook:
     """Whether the operation is the hit of a search that is shown."""
     finding: str = ""
     change: str = ""
+    conflict: str = ""
+    """The number of an open conflict of a merge, or ``CHOSEN``."""
     """The sign of a comparison: ``+``, ``-`` or ``~``; empty without a comparison."""
     hovered: bool = False
     dimmed: bool = False
@@ -66,7 +74,14 @@ class EdgeLook:
         return bool(
             (self.selected or self.out or self.hovered or self.finding or self.possible)
             or (self.running is not None or self.trail or self.planned)
-            or (self.pruned or self.held_back or self.risky or self.change or self.hit)
+            or (
+                self.pruned
+                or self.held_back
+                or self.risky
+                or self.change
+                or self.hit
+                or self.conflict
+            )
         )
 
 
@@ -89,7 +104,7 @@ class EdgeText:
 def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
     """Width and height of a label with its signs, in mark pixels."""
     type_ = ink.mono_label if text.mono else ink.label
-    marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign) + bool(text.guard))
+    marks = MARK_WIDTH * (bool(text.kind) + len(text.sign) + bool(text.guard))
     width = type_.width(text.text) + marks + 8.0
     return width, LABEL_HEIGHT if not text.mono else 14.0
 
@@ -284,10 +299,16 @@ def paint_label(
         colour = change_colours(look.change, tokens)[0]
     if look.dimmed and not look.lit:
         colour = tokens.tx3
+    if look.conflict:
+        painter.setPen(pen(conflict_colour(look.conflict, tokens), 2.4))
+        painter.setBrush(NO_BRUSH)
+        around = QRectF(left - 3.0, centre.y() - height / 2 - 2.0, width + 6.0, height + 4.0)
+        painter.drawRoundedRect(around, 6.0, 6.0)
+        draw_conflict(painter, around.right(), around.top(), look.conflict, tokens)
     x = left + 4.0
     if text.sign:
         draw_change(painter, x + 5.0, centre.y(), 5.5, text.sign, tokens)
-        x += MARK_WIDTH
+        x += MARK_WIDTH * len(text.sign)
     if text.kind:
         draw_sub_mark(painter, x + 4.5, centre.y(), text.kind, tokens.acc, tokens.canvas)
         x += MARK_WIDTH

@@ -99,6 +99,8 @@ class Looks:
             self._note(address, "finding", letter, nodes, edges)
         for address, sign in marks.changes.items():
             self._note(address, "change", sign, nodes, edges)
+        for address, number in marks.conflicts.items():
+            self._note(address, "conflict", number, nodes, edges)
         if marks.dimmed:
             self._near(nodes, edges)
         self._nodes = {

@@ -14,7 +14,13 @@ from PySide6.QtGui import QColor, QPainter, QPolygonF
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE, rest_mark
 from smsl_studio.picture.picture import Chip, Face
-from smsl_studio.studio.base.paint.change_signs import change_colours, change_dashes, draw_change
+from smsl_studio.studio.base.paint.change_signs import (
+    change_colours,
+    change_dashes,
+    conflict_colour,
+    draw_change,
+    draw_conflict,
+)
 from smsl_studio.studio.base.paint.ink import (
     NO_BRUSH,
     NO_PEN,
@@ -51,6 +57,8 @@ class NodeLook:
     """Whether the state is the hit of a search that is shown."""
     finding: str = ""
     change: str = ""
+    conflict: str = ""
+    """The number of an open conflict of a merge, or ``CHOSEN``."""
     """What a comparison tells: ``+``, ``-`` or ``~``."""
     facts: tuple[tuple[int, str], ...] = field(default=())
     mark_shift: float = 0.0
@@ -65,7 +73,7 @@ class NodeLook:
             or self.visited
             or self.next
             or self.hit
-            or bool(self.finding or self.change)
+            or bool(self.finding or self.change or self.conflict)
         )
 
 
@@ -140,8 +148,13 @@ def paint_node(
     if look.finding:
         size = 13.0 if compact else 15.0
         draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
+    elif len(look.change) > 1:
+        # The sides of a merge stand at the left, because the number of a conflict is at the right.
+        draw_change(painter, rect.left() + 10.0, rect.top(), 5.5, look.change, ink.tokens)
     elif look.change:
         draw_change(painter, rect.right() - 2, rect.top() + 2, 7.0, look.change, ink.tokens)
+    if look.conflict:
+        draw_conflict(painter, rect.right() + 3, rect.top() - 3, look.conflict, ink.tokens)
 
 
 def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
@@ -161,6 +174,9 @@ def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook
         out = BAND
         painter.drawRoundedRect(rect.adjusted(-out, -out, out, out), radius + out, radius + out)
     painter.setBrush(NO_BRUSH)
+    if look.conflict:
+        painter.setPen(pen(conflict_colour(look.conflict, tokens), 2.4))
+        painter.drawRoundedRect(rect.adjusted(-4, -4, 4, 4), radius + 4, radius + 4)
     if look.active:
         # Several strokes with a low alpha make a soft edge without a blur effect, which is slow.
         painter.setBrush(NO_BRUSH)

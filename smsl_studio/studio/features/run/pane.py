@@ -10,6 +10,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.merge.choice import refusal_of_open
 from smsl_studio.errors import StudioError
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
 from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
@@ -191,6 +192,10 @@ class RunPane(QWidget):
     def _begin(self, stepping: bool) -> None:
         if self._session.broken is not None:
             self._say_refused(self._session.broken.refusal)
+            return
+        waits = refusal_of_open(self._session.blueprint)
+        if waits is not None:
+            self._say_refused(waits)
             return
         if self.canvas.moved_on:
             self.run.forget()

@@ -37,6 +37,9 @@ SEARCH = 248
 WORDS = 560
 """The width of the drawing tools from which their buttons have words (pixels)."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
+NO_TOOLS = ("start",)
+PAGES = ("merge",)
+"""Pages of Draw on which nothing is drawn."""
 PASSING = ("mode_replay",)
 """Modes that are offered only while they have something to show."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
@@ -78,7 +81,7 @@ class ModeBar(QToolBar):
         self.stop.hide()
         self.phase = PhaseBadge()
         self.phase.hide()
-        self._run_exists, self._mode = False, "draw"
+        self._run_exists, self._mode, self._waits = False, "draw", ""
         self._draw_tools = _DrawTools(actions, self.search, self.run)
         self._middle = QStackedWidget()
         # The middle part can shrink by itself. Otherwise the tool bar would hide all of it, and
@@ -151,9 +154,18 @@ class ModeBar(QToolBar):
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
         self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
         self._rule.setVisible(mode != "start")
-        self._draw_tools.show_tools(mode != "start")
-        self.run.setEnabled(mode != "start")
+        self._draw_tools.show_tools(mode)
+        self._show_run()
         self._show_stop()
+
+    def hold_run(self, reason: str) -> None:
+        """Let Run wait, for a reason in words; empty text lets it go on."""
+        self._waits = reason
+        self._show_run()
+
+    def _show_run(self) -> None:
+        self.run.setEnabled(self._mode != "start" and not self._waits)
+        self.run.setToolTip(tip_text(self._waits or self._actions.table["run_play"].hint))
 
     def _show_stop(self) -> None:
         shown = self._run_exists and self._mode not in COMMANDING
@@ -207,14 +219,16 @@ class _DrawTools(QWidget):
         self.setLayout(layout)
         last = [buttons[name] for name in ("undo", "redo", "sub_sb", "connect", "add_state")]
         self._tools = (*rules, *buttons.values())
+        self._steps = (buttons["undo"], buttons["redo"])
         self._precedence = Precedence(
             self, rules[1], buttons["align"], buttons["tidy"], rules[0], *last, search, run
         )
 
-    def show_tools(self, shown: bool) -> None:
-        """Show or hide the tools for drawing, beside search and Run."""
+    def show_tools(self, mode: str) -> None:
+        """Show the tools for drawing in Draw, and on its other pages undo and redo alone."""
         for tool in self._tools:
-            self._precedence.want(tool, shown)
+            wanted = mode not in NO_TOOLS and (mode not in PAGES or tool in self._steps)
+            self._precedence.want(tool, wanted)
         self._precedence.fit()
 
     def show_run(self, shown: bool) -> None:

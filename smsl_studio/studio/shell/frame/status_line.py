@@ -97,9 +97,10 @@ class StatusLine(QStatusBar):
         self._show_parts()
 
     def show_mode(self, mode: str) -> None:
-        """Show the parts of a mode: all modes but Draw and the start page are about the run."""
+        """Show the parts of a mode: all but the pages of Draw and the start page are about the
+        run."""
         self._start = mode == "start"
-        self._running = mode != "draw" and not self._start
+        self._running = mode not in ("draw", "merge") and not self._start
         self._show_parts()
 
     @property

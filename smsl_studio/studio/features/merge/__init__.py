@@ -1,0 +1,1 @@
+"""The page Merge of Draw: the open conflicts of a merge, chosen one by one."""

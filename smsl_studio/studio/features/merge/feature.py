@@ -1,0 +1,121 @@
+"""The page Merge as a feature: its tab, its badge, and the versions that git still has."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.merge.choice import refusal_of_open
+from smsl_studio.blueprint.merge.sides import MergeSides
+from smsl_studio.front.merge_versions import versions_in_git
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.base.feature import Feature, ModePage, Page, Shell
+from smsl_studio.studio.base.late_part import LatePart
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.features.merge.badge import ConflictBadge
+from smsl_studio.studio.features.merge.open_merge import OpenMerge
+from smsl_studio.studio.running.window_parts import WindowParts
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.merge.page import MergePage
+
+PAGE = "merge"
+
+
+class MergeFeature(Feature):
+    """Offers the page while the open blueprint has conflicts. The page is made when it is shown."""
+
+    def __init__(self, parts: WindowParts, shell: Shell) -> None:
+        self._parts, self._shell, self._tokens = parts, shell, parts.tokens
+        self.merge = OpenMerge(parts.session, parts.files, parts.window)
+        self.badge = ConflictBadge(parts.tokens)
+        self.badge.clicked.connect(self.show)
+        self.badges = (self.badge,)
+        self.part = LatePart(self._make)
+        self.mode_pages = (ModePage(PAGE, "Merge", self._page),)
+        self._offered: int | None = None
+        self._beside = Beside(parts.window)
+        self._asked: Path | None = None
+        parts.session.opened.connect(self._forget)
+        self.merge.changed.connect(self._follow)
+
+    def actions(self) -> tuple[Action, ...]:
+        """The row of the menu Blueprint."""
+        return (
+            Action("merge_page", "Conflicts of the merge", self.show, "Blueprint", "", (),
+                   lambda: self.merge.exists, section=4,
+                   tip="Choose between mine, theirs and base"),
+        )  # fmt: skip
+
+    def show(self) -> None:
+        """Show the page, if there is one."""
+        if self.merge.exists:
+            self._shell.set_mode(PAGE)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        self.badge.set_tokens(tokens)
+        if self.part.made is not None:
+            self.part.made.set_tokens(tokens)
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self._beside.stop()
+        if self.part.made is not None:
+            self.part.made.stop()
+
+    def _page(self) -> Page:
+        return Page(self.part(), self.part().drawing.canvas)
+
+    def _make(self) -> MergePage:
+        from smsl_studio.studio.features.merge.page import MergePage
+
+        page = MergePage(self._parts.session, self.merge, self._tokens)
+        page.save_wanted.connect(self._save)
+        page.leave_wanted.connect(self._leave)
+        return page
+
+    def _forget(self) -> None:
+        self._asked = None
+        self._beside.drop()
+        self._offer(None)
+
+    def _follow(self) -> None:
+        merge = self.merge
+        self._offer(len(merge.conflicts) if merge.exists else None)
+        self._look_in_git()
+
+    def _offer(self, count: int | None) -> None:
+        left = len(self.merge.open_ones) if count is not None else 0
+        self.badge.show_number(left)
+        refusal = refusal_of_open(self._parts.session.blueprint) if left else None
+        self._shell.hold_run(f"{refusal.sentence}. {refusal.advice}" if refusal else "")
+        if count != self._offered:
+            self._offered = count
+            self._shell.show_page(PAGE, count)
+
+    def _look_in_git(self) -> None:
+        """Ask git for the versions while its own merge of the file is not ended."""
+        path, sides = self._parts.files.path, self.merge.sides
+        if path is None or sides is None or sides.known or self._asked == path:
+            return
+        self._asked = path
+        self._beside.do(partial(versions_in_git, path), partial(self._found, path))
+
+    def _found(self, path: Path, sides: MergeSides | None) -> None:
+        if sides is not None and path == self._parts.files.path and self.merge.exists:
+            self.merge.know(sides)
+
+    def _save(self) -> None:
+        if not self.merge.open_ones and self._parts.files.save():
+            self._parts.toast.say("Saved the merged file. No conflict is open.")
+
+    def _leave(self) -> None:
+        left = len(self.merge.open_ones)
+        self._shell.set_mode("draw")
+        stay = "stays" if left == 1 else "stay"
+        self._parts.toast.say(f"{counted(left, 'conflict')} {stay} open in the file.")

@@ -1,0 +1,116 @@
+"""The page Merge: the drawing over the source at the left, the conflicts at the right."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.merge import Conflict, Side
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.merge.columns_view import ColumnsView
+from smsl_studio.studio.features.merge.conflict_list import WIDTH, ConflictList
+from smsl_studio.studio.features.merge.merge_canvas import MergeCanvas
+from smsl_studio.studio.features.merge.open_merge import OpenMerge
+from smsl_studio.studio.features.merge.preview import ChoicePreview
+
+SOURCE = 224
+
+
+class MergePage(QWidget):
+    """Shows the open merge of a session. Every choice is one step of the history."""
+
+    save_wanted = Signal()
+    leave_wanted = Signal()
+
+    def __init__(self, session: Session, merge: OpenMerge, tokens: Tokens) -> None:
+        super().__init__()
+        self._session, self._merge = session, merge
+        self.drawing = MergeCanvas(merge, tokens)
+        self.source = ColumnsView(tokens)
+        self.list = ConflictList(merge, tokens)
+        self.preview = ChoicePreview(self)
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(self.drawing)
+        left.addWidget(self.source)
+        left.setStretchFactor(0, 1)
+        left.setSizes([533, SOURCE])
+        left.setChildrenCollapsible(False)
+        whole = QSplitter(Qt.Orientation.Horizontal)
+        whole.addWidget(left)
+        whole.addWidget(self.list)
+        whole.setStretchFactor(0, 1)
+        whole.setSizes([1044, WIDTH])
+        whole.setChildrenCollapsible(False)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(whole)
+        self.setAccessibleName("Merge")
+        self._connect()
+        self.refresh()
+
+    def _connect(self) -> None:
+        self._merge.changed.connect(self.refresh)
+        self.list.taken.connect(self._take)
+        self.list.previewed.connect(self._preview)
+        self.list.selected.connect(self.select)
+        self.list.merged_chosen.connect(self.drawing.select)
+        self.list.save_wanted.connect(self.save_wanted)
+        self.list.leave_wanted.connect(self.leave_wanted)
+        self.drawing.clicked.connect(self._clicked)
+        self.preview.told.connect(self.list.show_preview)
+
+    def refresh(self) -> None:
+        """Show the merge as it is now."""
+        if not self._merge.exists:
+            return
+        self.list.show_merge()
+        self.list.show_sides()
+        self.drawing.show_result(self._session.blueprint)
+        if self.list.current is not None:
+            self.select(self.list.current)
+
+    def select(self, conflict: Conflict) -> None:
+        """Show a conflict in list, drawing and source."""
+        self.list.select(conflict)
+        sides = self._merge.sides
+        if sides is not None and conflict in self._merge.conflicts:
+            number = self._merge.conflicts.index(conflict) + 1
+            self.source.show_conflict(conflict, number, sides)
+        self.drawing.select([Address(*Address.split(conflict.address))])
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        for part in (self.drawing, self.source, self.list):
+            part.set_tokens(tokens)
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self.preview.stop()
+
+    def _take(self, conflict: Conflict, side: Side) -> None:
+        self.select(conflict)
+        self._merge.take(conflict, side)
+        following = self._merge.open_ones
+        if following and not self._merge.is_open(conflict):
+            later = [one for one in following if self._is_after(one, conflict)]
+            self.select(next(iter(later or following)))
+
+    def _is_after(self, one: Conflict, other: Conflict) -> bool:
+        order = self._merge.conflicts
+        return other in order and order.index(one) > order.index(other)
+
+    def _preview(self, conflict: Conflict, side: Side | None) -> None:
+        if side:
+            self.preview.ask(self._session.blueprint, conflict, side)
+        else:
+            self.preview.drop()
+            self.list.show_preview(conflict, "")
+
+    def _clicked(self, address: Address) -> None:
+        found = next((one for one in self._merge.conflicts if one.address == str(address)), None)
+        if found is not None:
+            self.select(found)
+        else:
+            self.drawing.select([address])
