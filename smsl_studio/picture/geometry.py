@@ -112,14 +112,10 @@ class Geometry:
         edge's middle.
         """
         shape = self.shape(edge)
-        w, h = self._label_size(edge)
-        x, y = shape.at(shape.length / 2)
-        return x - w / 2, y - h / 2, x + w / 2, y + h / 2
+        return labels.centred(shape.at(shape.length / 2), self._label_size(edge))
 
     def covered(self, edge: int, rects: Sequence[labels.Rect]) -> list[int]:
-        """Return for each rectangle how many pieces of other lines it covers, always 0 in a large
-        picture.
-        """
+        """Return how many pieces of other lines each rectangle covers; 0 in a large picture."""
         return self._lines.covered(edge, rects)
 
     def forget(self, states: Iterable[int]) -> list[int]:
@@ -222,9 +218,7 @@ class Geometry:
             work.bent[pair.a, pair.b] = reach
 
     def _clear(self, pair: Between) -> bool:
-        """Return whether the lines between two states need no detour. A very large picture has no
-        detours.
-        """
+        """Return whether the lines of a pair need no detour. A very large picture has none."""
         return not self.picture.careful or self._clears.holds(pair, self._former)
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
@@ -271,7 +265,7 @@ class Geometry:
                 passing.append(Passing(edge, a, b))
             else:
                 self._plan(edge)
-        boxes = [self.box(i) for i in range(len(self.picture))]
+        boxes = list(map(self.box, range(len(self.picture))))
         self._shapes |= in_lanes(passing, boxes, self.style.unit, self._obstacles)
         for one in passing:
             if one.edge not in self._shapes and one.edge not in self._strands:
@@ -292,10 +286,16 @@ class Geometry:
         if looping:
             self._lines = labels.LinePieces(self._shapes)
         order = sorted(self._shapes, key=lambda edge: labels.rank_of(edge, self._shapes[edge]))
-        if self._former is None:
-            self._choice = self._choice_of(edge for edge in order if edge not in self._labels)
+        # The places of all new labels are worked out together, which is much quicker.
+        self._choice = self._choice_of(edge for edge in order if not self._keeps_label(edge))
         for edge in order:
             self._place(edge)
+
+    def _keeps_label(self, edge: int) -> bool:
+        """Return whether an edge has its label, or can have that of before the edit so far."""
+        size, former = self._label_size(edge), self._former
+        old = former is not None and former.has_label(edge, self._shapes[edge], size)
+        return old or edge in self._labels
 
     def _mark_initial(self, work: Routing, places: labels.LabelPlaces) -> None:
         """Find the place of the initial state's mark. No label may cover it."""
@@ -329,14 +329,15 @@ class Geometry:
             if former is not None:
                 former.label_moved(edge, moved)
             return
-        if former is not None and former.has_label(edge, shape, size):
-            rect = self._labels[edge] = former.label(edge)
-            if rect is not None:
-                places.take(rect)
-            return
-        if self._choice is None or not self._choice.knows(edge):
-            self._choice = self._choice_of([edge])
-        rect = self._labels[edge] = self._choice.take(edge)
+        choice = self._choice
+        if choice is None or not choice.knows(edge):
+            if former is not None and former.has_label(edge, shape, size):
+                if (rect := former.label(edge)) is not None:
+                    places.take(rect)
+                self._labels[edge] = rect
+                return
+            choice = self._choice_of([edge])
+        rect = self._labels[edge] = choice.take(edge)
         if former is not None:
             former.label_moved(edge, rect)
 

@@ -8,7 +8,7 @@ it. Pure geometry.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +22,7 @@ Rect = tuple[float, float, float, float]
 """Left, top, right, bottom."""
 _RECTS_AT_ONCE = 4_000
 """The number of places that are compared with all nodes at once. It limits the memory."""
+_RECTS_AT_A_LOOK = 8
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
 
 
@@ -159,14 +160,14 @@ class LabelChoice:
         self._places, self._aside = places, away
         self._beside: dict[int, list[AsideRect]] = {}
         self._lines = dict(zip(shapes, zip(shapes.values(), sizes, strict=True), strict=True))
-        self._found: dict[int, list[Rect]] = {}
+        self._found: dict[int, Floats] = {}
         for some in candidates(shapes, sizes, places.unit, compact):
             free = some.fits.copy()
             free[free] = places.off_nodes(some.rects[free])
             for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
-                self._found[edge] = [(a, b, c, d) for a, b, c, d in rects[ok].tolist()]
+                self._found[edge] = rects[ok]
         if away:
-            self._look_aside([edge for edge, own in self._found.items() if not own])
+            self._look_aside([edge for edge, own in self._found.items() if not len(own)])
 
     def knows(self, edge: int) -> bool:
         """Return whether the label of an edge may be asked for."""
@@ -174,7 +175,7 @@ class LabelChoice:
 
     def take(self, edge: int) -> Rect | None:
         """Take and return the best free place of one label, or None if there is none."""
-        found = next(filter(self._places.is_untaken, self._found[edge]), None)
+        found: Rect | None = next(filter(self._places.is_untaken, _each(self._found[edge])), None)
         if found is None and self._aside:
             if edge not in self._beside:
                 self._look_aside([edge])
@@ -197,6 +198,15 @@ class LabelChoice:
             self._beside[edge] = [AsideRect(*rect) for rect in own[ok].tolist()]
 
 
+def _each(rects: Floats) -> Iterator[Rect]:
+    """Yield the rectangles of an array, (n, 4). Mostly the first ones are enough, so few are made
+    at once.
+    """
+    for first in range(0, len(rects), _RECTS_AT_A_LOOK):
+        some = rects[first : first + _RECTS_AT_A_LOOK].tolist()
+        yield from ((left, top, right, bottom) for left, top, right, bottom in some)
+
+
 def leader(shape: EdgeShape, rect: Rect) -> tuple[Point, Point]:
     """Return the points of a line and of the border of its label that are near each other."""
     left, top, right, bottom = rect
@@ -208,7 +218,7 @@ def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect
     """Return the rectangle of a label that somebody has moved."""
     share, dx, dy = at
     x, y = shape.at(shape.length * share)
-    return _centred((x + dx, y + dy), size)
+    return centred((x + dx, y + dy), size)
 
 
 def outside(
@@ -221,10 +231,11 @@ def outside(
     dx, dy = shape.direction(along)
     nx, ny = -dy * shape.out * side, dx * shape.out * side
     reach = abs(nx) * size[0] / 2 + abs(ny) * size[1] / 2 + gap
-    return _centred((x + nx * reach, y + ny * reach), size)
+    return centred((x + nx * reach, y + ny * reach), size)
 
 
-def _centred(point: Point, size: tuple[float, float]) -> Rect:
+def centred(point: Point, size: tuple[float, float]) -> Rect:
+    """Return the rectangle of a size around a point."""
     x, y = point
     w, h = size[0] / 2, size[1] / 2
     return x - w, y - h, x + w, y + h

@@ -19,7 +19,7 @@ from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.studio.base.canvas.edge_reaches import Numbers
-from smsl_studio.studio.base.canvas.hidden_marks import paint_hidden_names, paint_leaders
+from smsl_studio.studio.base.canvas.hidden_marks import NameMarks
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint import batch
@@ -48,7 +48,7 @@ class EdgePainter:
 
     def __init__(self, over: LitLayer) -> None:
         """``over`` is the layer above, whose labels can hide names of this layer."""
-        self._drawn, self._over = EdgeShapes(), over
+        self._drawn, self._marks, self._over = EdgeShapes(), NameMarks(), over
         self._near = self._smooth = True
 
     def look_at(self, sheet: Sheet, view: Rect) -> bool:
@@ -90,11 +90,11 @@ class EdgePainter:
         painter.save()
         painter.scale(unit, unit)
         names = self.names(sheet, rest)
-        paint_leaders(painter, sheet, names)
+        self._marks.paint(painter, sheet, names)
         for edge, rect in names.items():
             centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
             paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
-        paint_hidden_names(painter, sheet, edges)
+        self._marks.paint_hidden(painter, sheet, edges)
         painter.restore()
 
     def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:

@@ -4,36 +4,60 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QLineF, QPointF
 from PySide6.QtGui import QPainter
 
 from smsl_studio.picture import labels
-from smsl_studio.picture.hidden_names import RADIUS, hidden_names
+from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks, hidden_names
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.ink import pen
 
 
-def paint_leaders(painter: QPainter, sheet: Sheet, names: Mapping[int, labels.Rect]) -> None:
-    """Paint a dotted line to each name that stands away from its line (mark pixels)."""
-    unit = sheet.unit
-    painter.setPen(pen(sheet.ink.tokens.edge, 0.8, (2.0, 2.0)))
-    for edge, rect in names.items():
-        if isinstance(rect, labels.AsideRect):
-            foot, end = labels.leader(sheet.geometry.shape(edge), rect)
-            painter.drawLine(
-                QPointF(foot[0] / unit, foot[1] / unit), QPointF(end[0] / unit, end[1] / unit)
-            )
+class NameMarks:
+    """Paints leaders and marks. They are computed again only after a change of the drawing."""
 
+    def __init__(self) -> None:
+        self._version = -1
+        self._geometry: Geometry | None = None
+        self._marks: HiddenMarks | None = None
+        self._leaders: dict[int, QLineF] = {}
 
-def paint_hidden_names(painter: QPainter, sheet: Sheet, edges: Iterable[int]) -> None:
-    """Paint the marks in place of the names of these edges that have no room (mark pixels)."""
-    ink, unit = sheet.ink, sheet.unit
-    for names in hidden_names(sheet.geometry, edges):
-        x, y = names.at[0] / unit, names.at[1] / unit
-        painter.setPen(pen(ink.tokens.edge, 1.0))
-        painter.setBrush(ink.tokens.canvas)
-        painter.drawEllipse(QPointF(x, y), RADIUS, RADIUS)
-        ink.count.draw(painter, x, y, names.words, ink.tokens.tx2)
+    def paint(self, painter: QPainter, sheet: Sheet, names: Mapping[int, labels.Rect]) -> None:
+        """Paint a dotted line to each name that stands away from its line (mark pixels)."""
+        self._look_at(sheet)
+        lines = [
+            self._leader(sheet, edge, rect)
+            for edge, rect in names.items()
+            if isinstance(rect, labels.AsideRect)
+        ]
+        painter.setPen(pen(sheet.ink.tokens.edge, 0.8, (2.0, 2.0)))
+        painter.drawLines(lines)
+
+    def paint_hidden(self, painter: QPainter, sheet: Sheet, edges: Iterable[int]) -> None:
+        """Paint the marks in place of the names of these edges that have no room (mark pixels)."""
+        ink, unit = sheet.ink, sheet.unit
+        for names in self._look_at(sheet).of(edges):
+            x, y = names.at[0] / unit, names.at[1] / unit
+            painter.setPen(pen(ink.tokens.edge, 1.0))
+            painter.setBrush(ink.tokens.canvas)
+            painter.drawEllipse(QPointF(x, y), RADIUS, RADIUS)
+            ink.count.draw(painter, x, y, names.words, ink.tokens.tx2)
+
+    def _look_at(self, sheet: Sheet) -> HiddenMarks:
+        geometry = sheet.geometry
+        if self._marks is None or (self._geometry, self._version) != (geometry, sheet.version):
+            self._geometry, self._version = geometry, sheet.version
+            self._marks, self._leaders = HiddenMarks(geometry), {}
+        return self._marks
+
+    def _leader(self, sheet: Sheet, edge: int, rect: labels.Rect) -> QLineF:
+        found = self._leaders.get(edge)
+        if found is None:
+            (ax, ay), (bx, by) = labels.leader(sheet.geometry.shape(edge), rect)
+            unit = sheet.unit
+            found = self._leaders[edge] = QLineF(ax / unit, ay / unit, bx / unit, by / unit)
+        return found
 
 
 def hidden_tip(sheet: Sheet, edge: int) -> str:

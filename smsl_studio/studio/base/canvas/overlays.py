@@ -161,10 +161,14 @@ class Overlays:
         others = (self.zoom, self.map, self.key, self.breadcrumb)
         return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
+    def floats(self) -> list[QRect]:
+        """The places of the permanent floating widgets that are shown, in pixels of the view."""
+        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
+        return [part.geometry() for part in parts if not part.isHidden()]
+
     def floats_in(self, area: QRect) -> bool:
         """Whether a permanent floating widget is in this area of the view (pixels)."""
-        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
-        return any(not part.isHidden() and part.geometry().intersects(area) for part in parts)
+        return any(area.intersects(place) for place in self.floats())
 
     def show_banner(self, text: str) -> None:
         """Show a sentence across the top; empty hides the banner."""

@@ -52,21 +52,27 @@ def _best(
     canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect]
 ) -> tuple[QPoint, float]:
     """The best place for a card, and how much it covers there."""
-    far = QPoint(canvas.width(), canvas.height()) - QPoint(EDGE, EDGE)
-    spots = [
-        QPoint(x, y)
-        for y in range(EDGE, far.y() - size.height() + 1, STEP)
-        for x in range(EDGE, far.x() - size.width() + 1, STEP)
-        if not canvas.overlays.floats_in(QRect(QPoint(x, y), size))
-    ]
+    spots = _spots(canvas, size)
     drawn = _drawn_in_view(canvas)
-    if not spots or len(drawn) > CROWD:
+    if not len(spots) or len(drawn) > CROWD:
         return near, 1.0
-    kept = np.array([one.getCoords() for one in spared], dtype=np.float64).reshape(-1, 4)
+    kept = _sides(spared)
     hidden = _covered(drawn, spots, size) + (len(drawn) + 1) * _covered(kept, spots, size)
-    ways = [(at - near).manhattanLength() for at in spots]
-    best = min(range(len(spots)), key=lambda i: (hidden[i], ways[i]))
-    return spots[best], float(hidden[best])
+    ways = np.abs(spots - (near.x(), near.y())).sum(axis=1)
+    best = int(np.lexsort((ways, hidden))[0])
+    x, y = spots[best].tolist()
+    return QPoint(int(x), int(y)), float(hidden[best])
+
+
+def _spots(canvas: Canvas, size: QSize) -> Floats:
+    """The left upper corners of a card in the view where it covers no floating part, (n, 2), row
+    by row."""
+    across = np.arange(EDGE, canvas.width() - EDGE - size.width() + 1, STEP, dtype=np.float64)
+    down = np.arange(EDGE, canvas.height() - EDGE - size.height() + 1, STEP, dtype=np.float64)
+    x, y = np.meshgrid(across, down)
+    spots = np.column_stack([x.ravel(), y.ravel()])
+    free: Floats = spots[_covered(_sides(canvas.overlays.floats()), spots, size) == 0.0]
+    return free
 
 
 def selected_places(canvas: Canvas) -> list[QRect]:
@@ -75,9 +81,15 @@ def selected_places(canvas: Canvas) -> list[QRect]:
     return [canvas.mapFromScene(rect).boundingRect() for rect in rects if rect is not None]
 
 
-def _covered(rects: Floats, spots: Sequence[QPoint], size: QSize) -> Floats:
+def _sides(rects: Sequence[QRect]) -> Floats:
+    """Left, top, right and bottom of rectangles, shape (n, 4)."""
+    sides = [(one.x(), one.y(), one.x() + one.width(), one.y() + one.height()) for one in rects]
+    return np.array(sides, dtype=np.float64).reshape(-1, 4)
+
+
+def _covered(rects: Floats, spots: Floats, size: QSize) -> Floats:
     """The number of rectangles that a card covers at each place of ``spots``, (n,)."""
-    x, y = np.array([(at.x(), at.y()) for at in spots], dtype=np.float64).T[:, :, None]
+    x, y = spots.T[:, :, None]
     left, top, right, bottom = rects.T
     across = (left < x + size.width()) & (right > x)
     found: Floats = np.sum(across & (top < y + size.height()) & (bottom > y), axis=1, dtype=float)
