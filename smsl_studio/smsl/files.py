@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from smsl_studio.errors import Place, ReadError, SaveError
 from smsl_studio.home import saving_folder
 from smsl_studio.smsl.document import Document, decode
+from smsl_studio.smsl.document.conflict_markers import told_of_markers
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.forms import form_named, form_of
 from smsl_studio.smsl.garbage import uncollected
@@ -126,7 +127,13 @@ def _text_of(raw: bytes, file: str) -> str:
 def parse_text(text: str, file: str) -> Document:
     """Return the document in the text of a file (see ``parse_bytes``)."""
     with uncollected():
-        return form_named(form_of(file, text)).parse(text, file)
+        try:
+            return form_named(form_of(file, text)).parse(text, file)
+        except ReadError as error:
+            told = told_of_markers(error, text, file)
+            if told is error:
+                raise
+            raise told from None
 
 
 def save_document(

@@ -18,6 +18,7 @@ from smsl_studio.studio.features.merge.conflict_list import MOST
 from smsl_studio.studio.features.merge.page import MergePage
 from tests.blueprint.merge.test_merge import BASE, changed
 from tests.blueprint.values import read
+from tests.front.test_marked_files import marked
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 
@@ -267,3 +268,68 @@ def test_everything_on_the_page_has_a_name(sit: Sit, tmp_path: Path) -> None:
         for button in one.buttons.values():
             assert button.accessibleName().startswith("Take ")
             assert isinstance(button, QWidget)
+
+
+def marked_file(tmp_path: Path, style: str = "--diff3") -> Path:
+    path = tmp_path / "marked.json"
+    path.write_text(marked(tmp_path, style, BASE, OURS, THEIRS))
+    return path
+
+
+def test_a_file_with_markers_says_what_it_is_and_is_merged_by_meaning(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = marked_file(tmp_path)
+    before = path.read_text()
+    person = sit(path)
+    window = person.window
+    assert "marked.json has the conflict markers of a merge by lines" in window.toast.words
+    page = at_page(person)
+    assert "in 3 places" in page.notice.words or "in 2 places" in page.notice.words
+    person.click(page.notice.merge)
+    person.until(lambda: bool(page.list.cards))
+    assert {one.conflict.address for one in page.list.cards} == {"A/S0/go", "A/S2"}
+    assert person.steps() == ["Merge by meaning"]
+    assert window.files.edited
+    assert path.read_text() == before
+    rows = [row.text for row in page.list.merged.rows.rows]
+    assert rows == ["Lines outside the markers: git had merged them already"]
+    person.ctrl(Qt.Key.Key_Z)
+    assert window.session.texts[window.session.blueprint.file] == before, "nothing is lost"
+    assert page.notice.isVisible()
+    person.click(page.notice.merge)
+    person.until(lambda: len(window.features.merge.merge.open_ones) == 2)
+    for one in list(page.list.cards):
+        person.click(one.buttons["theirs"])
+    person.click(page.list.save)
+    assert json.loads(path.read_text())["A"]["_states"]["S2"]["title"] == "theirs"
+
+
+def test_markers_without_a_base_offer_two_versions(sit: Sit, tmp_path: Path) -> None:
+    person = sit(marked_file(tmp_path, ""))
+    page = at_page(person)
+    person.click(page.notice.merge)
+    person.until(lambda: bool(page.list.cards))
+    assert not card(page, "A/S0/go").buttons["base"].isEnabled()
+    assert not page.drawing.switches["base"].isEnabled()
+    rows = [row.text for row in page.list.merged.rows.rows]
+    assert rows[0] == "No base: every difference is a conflict"
+
+
+def test_markers_that_do_not_belong_together_are_told(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "odd.json"
+    path.write_text("{\n<<<<<<< a\n<<<<<<< b\n}\n")
+    person = sit(path)
+    page = at_page(person)
+    assert "Line 3" in page.notice.words
+    assert not page.notice.merge.isEnabled()
+
+
+def test_a_side_that_cannot_be_read_is_told_on_the_page(sit: Sit, tmp_path: Path) -> None:
+    path = marked_file(tmp_path)
+    path.write_text(path.read_text().replace('"title": "theirs"', '"title" "theirs"'))
+    person = sit(path)
+    page = at_page(person)
+    person.click(page.notice.merge)
+    person.until(lambda: "Theirs cannot be read" in page.notice.words)
+    assert page.notice.merge.isEnabled()

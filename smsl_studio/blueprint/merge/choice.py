@@ -61,7 +61,7 @@ def choose(blueprint: Blueprint, conflict: Conflict, side: Side) -> Blueprint:
     whole: tuple[Conflict | Attachment, ...] = (conflict, *conflict.parts)
     for one in whole:
         _put(values, one, getattr(one, side), is_part=one is not conflict)
-    if len(conflict.path) == 2 and not conflict.path[1].startswith("_"):
+    if len(conflict.path) == 2 and not conflict.path[1].startswith(("_", HEADER)):
         _keep_header(values, blueprint.branches.get(conflict.path[0]))
     try:
         return draft.done()

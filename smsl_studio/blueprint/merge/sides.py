@@ -20,12 +20,14 @@ MINE, THEIRS, ALIKE = "M", "T", "MT"
 class MergeSides:
     """The three versions of a merge. ``known`` is False if they were made from the open conflicts
     alone; then all that is no conflict is equal in them. ``base`` is None if it is not known.
+    ``by_lines`` says that git merged lines before, which are now in all versions.
     """
 
     ours: Blueprint
     theirs: Blueprint
     base: Blueprint | None
     known: bool = True
+    by_lines: bool = False
 
     def get(self, side: Side) -> Blueprint | None:
         """Return one of the versions."""

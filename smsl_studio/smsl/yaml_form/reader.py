@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from smsl_studio.errors import TextFix
+from smsl_studio.errors import Place, ReadError, TextFix
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.conflict_markers import is_marked, told_of_markers
 from smsl_studio.smsl.document.limits import MAX_CHARACTERS, TOO_LONG
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import YamlFault, as_error, shown
@@ -30,6 +31,10 @@ def parse(text: str, file: str) -> Document:
 
     A doubled key is no error: the last value counts, in the place of the first.
     """
+    if is_marked(text):
+        # YAML would take markers inside a flow map for a part of a name.
+        place = Place(file, 1, 1)
+        raise told_of_markers(ReadError("conflict markers", place), text, file)
     document, faults = _read(text, file, recovers=False)
     if faults:
         raise as_error(faults, document)

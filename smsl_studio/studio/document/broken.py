@@ -9,6 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.revision import revised, with_document
 from smsl_studio.errors import ConvertError, EditRefused, ReadError
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.conflict_markers import told_of_markers
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.save_as import stepped
@@ -53,7 +54,7 @@ def read_text(former: Blueprint, file: str, text: str) -> Reading:
         fresh = form_named(document.form).parse(text, file)
         return with_document(former, fresh)
     except ReadError as error:
-        return Broken(file, text, error)
+        return Broken(file, text, told_of_markers(error, text, file))
 
 
 def document_of(blueprint: Blueprint, file: str) -> Document:

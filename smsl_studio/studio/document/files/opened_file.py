@@ -8,6 +8,7 @@ from pathlib import Path
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.errors import ReadError
+from smsl_studio.smsl.document.conflict_markers import told_of_markers
 from smsl_studio.smsl.files import read_content, text_of
 from smsl_studio.smsl.forms import form_named, form_of, recovered
 from smsl_studio.smsl.garbage import uncollected
@@ -34,7 +35,8 @@ def understood(text: str, file: str) -> OpenedFile:
         try:
             document = form.parse(text, file)
         except ReadError as error:
-            return OpenedFile(salvage(recovered(text, file)), Broken(file, text, error))
+            broken = Broken(file, text, told_of_markers(error, text, file))
+            return OpenedFile(salvage(recovered(text, file)), broken)
         try:
             return OpenedFile(read_blueprint(document))
         except ReadError as error:

@@ -16,10 +16,12 @@ from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.merge.badge import ConflictBadge
+from smsl_studio.studio.features.merge.marked_source import MarkedSource
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
+    from smsl_studio.front.marked_files import MarkedMerge
     from smsl_studio.studio.features.merge.page import MergePage
 
 PAGE = "merge"
@@ -39,20 +41,25 @@ class MergeFeature(Feature):
         self._offered: int | None = None
         self._beside = Beside(parts.window)
         self._asked: Path | None = None
+        self.marked = MarkedSource(parts.session, parts.files, parts.window)
+        self.marked.merged.connect(self._merged)
+        self.marked.refused.connect(self._not_merged)
         parts.session.opened.connect(self._forget)
+        parts.session.broken_changed.connect(self._follow)
         self.merge.changed.connect(self._follow)
 
     def actions(self) -> tuple[Action, ...]:
         """The row of the menu Blueprint."""
         return (
             Action("merge_page", "Conflicts of the merge", self.show, "Blueprint", "", (),
-                   lambda: self.merge.exists, section=4,
+                   lambda: self.merge.exists or self.marked.exists, section=4,
                    tip="Choose between mine, theirs and base"),
         )  # fmt: skip
 
     def show(self) -> None:
         """Show the page, if there is one."""
-        if self.merge.exists:
+        if self.merge.exists or self.marked.exists:
+            self._parts.toast.hide()
             self._shell.set_mode(PAGE)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -65,6 +72,7 @@ class MergeFeature(Feature):
     def stop(self) -> None:
         """End all work, because the window closes."""
         self._beside.stop()
+        self.marked.stop()
         if self.part.made is not None:
             self.part.made.stop()
 
@@ -77,6 +85,8 @@ class MergeFeature(Feature):
         page = MergePage(self._parts.session, self.merge, self._tokens)
         page.save_wanted.connect(self._save)
         page.leave_wanted.connect(self._leave)
+        page.merge_wanted.connect(self._merge_marked)
+        self._tell_marked(page)
         return page
 
     def _forget(self) -> None:
@@ -85,9 +95,40 @@ class MergeFeature(Feature):
         self._offer(None)
 
     def _follow(self) -> None:
-        merge = self.merge
-        self._offer(len(merge.conflicts) if merge.exists else None)
+        merge, marked = self.merge, self.marked
+        was_offered = self._offered is not None
+        if merge.exists:
+            self._offer(len(merge.conflicts))
+        else:
+            self._offer(marked.places if marked.exists else None)
+        if self.part.made is not None:
+            self._tell_marked(self.part.made)
+        if marked.exists and not was_offered:
+            self._parts.toast.offer(f"{marked.words}.", "Show Merge", self.show)
         self._look_in_git()
+
+    def _tell_marked(self, page: MergePage) -> None:
+        marked = self.marked
+        if marked.exists:
+            page.notice.show_marked(marked.words, marked.fault, not marked.fault)
+        page.refresh()
+
+    def _merge_marked(self) -> None:
+        self._parts.files.settling.emit()
+        self.part().notice.show_busy(True)
+        self.marked.merge()
+
+    def _not_merged(self, words: str) -> None:
+        notice = self.part().notice
+        notice.show_busy(False)
+        notice.show_error(words)
+
+    def _merged(self, done: MarkedMerge) -> None:
+        self.part().notice.show_busy(False)
+        if self.merge.exists:
+            self.merge.know(done.sides)
+        else:
+            self._parts.toast.say("Merged by meaning. No conflict is left. Save keeps it.")
 
     def _offer(self, count: int | None) -> None:
         left = len(self.merge.open_ones) if count is not None else 0

@@ -13,14 +13,20 @@ ICONS = {"+": "plus", "-": "minus", "~": "pencil"}
 NAMED = 3
 """A row names so many elements."""
 UNKNOWN = "Not known: the file tells the conflicts alone"
+BY_LINES = "Lines outside the markers: git had merged them already"
 NO_BASE = "No base: every difference is a conflict"
 
 
 def merged_rows(groups: Sequence[MergedGroup], sides: MergeSides) -> list[ListRow]:
     """One row for each kind of change of a side, with the addresses that a click selects."""
+    before = [ListRow(BY_LINES, kind="section")] if sides.by_lines else []
     if not groups:
         words = "Nothing else changed" if sides.known else UNKNOWN
-        return [ListRow(NO_BASE if sides.base is None else words, kind="section")]
+        if sides.base is None:
+            words = NO_BASE
+        elif sides.by_lines:
+            return before
+        return [ListRow(words, kind="section"), *before]
     rows: list[ListRow] = []
     side = ""
     for group in groups:
@@ -42,4 +48,4 @@ def merged_rows(groups: Sequence[MergedGroup], sides: MergeSides) -> list[ListRo
                 tip="\n".join(one.words for one in group.changes[:20]),
             )
         )
-    return rows
+    return [*rows, *before]

@@ -68,6 +68,11 @@ class OpenMerge(QObject):
         self.conflicts, self._open, self.sides = (), (), None
 
     def _follow(self, _before: Blueprint, after: Blueprint) -> None:
+        if self._session.broken is not None:
+            # An undo went back to the text with conflict markers.
+            self._forget()
+            self.changed.emit()
+            return
         now = open_conflicts(after)
         if not now and not self.conflicts:
             return

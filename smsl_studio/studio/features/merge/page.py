@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
+from PySide6.QtWidgets import QSplitter, QStackedLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge import Conflict, Side
@@ -11,6 +11,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.merge.columns_view import ColumnsView
 from smsl_studio.studio.features.merge.conflict_list import WIDTH, ConflictList
+from smsl_studio.studio.features.merge.marked_notice import MarkedNotice
 from smsl_studio.studio.features.merge.merge_canvas import MergeCanvas
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
 from smsl_studio.studio.features.merge.preview import ChoicePreview
@@ -23,6 +24,8 @@ class MergePage(QWidget):
 
     save_wanted = Signal()
     leave_wanted = Signal()
+    merge_wanted = Signal()
+    """Merge the text with conflict markers by what it means."""
 
     def __init__(self, session: Session, merge: OpenMerge, tokens: Tokens) -> None:
         super().__init__()
@@ -43,9 +46,11 @@ class MergePage(QWidget):
         whole.setStretchFactor(0, 1)
         whole.setSizes([1044, WIDTH])
         whole.setChildrenCollapsible(False)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(whole)
+        self.notice = MarkedNotice()
+        self.notice.merge_wanted.connect(self.merge_wanted)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self.notice)
+        self._stack.addWidget(whole)
         self.setAccessibleName("Merge")
         self._connect()
         self.refresh()
@@ -63,6 +68,7 @@ class MergePage(QWidget):
 
     def refresh(self) -> None:
         """Show the merge as it is now."""
+        self._stack.setCurrentIndex(int(self._merge.exists))
         if not self._merge.exists:
             return
         self.list.show_merge()
