@@ -13,10 +13,12 @@ from pathlib import Path
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document.limits import LARGEST_FILE
+from smsl_studio.stop import heed
 
 MOST = 500
 """The largest number of commits that are listed, the latest ones."""
-_PATIENCE = 20.0
+_PATIENCE, _GLANCE = 20.0, 0.1
+"""Seconds until git is ended, and between two looks whether it is still wanted."""
 _SAFE = ("--no-pager", "--literal-pathspecs", "-c", "core.quotePath=false", "-c",
          "core.fsmonitor=false", "-c", "log.showSignature=false")  # fmt: skip
 _BEGIN, _PART = "\x02", "\x1f"
@@ -24,13 +26,15 @@ _BEGIN, _PART = "\x02", "\x1f"
 
 @dataclass(frozen=True)
 class Revision:
-    """One commit that changed a file. ``name`` is the name of the file in this commit."""
+    """One commit that changed a file. ``name`` is the name of the file in this commit. ``parents``
+    are the commits that it follows, several for a merge."""
 
     commit: str
     when: str
     author: str
     subject: str
     name: str
+    parents: tuple[str, ...] = ()
 
     @property
     def short(self) -> str:
@@ -43,7 +47,7 @@ def revisions(file: Path) -> tuple[Revision, ...]:
 
     ReadError if there is no git, no repository, or no commit with the file.
     """
-    form = f"%x02%H{_PART}%aI{_PART}%an{_PART}%s"
+    form = f"%x02%H{_PART}%aI{_PART}%an{_PART}%P{_PART}%s"
     told = _git(
         file, "log", "--follow", "-z", "--name-only", f"--max-count={MOST}", f"--format={form}",
         "--", file.name,
@@ -61,7 +65,18 @@ def revisions(file: Path) -> tuple[Revision, ...]:
 def bytes_at(file: Path, revision: Revision) -> bytes:
     """Return the content of a file at a revision. ReadError if the file is missing there or too
     large."""
-    return _blob(file, f"{revision.commit}:{revision.name}", revision.short)
+    return bytes_of(file, revision.commit, revision.name)
+
+
+def bytes_of(file: Path, commit: str, name: str) -> bytes:
+    """Return the content of a file in a commit under a name. ReadError if it is missing there or
+    too large. A name that begins with ``./`` is below the folder of the file."""
+    return _blob(file, f"{commit}:{name}", commit[:9])
+
+
+def is_shallow(file: Path) -> bool:
+    """Return whether the repository of a file has only the latest commits of its history."""
+    return _git(file, "rev-parse", "--is-shallow-repository").strip() == b"true"
 
 
 def unmerged_bytes(file: Path) -> tuple[bytes | None, bytes | None, bytes | None]:
@@ -93,32 +108,28 @@ def _blob(file: Path, thing: str, where: str) -> bytes:
 
 def _revision(text: str) -> Revision | None:
     head, _, names = text.partition("\0")
-    parts = head.split(_PART, 3)
+    parts = head.split(_PART, 4)
     name = names.strip("\n\0").partition("\0")[0]
-    if len(parts) != 4 or not name:
+    if len(parts) != 5 or not name:
         return None
-    commit, when, author, subject = parts
-    return Revision(commit, when, author, subject, name)
+    commit, when, author, parents, subject = parts
+    return Revision(commit, when, author, subject, name, tuple(parents.split()))
 
 
 def _git(file: Path, *arguments: str) -> bytes:
     folder = file.parent
-    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C"}
+    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_OPTIONAL_LOCKS": "0", "GIT_NO_LAZY_FETCH": "1",
+             "LC_ALL": "C"}  # fmt: skip
     kept = {k: v for k, v in os.environ.items() if k not in ("GIT_DIR", "GIT_WORK_TREE")}
     try:
-        done = subprocess.run(
+        process = subprocess.Popen(
             ["git", *_SAFE, *arguments],
             cwd=folder,
             env=kept | quiet,
             stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=_PATIENCE,
-            check=False,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
         )
-    except subprocess.TimeoutExpired:
-        raise ReadError(
-            "git does not answer", advice="Try again, or compare with a file."
-        ) from None
     except (OSError, ValueError) as error:
         if isinstance(error, FileNotFoundError) and folder.is_dir():
             raise ReadError(
@@ -128,9 +139,26 @@ def _git(file: Path, *arguments: str) -> bytes:
         raise ReadError(
             f"{folder} cannot be looked at: {reason}", advice="Save the file first."
         ) from None
-    if done.returncode:
-        raise _refusal(file, done.stderr.decode("utf-8", "replace"))
-    return done.stdout
+    out, said = _answer(process)
+    if process.returncode:
+        raise _refusal(file, said.decode("utf-8", "replace"))
+    return out
+
+
+def _answer(process: subprocess.Popen[bytes]) -> tuple[bytes, bytes]:
+    """Return what git writes. It is ended if a stop calls the work off, or after ``_PATIENCE``."""
+    with process:
+        try:
+            for _ in range(round(_PATIENCE / _GLANCE)):
+                heed()
+                try:
+                    return process.communicate(timeout=_GLANCE)
+                except subprocess.TimeoutExpired:
+                    continue
+        finally:
+            if process.returncode is None:
+                process.kill()
+    raise ReadError("git does not answer", advice="Try again, or compare with a file.")
 
 
 def _refusal(file: Path, said: str) -> ReadError:

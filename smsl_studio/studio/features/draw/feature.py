@@ -255,7 +255,8 @@ class DrawFeature(Feature):
 
     def stop(self) -> None:
         """End all background work of the drawing, because the window closes."""
-        for part in (self.source, self.comparing, self.findings, self.clipping):
+        parts = (self.source, self.comparing, self.findings, self.clipping, self.properties)
+        for part in parts:
             part.stop()
         self.safety.close()
 

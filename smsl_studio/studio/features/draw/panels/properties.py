@@ -18,6 +18,7 @@ from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.hazard_form import HazardForm
 from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
+from smsl_studio.studio.features.draw.panels.last_change_form import LastChangeForm
 from smsl_studio.studio.features.draw.panels.line_form import LineForm
 from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
 from smsl_studio.studio.features.draw.panels.state_form import StateForm
@@ -44,14 +45,15 @@ class Properties(QScrollArea):
         self.state = StateForm(session, tokens)
         self.operation = OperationForm(session, tokens)
         self.line = LineForm()
+        self.changed_by = LastChangeForm(session, inner)
         self.several = _Several(session)
         # It shows itself; without a parent it would be a window for a moment.
         self.header = HeaderForm(session, tokens, inner)
         self.hazards = HazardForm(session, tokens)
         self.file = FileForm(session, tokens)
         self._rule = rule()
-        above = (self.fact, self.state, self.operation, self.line, self.several, self._rule)
-        for widget in (*above, self.header, rule(), self.hazards, rule(), self.file):
+        above = (self.fact, self.state, self.operation, self.line, self.changed_by, self.several)
+        for widget in (*above, self._rule, self.header, rule(), self.hazards, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
         self.setWidget(inner)
@@ -76,6 +78,10 @@ class Properties(QScrollArea):
     def set_plugins(self, loaded: Loaded) -> None:
         """Take the functions that operations can be bound to."""
         self.operation.set_plugins(loaded)
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self.changed_by.stop()
 
     def show_fact(self, branch: str, digit: int) -> None:
         """Show a fact instead of the selection, until something else is selected."""
@@ -116,6 +122,7 @@ class Properties(QScrollArea):
         self.state.setVisible(bool(states) and not edges)
         for form in (self.operation, self.line):
             form.setVisible(bool(edges) and not states)
+        self.changed_by.show_element(selection[0] if len(selection) == 1 else None)
         self.several.setVisible(len(selection) > 1)
         self._rule.setVisible(bool(selection) or fact is not None)
 
