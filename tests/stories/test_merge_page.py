@@ -333,3 +333,33 @@ def test_a_side_that_cannot_be_read_is_told_on_the_page(sit: Sit, tmp_path: Path
     person.click(page.notice.merge)
     person.until(lambda: "Theirs cannot be read" in page.notice.words)
     assert page.notice.merge.isEnabled()
+
+
+def test_f1_explains_the_page_and_its_names_are_shown_as_text(sit: Sit, tmp_path: Path) -> None:
+    odd = "<b>S\u202e&amp;</b>" + "x" * 80
+    base = {"A": {"S0": {"go": "S0"}, odd: {"go": "S0"}}}
+    ours, theirs = (
+        {"A": {**base["A"], odd: {"go": target}}} for target in (odd, "<img src=x onerror=1>")
+    )
+    path = tmp_path / "odd.json"
+    path.write_text(merge(read(base), read(ours), read(theirs)).blueprint.document.text)
+    person = sit(path, (1280, 800))
+    page = at_page(person)
+    (one,) = page.list.cards
+    one.buttons["theirs"].setFocus()
+    person.until(lambda: "error" in one.preview.text())
+    assert one.preview.textFormat() == Qt.TextFormat.PlainText
+    assert page.width() <= 1280
+    person.press(Qt.Key.Key_F1)
+    person.until(lambda: bool(person.window.features.help.windows))
+
+
+def test_the_next_open_conflict_follows_and_the_last_one_stays(sit: Sit, tmp_path: Path) -> None:
+    person = sit(merged_file(tmp_path))
+    page = at_page(person)
+    first, second = page.list.cards
+    person.click(second.buttons["ours"])
+    assert page.list.current == first.conflict
+    person.click(first.buttons["base"])
+    assert page.list.current == first.conflict
+    assert page.drawing.canvas.marks.conflicts[Address("A", "S2")] == "\u2713"

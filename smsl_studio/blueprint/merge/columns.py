@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from difflib import SequenceMatcher
 from typing import Any, NamedTuple
 
 from smsl_studio.blueprint.merge.conflict import ABSENT, Path
+from smsl_studio.blueprint.merge.trees import value_at
 from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
@@ -34,10 +35,10 @@ def lines_of(version: Blueprint, path: Path, is_exact: bool) -> tuple[ColumnLine
     """
     document = version.document
     way = path[:-1] if len(path) > 2 else path
-    if not _has(document.values, way):
+    if value_at(document.values, way) is ABSENT:
         return ()
     if not is_exact:
-        text = json.dumps(_at(document.values, way), indent=4, ensure_ascii=False)
+        text = json.dumps(value_at(document.values, way), indent=4, ensure_ascii=False)
         lines = f"{way[-1]}: {text}".splitlines() if way else text.splitlines()
         return tuple(ColumnLine(0, line) for line in lines[:MOST])
     try:
@@ -83,16 +84,3 @@ def _key(text: str) -> str:
         if mark in key:
             return key.partition(mark)[0].strip().strip('"')
     return key
-
-
-def _at(values: Mapping[str, Json], path: Path) -> Json:
-    node: Json = values
-    for key in path:
-        if not isinstance(node, dict) or key not in node:
-            return ABSENT
-        node = node[key]
-    return node
-
-
-def _has(values: Mapping[str, Json], path: Path) -> bool:
-    return _at(values, path) is not ABSENT

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from smsl_studio.blueprint.comparison import Change, compare
 from smsl_studio.blueprint.comparison.signs import CHANGED, sign_of
 from smsl_studio.blueprint.merge.choice import Side, choose, open_conflicts
-from smsl_studio.blueprint.merge.conflict import Conflict
+from smsl_studio.blueprint.merge.conflict import Conflict, Path
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
 
@@ -72,9 +72,14 @@ def merged_groups(sides: MergeSides, conflicts: Iterable[Conflict]) -> tuple[Mer
     if not sides.known or sides.base is None:
         return ()
     open_ones = tuple(conflicts)
+    paths = frozenset(one.path for one in open_ones)
+    fields = frozenset((one.address, one.path[-1]) for one in open_ones)
+    addresses = frozenset(one.address for one in open_ones)
     mine, theirs = (
         {change.words: change for change in compare(sides.base, side).changes
-         if not _belongs(change, open_ones)}
+         if not _belongs(change, paths)
+         and (str(change.address), change.field) not in fields
+         and (change.field or str(change.address) not in addresses)}
         for side in (sides.ours, sides.theirs)
     )  # fmt: skip
     both = mine.keys() & theirs.keys()
@@ -100,12 +105,10 @@ def _sign(change: Change) -> str:
     return sign_of(change.kind) if whole else CHANGED
 
 
-def _belongs(change: Change, open_ones: tuple[Conflict, ...]) -> bool:
+def _belongs(change: Change, paths: Collection[Path]) -> bool:
     """Whether a change is about the value of a conflict, or about something inside it."""
-    for one in open_ones:
-        for path in (change.path_before, change.path_after):
-            if path[: len(one.path)] == one.path:
-                return True
-        if str(change.address) == one.address and change.field in ("", one.path[-1]):
-            return True
-    return False
+    return any(
+        path[:length] in paths
+        for path in (change.path_before, change.path_after)
+        for length in range(1, len(path) + 1)
+    )

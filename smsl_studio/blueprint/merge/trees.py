@@ -56,11 +56,11 @@ class Trees:
 
     def get(self, at: int, path: Path) -> Json:
         """Return the value at a path of a version, ABSENT if there is none."""
-        return _value(self._before[at], path)
+        return value_at(self._before[at], path)
 
     def now(self, at: int, path: Path) -> Json:
         """Return the value at a path of a version as it is now, ABSENT if there is none."""
-        return _value(self.versions[at], path)
+        return value_at(self.versions[at], path)
 
     def map(self, at: int, path: Path) -> Mapping[str, Json]:
         """Return the map at a path of a version, an empty one if there is none."""
@@ -101,7 +101,8 @@ class Trees:
         return path in self._kept
 
 
-def _value(value: Json, path: Path) -> Json:
+def value_at(value: Json, path: Path) -> Json:
+    """Return the value at a path of values, ABSENT if there is none."""
     for key in path:
         if not isinstance(value, dict) or key not in value:
             return ABSENT

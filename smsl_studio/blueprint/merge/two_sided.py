@@ -10,6 +10,7 @@ from smsl_studio.blueprint.edge_layout import IN_LAYOUT
 from smsl_studio.blueprint.editing.draft import Draft
 from smsl_studio.blueprint.merge.conflict import ABSENT, KEY, Attachment, Conflict, Path
 from smsl_studio.blueprint.merge.merge import Merge
+from smsl_studio.blueprint.merge.trees import value_at
 from smsl_studio.blueprint.merge.values import NAMED, equal
 from smsl_studio.blueprint.merge.written import written_conflict
 from smsl_studio.blueprint.model import Blueprint
@@ -98,7 +99,7 @@ class _Differences:
                         yield path
 
     def _values(self, path: Path) -> tuple[Json, Json]:
-        return _at(self._ours, path), _at(self._theirs, path)
+        return value_at(self._ours, path), value_at(self._theirs, path)
 
     def _below(self, path: Path, ours: Json, theirs: Json) -> Iterator[Conflict]:
         if path in self._told or equal(ours, theirs) or path[1:2] == (LAYOUT,):
@@ -136,11 +137,3 @@ def _as_map(key: str, value: Json) -> dict[str, Json] | None:
     if len(set(map(str, names))) != len(names) or not all(isinstance(one, str) for one in names):
         return None
     return {str(name): item for name, item in zip(names, value, strict=True)}
-
-
-def _at(values: Json, path: Path) -> Json:
-    for key in path:
-        if not isinstance(values, dict) or key not in values:
-            return ABSENT
-        values = values[key]
-    return values

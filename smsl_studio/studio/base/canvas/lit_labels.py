@@ -191,7 +191,7 @@ def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -
     ]
     if sheet.level < Level.COMPACT:
         return rects
-    near = sheet.edges_in(*_all_of(rects)).tolist()
+    near = sheet.edges_in(*_all_of(rects)).tolist()[:NAMES]
     names = [sheet.geometry.label(e) for e in near if e != edge and not sheet.looks.is_lit(e)]
     return sorted(rects, key=lambda rect: sum(labels.meet(rect, n) for n in names if n))
 
@@ -321,3 +321,7 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Re
     inside = [r for r in rects if _lies_in(r, view)] or rects
     rect = next((r for r in inside if _is_free(sheet, r, taken)), inside[0])
     return LitLabel(edge, EdgeText(name), rect, False, words or " ")
+
+
+NAMES = 100
+"""A label looks for a place beside so many other names."""

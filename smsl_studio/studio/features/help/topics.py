@@ -58,6 +58,8 @@ PARTS = {
     "MenuRow": _window("layout"),
     "ModeBar": _window("layout"),
     "CompareDialog": _window("comparing"),
+    "LastChangeForm": _window("who-changed-an-element"),
+    "MergePage": _window("merging"),
     "RevisionDialog": _window("comparing"),
     "MapWindow": _window("map-of-branches"),
     "PictureDialog": _window("pictures-diagrams-paper"),
@@ -80,7 +82,8 @@ def place_about(focus: QWidget | None, mode: str) -> HelpPlace:
     The innermost part that has a row counts, else the mode.
     """
     found = part_with_row(focus)
-    return PARTS[found] if found else MODES[mode]
+    # The other pages of Draw have no row of their own.
+    return PARTS[found] if found else MODES.get(mode, MODES["draw"])
 
 
 def part_with_row(widget: QWidget | None) -> str:

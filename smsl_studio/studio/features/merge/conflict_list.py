@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.merge import Conflict
-from smsl_studio.blueprint.merge.sides import merged_groups
+from smsl_studio.blueprint.merge.sides import MergeSides, merged_groups
 from smsl_studio.studio.base.controls import label, row, rule
 from smsl_studio.studio.base.rows import RowsView
 from smsl_studio.studio.base.theme import CONTROL, Tokens
@@ -47,6 +47,7 @@ class ConflictList(QWidget):
         self._merge, self._tokens = merge, tokens
         self.cards: list[ConflictCard] = []
         self._current: Conflict | None = None
+        self._told: tuple[MergeSides, tuple[Conflict, ...]] | None = None
         self._title, self._chosen = label("Conflicts", "heading"), label("", "small")
         self._bar = QProgressBar()
         self._bar.setTextVisible(False)
@@ -160,12 +161,21 @@ class ConflictList(QWidget):
     def show_sides(self) -> None:
         """Show what merged by itself."""
         sides = self._merge.sides
-        if sides is not None:
+        if sides is not None and not self._is_told(sides):
+            self._told = sides, self._merge.conflicts
             groups = merged_groups(sides, self._merge.conflicts)
             number = sum(len(one.changes) for one in groups)
             title = "Merged by themselves"
             self._merged_title.setText(f"{title} {number:,}" if number else title)
             self.merged.show_rows(merged_rows(groups, sides))
+
+    def _is_told(self, sides: MergeSides) -> bool:
+        """Whether the list is that of these versions. Comparing large versions takes long."""
+        return (
+            self._told is not None
+            and self._told[0] is sides
+            and self._told[1] == self._merge.conflicts
+        )
 
     def select(self, conflict: Conflict) -> None:
         """Select a conflict and scroll to its card."""

@@ -111,7 +111,8 @@ class MergeFeature(Feature):
         marked = self.marked
         if marked.exists:
             page.notice.show_marked(marked.words, marked.fault, not marked.fault)
-        page.refresh()
+        if not self.merge.exists:
+            page.refresh()
 
     def _merge_marked(self) -> None:
         self._parts.files.settling.emit()

@@ -88,8 +88,8 @@ class MergeCanvas(QWidget):
         """What is drawn now."""
         return self._picture
 
-    def show_result(self, result: Blueprint) -> None:
-        """Show another state of the merge; the SB that is shown stays."""
+    def show_result(self, result: Blueprint, selected: Iterable[Address]) -> None:
+        """Show another state of the merge, with these elements of the file selected."""
         self._result = result
         sides = self._merge.sides
         if sides is None:
@@ -112,14 +112,12 @@ class MergeCanvas(QWidget):
         self.switches["base"].setEnabled(base_known)
         tip = TIPS["base"] if base_known else "The base is not known"
         self.switches["base"].setToolTip(tip_text(tip))
-        self._draw()
+        self.select(selected)
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select elements of the file, and show the first of them."""
         chosen = tuple(addresses)
-        if chosen and chosen[0].branch != self.branches.currentText():
-            if self.branches.findText(chosen[0].branch) < 0:
-                return
+        if chosen and self.branches.findText(chosen[0].branch) >= 0:
             self.branches.setCurrentText(chosen[0].branch)
         self._selected = chosen
         self._draw()

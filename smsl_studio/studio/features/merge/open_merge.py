@@ -54,10 +54,18 @@ class OpenMerge(QObject):
             return None
         return chosen_side(self._session.blueprint, conflict)
 
-    def take(self, conflict: Conflict, side: Side) -> None:
-        """Choose a version for a conflict, as one step of the history."""
+    def take(self, conflict: Conflict, side: Side) -> bool:
+        """Choose a version for a conflict, as one step of the history; False if it is refused."""
         words = f"Take {WORDS[side].lower()} for {conflict.address}"
-        self._session.edit(words, lambda blueprint: choose(blueprint, conflict, side))
+        return self._session.edit(words, lambda blueprint: choose(blueprint, conflict, side))
+
+    def following(self, conflict: Conflict) -> Conflict:
+        """The next open conflict after one, else the first open one, else this one itself."""
+        order = self.conflicts
+        at = order.index(conflict) + 1 if conflict in order else 0
+        around = (*order[at:], *order[:at])
+        others = (one for one in around if one != conflict and self.is_open(one))
+        return next(others, conflict)
 
     def know(self, sides: MergeSides) -> None:
         """Take the versions, which were found in git or in the marked file."""

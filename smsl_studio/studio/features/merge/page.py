@@ -73,18 +73,23 @@ class MergePage(QWidget):
             return
         self.list.show_merge()
         self.list.show_sides()
-        self.drawing.show_result(self._session.blueprint)
-        if self.list.current is not None:
-            self.select(self.list.current)
+        current = self.list.current
+        if current is not None:
+            self._show_lines(current)
+        selected = [] if current is None else [Address(*Address.split(current.address))]
+        self.drawing.show_result(self._session.blueprint, selected)
 
     def select(self, conflict: Conflict) -> None:
         """Show a conflict in list, drawing and source."""
         self.list.select(conflict)
+        self._show_lines(conflict)
+        self.drawing.select([Address(*Address.split(conflict.address))])
+
+    def _show_lines(self, conflict: Conflict) -> None:
         sides = self._merge.sides
         if sides is not None and conflict in self._merge.conflicts:
             number = self._merge.conflicts.index(conflict) + 1
             self.source.show_conflict(conflict, number, sides)
-        self.drawing.select([Address(*Address.split(conflict.address))])
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -96,16 +101,10 @@ class MergePage(QWidget):
         self.preview.stop()
 
     def _take(self, conflict: Conflict, side: Side) -> None:
-        self.select(conflict)
-        self._merge.take(conflict, side)
-        following = self._merge.open_ones
-        if following and not self._merge.is_open(conflict):
-            later = [one for one in following if self._is_after(one, conflict)]
-            self.select(next(iter(later or following)))
-
-    def _is_after(self, one: Conflict, other: Conflict) -> bool:
-        order = self._merge.conflicts
-        return other in order and order.index(one) > order.index(other)
+        # The next one is selected first, so that the drawing follows once.
+        self.list.select(self._merge.following(conflict))
+        if not self._merge.take(conflict, side):
+            self.select(conflict)
 
     def _preview(self, conflict: Conflict, side: Side | None) -> None:
         if side:
