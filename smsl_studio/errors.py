@@ -7,6 +7,7 @@
     ├── ConvertError         the other form has no spelling for it          (exit 2)
     ├── SaveError            a file could not be written; the old one stands (exit 2)
     │   └── FileChanged      somebody else has written it since it was read
+    ├── FormulaError         the text of a condition cannot be read or names nothing
     ├── AddressError         nothing stands at that address                  (exit 2)
     ├── UsageError           a command or call that makes no sense           (exit 2)
     ├── EditRefused          an edit that would leave nonsense; nothing was changed
@@ -109,6 +110,17 @@ class FileChanged(SaveError):  # noqa: N818
             advice="What the other program wrote still stands. Read it, then save again.",
         )
         self.file = file
+
+
+class FormulaError(StudioError):
+    """The text of a condition cannot be read, or it names something that does not exist.
+
+    ``at`` is the offset in the text, counted from 0. The sentence says the character, from 1.
+    """
+
+    def __init__(self, sentence: str, at: int, advice: str = "") -> None:
+        super().__init__(f"character {at + 1:,}: {sentence}", advice=advice)
+        self.at = at
 
 
 class AddressError(StudioError):

@@ -16,10 +16,12 @@ from smsl_studio.blueprint.meaning import (
     hazards_meaning,
     levels_meaning,
     levels_written,
+    properties_meaning,
     word_for_word,
 )
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.seal.digest import digest_of
+from smsl_studio.smsl.document import Document
 
 Json = Any
 
@@ -47,17 +49,27 @@ def digests(blueprint: Blueprint) -> Digests:
     behaviour = behaviour_of(own) if blueprint.imported else blueprint.behaviour
     said = [_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))]
     levels = levels_meaning(levels_written(blueprint.document))
-    meaning = digest_of(said if levels is None else [*said, levels])
+    properties = _properties(blueprint.document)
+    meaning = digest_of([*(said if levels is None else [*said, levels]), *properties])
     brought = [one for one in blueprint if one.name in blueprint.imported]
     imported = [behaviour_of(brought), _notes(brought), blueprint.meaning["hazards"]]
     theirs = levels_meaning(levels_written(*blueprint.documents[1:]))
     closure = {
         "behaviour": behaviour,
         "meaning": meaning,
-        "imported": imported if theirs is None else [*imported, theirs],
+        "imported": [
+            *(imported if theirs is None else [*imported, theirs]),
+            *_properties(*blueprint.documents[1:]),
+        ],
         "missing": sorted(map(_as_written, blueprint.import_faults)),
     }
     return Digests(behaviour, meaning, digest_of(closure))
+
+
+def _properties(*documents: Document) -> list[Json]:
+    """Return what the digest covers of ``_properties``. Without any, digests are as they were."""
+    said = properties_meaning(*documents)
+    return [] if said is None else [["properties", said]]
 
 
 def _notes(branches: Iterable[StateBranch]) -> Json:

@@ -94,6 +94,7 @@ def blueprint_meaning(blueprint: MeantBlueprint) -> dict[str, Json]:
     return {
         "branches": [[branch.name, branch.meaning] for branch in blueprint],
         "hazards": hazards_meaning(_hazards_written(blueprint)),
+        "properties": properties_meaning(*blueprint.documents),
         "levels": levels_meaning(levels_written(*blueprint.documents)),
         "imports": blueprint.fields.get("_imports") or None,
     }
@@ -156,6 +157,19 @@ def hazards_meaning(raw: Json) -> list[Json]:
         notes, faults = read_hazards([item])
         said.append(asdict(notes[0]) if notes and not faults else word_for_word(item))
     return sorted(said, key=word_for_word)
+
+
+def properties_meaning(*documents: Document) -> list[Json] | None:
+    """Return the properties of some files, sorted, because their written order has no meaning.
+    None if there are none.
+    """
+    said: list[Json] = []
+    for document in documents:
+        raw = document.values.get("_properties")
+        for item in raw if isinstance(raw, list) else [raw] if raw else []:
+            kept = isinstance(item, dict)
+            said.append({"severity": "E", "why": "", **item} if kept else word_for_word(item))
+    return sorted(said, key=word_for_word) or None
 
 
 def levels_written(*documents: Document) -> dict[str, Json]:

@@ -102,6 +102,61 @@ WORDS: dict[str, dict[str, str]] = {
 }
 """The descriptions that an editor shows. The empty key is the note itself."""
 
+CONDITION = {
+    "type": "string",
+    "minLength": 1,
+    "description": 'A condition, such as: SB1/0 = a and not (SB2 in State_1 or "Clamp" != 1).',
+}
+TWO = {"type": "array", "items": CONDITION, "minItems": 2, "maxItems": 2}
+NOT_BELOW_ZERO = {"type": "integer", "minimum": 0}
+KINDS: dict[str, Json] = {
+    "never": CONDITION,
+    "before": {**TWO, "description": "The second never holds before the first has held."},
+    "after": {**TWO, "description": "From the first on, every way to a goal passes the second."},
+    "way_back": {
+        "type": "object",
+        "properties": {"from": CONDITION, "to": CONDITION, "within": NOT_BELOW_ZERO},
+        "required": ["from", "to"],
+        "additionalProperties": False,
+        "description": "From the first condition the second can be reached, in so many steps.",
+    },
+    "reachable": CONDITION,
+    "at_most": {
+        "type": "object",
+        "properties": {"operation": {"type": "string", "minLength": 1}, "times": NOT_BELOW_ZERO},
+        "required": ["operation", "times"],
+        "additionalProperties": False,
+        "description": "How often the cheapest route may carry out an operation.",
+    },
+    "cost": {
+        "type": "object",
+        "properties": {
+            "goal": {"type": "string", "minLength": 1},
+            "limit": {"type": "number", "minimum": 0},
+        },
+        "required": ["goal", "limit"],
+        "additionalProperties": False,
+        "description": "The largest cost of the cheapest route to a state.",
+    },
+}
+PROPERTY = {
+    "type": "object",
+    "description": "A sentence about the blueprint that inspection shows to hold or to fail.",
+    "properties": {
+        "name": {"type": "string", "minLength": 1, "description": "What it is called."},
+        "severity": {
+            "enum": ["E", "W"],
+            "description": "How grave it is if it fails; E if absent.",
+        },
+        "why": {"type": "string", "description": "Why it matters, for people."},
+        **KINDS,
+    },
+    "patternProperties": {"^_": True},
+    "required": ["name"],
+    "oneOf": [{"required": [kind]} for kind in KINDS],
+    "additionalProperties": False,
+}
+
 HEADER = {
     "type": "object",
     "description": "Values for the whole State Branch.",
@@ -194,6 +249,11 @@ def schema() -> Json:
                 "items": {"$ref": "#/$defs/Hazard"},
                 "description": "Combinations of facts that must never hold.",
             },
+            "_properties": {
+                "type": "array",
+                "items": {"$ref": "#/$defs/Property"},
+                "description": "What must hold, and is shown by inspection.",
+            },
             "_levels": {
                 "type": "object",
                 "additionalProperties": {"enum": list(LEVELS)},
@@ -208,6 +268,7 @@ def schema() -> Json:
             "Header": HEADER,
             "SubSBs": SUB_SBS,
             "State": STATE,
+            "Property": PROPERTY,
             **_notes(),
         },
     }

@@ -170,8 +170,8 @@ PLANTED = [
     ("R29", "W", "SB", "a requires SB/4, which is no fact", """{"SB": {
   "_operations": {"a": {"requires": {^"SB/4": "1"}}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
-    ("R29", "W", "_hazards", "Overlap names SB/x, which is no fact", """{
-  ^"_hazards": [{"name": "Overlap", "facts": {"SB/x": "1"}}],
+    ("R29", "E", "_hazards/Overlap", "it names SB/x, which is no fact", """{
+  "_hazards": [{"name": "Overlap", "facts": {^"SB/x": "1"}}],
   "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R29", "W", "_levels", "SB/a is not understood: a level is one of human, shared, aut", """{
   "_levels": {^"SB/a": "robot"},

@@ -81,8 +81,12 @@ def _near_target(
 
 def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
     """R29: annotations that do not fit their kind, or that name an element that does not exist."""
+    if any("_hazards" in one.values or "_properties" in one.values for one in blueprint.documents):
+        from smsl_studio.inspection.rules.conditions import odd_hazards, odd_properties
+
+        yield from odd_hazards(blueprint)
+        yield from odd_properties(blueprint)
     for document in blueprint.documents:
-        yield from _odd_hazards(blueprint, document)
         yield from _odd_levels(blueprint, document)
         yield from _open_conflicts(document)
     for branch in blueprint:
@@ -90,20 +94,6 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
             yield _note(blueprint.home(branch.name), (branch.name, *path), words)
         yield from _strangers(blueprint, branch)
-
-
-def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
-    if "_hazards" not in document.values:
-        return
-    from smsl_studio.blueprint.annotations import read_hazards
-
-    for path, reason in read_hazards(document.values["_hazards"])[1]:
-        yield _note(document, path, f"a hazard is not understood: {reason}")
-    for hazard in blueprint.hazards_of(document):
-        for text in hazard.facts:
-            if not _is_fact(blueprint, text):
-                words = f"{hazard.name} names {text}, which is no fact"
-                yield _note(document, ("_hazards",), words)
 
 
 def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:

@@ -1,0 +1,34 @@
+"""Formulas: conditions over the facts and states of a blueprint, as hazards and properties say
+them.
+
+::
+
+    F    := T { or T }        T := L { and L }
+    L    := not L | ( F ) | FACT = VALUE | FACT != VALUE | SB in STATE
+    FACT := [SB/]DIGIT | [SB/]"plain name" | SB
+"""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.formula.meaning import Meaning, meaning_of
+from smsl_studio.blueprint.formula.reading import read_formula
+from smsl_studio.blueprint.formula.syntax import (
+    AllOf,
+    AnyOf,
+    FactTerm,
+    Formula,
+    Negation,
+    StateTerm,
+)
+
+__all__ = [
+    "AllOf",
+    "AnyOf",
+    "FactTerm",
+    "Formula",
+    "Meaning",
+    "Negation",
+    "StateTerm",
+    "meaning_of",
+    "read_formula",
+]
