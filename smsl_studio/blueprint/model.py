@@ -25,7 +25,6 @@ from smsl_studio.errors import AddressError, Place, did_you_mean
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, OperationNote, StateNote
     from smsl_studio.blueprint.imported_files import Imports
-    from smsl_studio.blueprint.properties import Property
     from smsl_studio.smsl.document import Document
 
 Json = Any
@@ -317,16 +316,6 @@ class Blueprint:
         from smsl_studio.blueprint.annotations import read_hazards
 
         return read_hazards(document.values["_hazards"])[0]
-
-    @cached_property
-    def properties(self) -> tuple[Property, ...]:
-        """The properties in all documents that can be read."""
-        if not any("_properties" in one.values for one in self.documents):
-            return ()
-        from smsl_studio.blueprint.properties import read_properties
-
-        read = (read_properties(one.values.get("_properties"))[0] for one in self.documents)
-        return tuple(one for found in read for one in found.values())
 
     @cached_property
     def levels(self) -> Mapping[str, str]:

@@ -1,11 +1,16 @@
-"""The facts that conditions name: every ``requires`` of an operation, and every hazard."""
+"""The facts that conditions name: every ``requires`` of an operation, every hazard, and every
+property."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing.draft import Draft
+from smsl_studio.blueprint.properties.follow import followed
+from smsl_studio.blueprint.properties.formula import Term
+from smsl_studio.blueprint.properties.property import KEY
 
 Json = Any
 Facts = dict[str, Json]
@@ -38,3 +43,74 @@ def _followed(entry: Json, word: str, follow: Callable[[Facts], Facts]) -> Json:
         return entry
     after = follow(facts)
     return entry if after is facts else {**entry, word: after}
+
+
+def properties_follow(
+    draft: Draft,
+    term: Callable[[Term], Term] | None = None,
+    goal: Callable[[Address], Address] | None = None,
+    operation: Callable[[str], str] | None = None,
+) -> None:
+    """Let the properties of all files follow an edit.
+
+    ``term`` returns a comparison with its new names, ``goal`` the new address of a goal, and
+    ``operation`` the new pattern of an operation. What cannot be read stays as it is.
+    """
+    for document in draft.before.documents:
+        if not isinstance(document.values.get(KEY), list):
+            continue
+        # One edit may do this twice, so the second time begins with the result of the first.
+        file = draft.file(document)
+        after = [_property(entry, term, goal, operation) for entry in file[KEY]]
+        if after != file[KEY]:
+            file[KEY] = after
+
+
+def _property(
+    entry: Json,
+    term: Callable[[Term], Term] | None,
+    goal: Callable[[Address], Address] | None,
+    operation: Callable[[str], str] | None,
+) -> Json:
+    if not isinstance(entry, dict):
+        return entry
+    after = dict(entry)
+    for kind in ("never", "reachable", "before", "after", "way_back"):
+        if kind in entry and term is not None:
+            after[kind] = _conditions(entry[kind], term)
+    for kind, key, change in (
+        ("cost", "goal", goal and _addressed(goal)),
+        ("at_most", "operation", operation),
+    ):
+        inside = entry.get(kind)
+        if change and isinstance(inside, dict) and isinstance(inside.get(key), str):
+            after[kind] = {**inside, key: change(inside[key])}
+    return after
+
+
+def _conditions(value: Json, term: Callable[[Term], Term]) -> Json:
+    if isinstance(value, str):
+        return followed(value, term)
+    if isinstance(value, list):
+        return [_conditions(one, term) for one in value]
+    if isinstance(value, dict):
+        return {
+            key: _conditions(one, term) if key in ("from", "to") else one
+            for key, one in value.items()
+        }
+    return value
+
+
+def _addressed(change: Callable[[Address], Address]) -> Callable[[str], str]:
+    """Return the change of a written address. One without an SB stays so."""
+
+    def changed(text: str) -> str:
+        """Return the text of the address after the edit."""
+        names = Address.split(text)
+        if len(names) != 2 or not all(names):
+            return text
+        before = Address(*names)
+        after = change(before)
+        return text if after == before else str(after)
+
+    return changed

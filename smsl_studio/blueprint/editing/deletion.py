@@ -12,6 +12,8 @@ from smsl_studio.blueprint.editing.drawn import states_gone
 from smsl_studio.blueprint.editing.headers import drop_sub
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties.follow import terms_of
+from smsl_studio.blueprint.properties.property import properties_of
 from smsl_studio.errors import EditRefused
 
 
@@ -88,6 +90,14 @@ def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
             _refuse_named(gone, note.requires, f"{key} of {branch.name} requires")
     for hazard in blueprint.hazards:
         _refuse_named(gone, hazard.facts, f"the hazard {hazard.name!r} names")
+    for one in properties_of(blueprint):
+        goal = Address.split(one.goal)
+        named = {term.branch for formula in one.formulas for term in terms_of(formula)}
+        for name in (named | set(goal[:1] if len(goal) > 1 else ())) & set(gone):
+            raise EditRefused(
+                f"the property {one.name!r} speaks of {name}, which would be gone",
+                advice="Change that property first.",
+            )
 
 
 def _delete_levels(draft: Draft) -> None:

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
-from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow
+from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, rename_keys
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.editing.renames import states_renamed
 from smsl_studio.blueprint.facts import fact_string, shape_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.properties import FactTerm, Term
+from smsl_studio.blueprint.properties.follow import terms_of
+from smsl_studio.blueprint.properties.meaning import fact_of
+from smsl_studio.blueprint.properties.property import properties_of
 from smsl_studio.errors import EditRefused
 
 Json = Any
@@ -210,6 +215,7 @@ def _facts_follow(
         header = draft.header(name)
         header["SUB_SBS"] = _moved_subs(header["SUB_SBS"], moved)
     conditions_follow(draft, lambda facts: _moved_facts(facts, name, moved))
+    properties_follow(draft, lambda term: _moved_term(draft.before, term, name, moved))
     for table in draft.tables(name, "_operations"):
         for key, note in table.items():
             touches = note.get("touches") if isinstance(note, dict) else None
@@ -257,15 +263,30 @@ def _moved_facts(facts: Facts, name: str, moved: Mapping[int, int]) -> Facts:
     return after
 
 
+def _moved_term(blueprint: Blueprint, term: Term, name: str, moved: Mapping[int, int]) -> Term:
+    """Return a comparison of a property after the facts of an SB were moved."""
+    if not isinstance(term, FactTerm) or fact_of(term, blueprint) is None:
+        return term
+    branch = term.branch or next(iter(blueprint.branches))
+    if branch != name or term.digit is None or term.digit not in moved:
+        return term
+    return replace(term, digit=moved[term.digit])
+
+
 def _refuse_named(blueprint: Blueprint, name: str, digit: int) -> None:
-    """Raise EditRefused if a hazard or a ``requires`` names a fact."""
+    """Raise EditRefused if a hazard, a ``requires`` or a property names a fact."""
     who = [(f"the hazard {hazard.name!r}", hazard.facts) for hazard in blueprint.hazards]
     for branch in blueprint:
         notes = branch.notes.operations.items()
         who += [(f"{Address.split(key)[-1]} of {branch.name}", note.requires)
                 for key, note in notes if note.requires]  # fmt: skip
-    for words, facts in who:
-        if (name, digit) in map(split_fact, facts):
+    named = [(words, set(map(split_fact, facts))) for words, facts in who]
+    for one in properties_of(blueprint):
+        terms = (term for formula in one.formulas for term in terms_of(formula))
+        facts = {fact_of(term, blueprint) for term in terms if isinstance(term, FactTerm)}
+        named.append((f"the property {one.name!r}", facts))
+    for words, facts in named:
+        if (name, digit) in facts:
             raise EditRefused(
                 f"{words} names the fact {fact_text(name, digit)}, which would be gone",
                 advice="Change that condition first.",

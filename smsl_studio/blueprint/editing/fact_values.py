@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.annotations import FactNote
-from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow
+from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
 from smsl_studio.blueprint.editing.digits import count_of, must_be_cut
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, existing, free_name, rename_keys
 from smsl_studio.blueprint.editing.notes import change_notes
 from smsl_studio.blueprint.editing.renames import rename_states
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.properties import FactTerm, Term
+from smsl_studio.blueprint.properties.meaning import fact_of
 from smsl_studio.errors import EditRefused, did_you_mean
 
 Json = Any
@@ -48,6 +51,15 @@ def rename_value(
         return {**facts, **dict.fromkeys(named, new_value)} if named else facts
 
     conditions_follow(draft, follow)
+
+    def renamed(term: Term) -> Term:
+        """Return a comparison of a property after the edit."""
+        if not isinstance(term, FactTerm) or term.value != old_value:
+            return term
+        fact = fact_of(term, blueprint)
+        return replace(term, value=new_value) if fact == (branch, digit) else term
+
+    properties_follow(draft, renamed)
     after, on = draft.done(), found.on_value(digit)
     on = new_value if on == old_value else on
     if after[branch].on_value(digit) == on:

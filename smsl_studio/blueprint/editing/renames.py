@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.blueprint.edge_layout import Edge
 from smsl_studio.blueprint.editing.bends import edges_follow
+from smsl_studio.blueprint.editing.conditions import properties_follow
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
 from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_carried, levels_follow
 from smsl_studio.blueprint.editing.open_conflicts import conflicts_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties import StateTerm
 from smsl_studio.errors import EditRefused
 
 Json = Any
@@ -63,6 +66,12 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
             renamed = [_renamed_hazard(item, names) for item in hazards]
             if renamed != hazards:
                 draft.file(document)["_hazards"] = renamed
+    properties_follow(
+        draft,
+        lambda term: replace(term, branch=names.get(term.branch, term.branch)),
+        lambda goal: replace(goal, branch=names.get(goal.branch, goal.branch)),
+        lambda text: new + text[len(old) :] if text.startswith(f"{old}/") else text,
+    )
     levels_follow(draft, lambda key: (new, *key[1:]) if key[0] == old else key)
     conflicts_follow(draft, lambda key: (names.get(key[0], key[0]), *key[1:]))
     rename_keys(draft.file(before.home(old)), names)
@@ -158,6 +167,19 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
         return (names.get(state, state), operation) if stands else edge
 
     edges_follow(draft, branch, follow)
+    properties_follow(
+        draft,
+        lambda term: (
+            replace(term, state=names.get(term.state, term.state))
+            if isinstance(term, StateTerm) and term.branch == branch
+            else term
+        ),
+        lambda goal: (
+            replace(goal, state=names.get(goal.state, goal.state))
+            if goal.branch == branch
+            else goal
+        ),
+    )
     conflicts_follow(
         draft,
         lambda key: (
@@ -225,6 +247,8 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
         lines |= {(state, old): (state, new) for state in states}
         edges_follow(draft, branch, partial(_renamed, lines))
         levels |= {(branch, state, old): (branch, state, new) for state in states}
+        if not left:
+            _pattern_follows(draft, branch, old, new)
         if digit_of(found, old) is None and whole:
             levels[branch, old] = (branch, new)
         elif digit_of(found, old) is None:
@@ -235,6 +259,13 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
         key: name for key, name in levels.items() if len(key) == 3
     }
     conflicts_follow(draft, lambda key: edges.get(key, key))
+
+
+def _pattern_follows(draft: Draft, branch: str, old: str, new: str) -> None:
+    """Let the properties follow that speak of an operation, when all its edges get a name."""
+    others = [one for one in draft.before if one.name != branch and old in one.operation_names]
+    patterns = {f"{branch}/{old}": f"{branch}/{new}"} | ({} if others else {old: new})
+    properties_follow(draft, operation=lambda text: patterns.get(text, text))
 
 
 def _notes_follow(

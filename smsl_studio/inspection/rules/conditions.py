@@ -9,10 +9,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, split_fact
-from smsl_studio.blueprint.formula import meaning_of
-from smsl_studio.blueprint.formula.meaning import values_of
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.properties import KEY, Property, read_properties, texts_of
+from smsl_studio.blueprint.properties import meaning_of
+from smsl_studio.blueprint.properties.meaning import values_of
+from smsl_studio.blueprint.properties.property import KEY, Property, read_properties, texts_of
 from smsl_studio.errors import AddressError, FormulaError, did_you_mean
 from smsl_studio.inspection.rules.finding import Remark, Severity
 from smsl_studio.smsl.document import Document

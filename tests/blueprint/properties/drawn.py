@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 from hypothesis import strategies as st
 
-from smsl_studio.blueprint.formula import (
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties import (
     AllOf,
     AnyOf,
     FactTerm,
@@ -15,7 +16,6 @@ from smsl_studio.blueprint.formula import (
     Negation,
     StateTerm,
 )
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.json_form import parse_json
 

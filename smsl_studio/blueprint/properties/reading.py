@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from smsl_studio.blueprint.formula.syntax import (
+from smsl_studio.blueprint.properties.formula import (
     AllOf,
     AnyOf,
     FactTerm,
     Formula,
     Negation,
+    Span,
     StateTerm,
+    Term,
 )
 from smsl_studio.errors import FormulaError
 from smsl_studio.stop import heed
@@ -38,8 +40,16 @@ class _Token(NamedTuple):
 
     kind: str
     text: str
-    at: int
+    span: Span
     bare: bool = False
+
+    @property
+    def at(self) -> int:
+        """The offset of its begin."""
+        return self.span[0]
+
+
+_NONE = _Token("none", "", (0, 0))
 
 
 def read_formula(text: str) -> Formula:
@@ -93,34 +103,36 @@ class _Reader:
             found = self._term()
         return Negation(found) if negated else found
 
-    def _term(self) -> FactTerm | StateTerm:
+    def _term(self) -> Term:
         """Read a comparison of a fact, or ``SB in STATE``."""
         first = self._take()
         if first.kind not in ("name", "plain"):
             raise _fault(first, "a fact, an SB, 'not' or '(' is expected")
-        branch, fact = "", first
+        branch, fact = _NONE, first
         if first.kind == "name" and self._takes("/"):
-            branch, fact = first.text, self._take()
+            branch, fact = first, self._take()
             if fact.kind != "plain" and not _is_digit(fact):
-                raise _fault(fact, f'a digit of {branch} or a plain name in "..." is expected')
+                raise _fault(fact, f'a digit of {first.text} or a plain name in "..." is expected')
         elif first.kind == "name" and self._takes("in"):
-            return StateTerm(first.text, self._name("a state"), first.at)
+            state = self._name("a state")
+            return StateTerm(first.text, state.text, (first.span, state.span))
         sign = self._take()
         if sign.kind != "sign" or sign.text not in ("=", "!="):
-            wanted = "'=' or '!='" if branch or fact.kind == "plain" else "'=', '!=' or 'in'"
+            wanted = "'=' or '!='" if branch.text or fact.kind == "plain" else "'=', '!=' or 'in'"
             raise _fault(sign, f"{wanted} is expected")
         value, equal = self._name("a value"), sign.text == "="
-        if fact.kind == "plain":
-            return FactTerm(branch, None, fact.text, value, equal, first.at)
-        if _is_digit(fact):
-            return FactTerm(branch, int(fact.text), "", value, equal, first.at)
-        return FactTerm(fact.text, None, "", value, equal, first.at)
+        if fact.kind == "name" and not _is_digit(fact):
+            branch, fact = fact, _NONE
+        digit = int(fact.text) if fact.kind == "name" else None
+        name = fact.text if fact.kind == "plain" else ""
+        spans = branch.span, fact.span, value.span
+        return FactTerm(branch.text, digit, name, value.text, equal, spans)
 
-    def _name(self, what: str) -> str:
+    def _name(self, what: str) -> _Token:
         token = self._take()
         if token.kind != "name":
             raise _fault(token, f"{what} is expected")
-        return token.text
+        return token
 
     def _look(self) -> _Token:
         return self._tokens[self._next]
@@ -148,18 +160,19 @@ def _tokens(text: str) -> list[_Token]:
         if match is None:
             raise _unreadable(text, at)
         kind = match.lastgroup or ""
-        part, start = match[kind], match.start(kind)
+        part = match[kind]
         if kind == "bare":
             word = part in WORDS
-            found.append(_Token("word" if word else "name", part, start, bare=True))
-        elif kind == "quoted":
-            found.append(_Token("name", part.replace("''", "'"), start - 1))
-        elif kind == "plain":
-            found.append(_Token("plain", part.replace('""', '"'), start - 1))
+            found.append(_Token("word" if word else "name", part, match.span(kind), bare=True))
+        elif kind == "sign":
+            found.append(_Token("sign", part, match.span(kind)))
         else:
-            found.append(_Token("sign", part, start))
+            span = match.start(kind) - 1, match.end(kind) + 1
+            sign = "'" if kind == "quoted" else '"'
+            name = part.replace(sign * 2, sign)
+            found.append(_Token("name" if kind == "quoted" else "plain", name, span))
         at = match.end()
-    return [*found, _Token("end", "", end)]
+    return [*found, _Token("end", "", (end, end))]
 
 
 def _unreadable(text: str, at: int) -> FormulaError:
@@ -182,6 +195,19 @@ _FORM = (
     'A condition is such as: SB1/0 = a and not (SB2 in State_1 or "Clamp fixed" != 1). '
     "Other names than letters, digits, _ and - stand in '...'."
 )
+
+
+def written_name(name: str) -> str:
+    """Return a name as a formula writes it: without quotes if possible."""
+    match = _TOKEN.fullmatch(name)
+    if match is not None and match["bare"] == name and name not in WORDS:
+        return name
+    return "'" + name.replace("'", "''") + "'"
+
+
+def written_plain(name: str) -> str:
+    """Return the plain name of a fact as a formula writes it."""
+    return '"' + name.replace('"', '""') + '"'
 
 
 def _is_digit(token: _Token) -> bool:

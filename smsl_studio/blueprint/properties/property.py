@@ -12,7 +12,9 @@ from functools import partial
 from math import isfinite
 from typing import Any, NamedTuple
 
-from smsl_studio.blueprint.formula import Formula, read_formula
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties.formula import Formula
+from smsl_studio.blueprint.properties.reading import read_formula
 from smsl_studio.errors import FormulaError, did_you_mean
 
 Json = Any
@@ -85,6 +87,12 @@ def read_properties(raw: Json) -> tuple[dict[int, Property], tuple[PropertyFault
             found[index] = one
             names.add(one.name)
     return found, tuple(faults)
+
+
+def properties_of(blueprint: Blueprint) -> tuple[Property, ...]:
+    """Return the properties in all files of a blueprint that can be read."""
+    read = (read_properties(one.values.get(KEY))[0] for one in blueprint.documents)
+    return tuple(one for found in read for one in found.values())
 
 
 def _read(entry: Json) -> Property:

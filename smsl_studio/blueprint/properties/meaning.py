@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from smsl_studio.blueprint.formula.syntax import (
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.properties.formula import (
     AllOf,
     AnyOf,
     FactTerm,
@@ -13,7 +14,6 @@ from smsl_studio.blueprint.formula.syntax import (
     Negation,
     StateTerm,
 )
-from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import FormulaError, did_you_mean
 
 
@@ -59,6 +59,16 @@ def meaning_of(formula: Formula, blueprint: Blueprint) -> Meaning:
     return _Look(blueprint).up(formula, True)
 
 
+def fact_of(term: FactTerm, blueprint: Blueprint) -> tuple[str, int] | None:
+    """Return the SB and the digit that a comparison speaks of, None if there is no such fact."""
+    look = _Look(blueprint)
+    try:
+        branch = look.branch(term)
+        return branch.name, look.digit(term, branch)
+    except FormulaError:
+        return None
+
+
 class _Look:
     """Looks the names of a formula up in a blueprint."""
 
@@ -72,7 +82,7 @@ class _Look:
         if isinstance(formula, AllOf | AnyOf):
             parts = tuple(self.up(part, wanted) for part in formula.parts)
             return Joined(isinstance(formula, AllOf) == wanted, parts)
-        branch = self._branch(formula)
+        branch = self.branch(formula)
         if isinstance(formula, StateTerm):
             if formula.state not in branch.table:
                 advice = did_you_mean(formula.state, branch.table)
@@ -81,7 +91,7 @@ class _Look:
                 )
             found = frozenset((formula.state,))
         else:
-            digit = self._digit(formula, branch)
+            digit = self.digit(formula, branch)
             known = values_of(branch, digit)
             if formula.value not in known:
                 advice = f"It has {', '.join(known[:_SHOWN])}." if known else ""
@@ -96,7 +106,8 @@ class _Look:
             wanted = wanted == formula.equal
         return States(branch.name, found if wanted else frozenset(branch.table) - found)
 
-    def _branch(self, term: FactTerm | StateTerm) -> StateBranch:
+    def branch(self, term: FactTerm | StateTerm) -> StateBranch:
+        """Return the SB that a term speaks of."""
         branches = self._blueprint.branches
         if not term.branch:
             if len(branches) != 1:
@@ -108,7 +119,7 @@ class _Look:
             raise FormulaError(f"there is no SB {term.branch}", term.at, advice)
         return branches[term.branch]
 
-    def _digit(self, term: FactTerm, branch: StateBranch) -> int:
+    def digit(self, term: FactTerm, branch: StateBranch) -> int:
         """Return the digit that a term speaks of."""
         count = len(branch.alphabet)
         if term.name:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+Span = tuple[int, int]
+"""The offsets of the begin and the end of a part of the text."""
+
 
 @dataclass(frozen=True, slots=True)
 class FactTerm:
     """``FACT = VALUE`` or ``FACT != VALUE``.
 
     A fact is named by its digit, by its plain name, or by the SB alone if that has one fact. The
-    SB is empty if it is left out. ``at`` is the offset of the term in the text.
+    SB is empty if it is left out. ``spans`` are those of SB, fact and value; what is left out has
+    an empty one.
     """
 
     branch: str
@@ -18,16 +22,26 @@ class FactTerm:
     name: str
     value: str
     equal: bool
-    at: int = field(default=0, compare=False)
+    spans: tuple[Span, Span, Span] = field(default=((0, 0),) * 3, compare=False, repr=False)
+
+    @property
+    def at(self) -> int:
+        """The offset of the term in the text."""
+        return min((start for start, end in self.spans if end), default=0)
 
 
 @dataclass(frozen=True, slots=True)
 class StateTerm:
-    """``SB in STATE``."""
+    """``SB in STATE``. ``spans`` are those of SB and state."""
 
     branch: str
     state: str
-    at: int = field(default=0, compare=False)
+    spans: tuple[Span, Span] = field(default=((0, 0),) * 2, compare=False, repr=False)
+
+    @property
+    def at(self) -> int:
+        """The offset of the term in the text."""
+        return self.spans[0][0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,4 +65,5 @@ class AnyOf:
     parts: tuple[Formula, ...]
 
 
+Term = FactTerm | StateTerm
 Formula = FactTerm | StateTerm | Negation | AllOf | AnyOf

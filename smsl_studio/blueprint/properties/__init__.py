@@ -10,16 +10,17 @@ them.
 
 from __future__ import annotations
 
-from smsl_studio.blueprint.formula.meaning import Meaning, meaning_of
-from smsl_studio.blueprint.formula.reading import read_formula
-from smsl_studio.blueprint.formula.syntax import (
+from smsl_studio.blueprint.properties.formula import (
     AllOf,
     AnyOf,
     FactTerm,
     Formula,
     Negation,
     StateTerm,
+    Term,
 )
+from smsl_studio.blueprint.properties.meaning import Meaning, meaning_of
+from smsl_studio.blueprint.properties.reading import read_formula
 
 __all__ = [
     "AllOf",
@@ -29,6 +30,7 @@ __all__ = [
     "Meaning",
     "Negation",
     "StateTerm",
+    "Term",
     "meaning_of",
     "read_formula",
 ]

@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 from hypothesis import given
 
-from smsl_studio.blueprint.formula import (
+from smsl_studio.blueprint.properties import (
     AllOf,
     AnyOf,
     FactTerm,
@@ -17,11 +17,11 @@ from smsl_studio.blueprint.formula import (
     meaning_of,
     read_formula,
 )
-from smsl_studio.blueprint.formula.meaning import branches_in, holds
+from smsl_studio.blueprint.properties.meaning import branches_in, holds
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import FormulaError
 from smsl_studio.smsl.json_form import parse_json
-from tests.blueprint.formula.drawn import BLUEPRINT, formulas, true_in, written
+from tests.blueprint.properties.drawn import BLUEPRINT, formulas, true_in, written
 
 CONFIGURATIONS = [
     dict(zip(BLUEPRINT.branches, states, strict=True))

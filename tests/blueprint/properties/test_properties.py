@@ -8,9 +8,14 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.digests import digests
-from smsl_studio.blueprint.formula import read_formula
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.properties import Property, read_properties, texts_of
+from smsl_studio.blueprint.properties import read_formula
+from smsl_studio.blueprint.properties.property import (
+    Property,
+    properties_of,
+    read_properties,
+    texts_of,
+)
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.inputs import inspect
 from smsl_studio.smsl.json_form import parse_json
@@ -51,7 +56,7 @@ def found(properties: Any, **more: Any) -> list[tuple[str, str, str]]:
 @pytest.mark.parametrize(("written", "wanted"), GOOD)
 def test_each_kind_is_read(written: dict[str, Any], wanted: Property) -> None:
     properties = [{"name": "p", **written}]
-    assert blueprint(properties).properties == (wanted,)
+    assert properties_of(blueprint(properties)) == (wanted,)
     assert found(properties) == []
     # The keys that lead to a text are those of the file.
     for formula, keys in texts_of(wanted):
