@@ -21,6 +21,7 @@ def test_both_versions_are_put_together_again() -> None:
 def test_the_style_diff3_tells_the_base() -> None:
     assert unmarked(DIFF3, "f.json").base == "a\nold\nz\n"
     assert unmarked(DIFF3 + PLAIN, "f.json").base is None
+    assert unmarked(PLAIN + DIFF3, "f.json").base is None
     assert unmarked(DIFF3.replace("\n", "\r\n"), "f.json").base == "a\r\nold\r\nz\r\n"
 
 

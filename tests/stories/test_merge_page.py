@@ -363,3 +363,16 @@ def test_the_next_open_conflict_follows_and_the_last_one_stays(sit: Sit, tmp_pat
     person.click(first.buttons["base"])
     assert page.list.current == first.conflict
     assert page.drawing.canvas.marks.conflicts[Address("A", "S2")] == "\u2713"
+
+
+def test_what_was_typed_while_it_merged_is_not_replaced(sit: Sit, tmp_path: Path) -> None:
+    path = marked_file(tmp_path)
+    person = sit(path)
+    page = at_page(person)
+    session = person.window.session
+    person.click(page.notice.merge)
+    session.write("typed", path.read_text().replace('"mine"', '"typed"'))
+    person.click(page.notice.merge)
+    person.until(lambda: bool(page.list.cards))
+    assert person.steps() == ["typed", "Merge by meaning"]
+    assert card(page, "A/S2").conflict.ours == "typed"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.address import Address, escape, note_key
 from smsl_studio.blueprint.editing.draft import Draft
 from smsl_studio.blueprint.reading import HEADER
 
@@ -46,6 +46,8 @@ def _renamed_entry(entry: Json, follow: Follow) -> Json:
 
 def _path(path: Names, follow: Follow) -> Names:
     branch, *below = path
+    if branch == "_levels" and len(below) == 1 and below[0].count("/") > 1:
+        return branch, "/".join(map(escape, follow(tuple(Address.split(below[0])))))
     if branch.startswith("_"):
         return path
     new = follow((branch,))[0]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.address import Address, escape, note_key
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT
 from smsl_studio.blueprint.merge.conflict import ABSENT, Attachment, Conflict, Path
 from smsl_studio.blueprint.merge.trees import Trees
@@ -18,7 +18,7 @@ from smsl_studio.blueprint.reading import HEADER
 
 Json = Any
 OURS, THEIRS = 1, 2
-LAYOUT = "_layout"
+LAYOUT, LEVELS = "_layout", "_levels"
 
 
 class Clashes:
@@ -116,6 +116,9 @@ class Clashes:
             for key in self._trees.map(at, (branch, LAYOUT, IN_LAYOUT)):
                 if Address.split(key)[0] == state:
                     yield branch, LAYOUT, IN_LAYOUT, key
+            for key in self._trees.map(at, (LEVELS,)):
+                if Address.split(key)[:2] == (branch, state) and key.count("/") > 1:
+                    yield LEVELS, key
             for key, note in self._trees.map(at, (branch, "_notes")).items():
                 if isinstance(note, dict) and note.get("state") == state:
                     yield branch, "_notes", key
@@ -175,3 +178,4 @@ class Clashes:
     def _parts_of_edge(branch: str, state: str, operation: str) -> Iterator[Path]:
         yield branch, "_operations", note_key(operation, state)
         yield branch, LAYOUT, IN_LAYOUT, note_key(operation, state)
+        yield LEVELS, "/".join(map(escape, (branch, state, operation)))

@@ -79,7 +79,9 @@ class Trees:
         """
         node: Json = self.versions[at]
         for depth, key in enumerate(path[:-1]):
-            if isinstance(node, dict) and key not in node and depth and path[1].startswith("_"):
+            # Annotations stand below a key with _, either of an SB or of the file.
+            noted = path[1 if depth else 0].startswith("_")
+            if isinstance(node, dict) and key not in node and noted:
                 node[key] = {}
             node = node.get(key) if isinstance(node, dict) else None
         if not isinstance(node, dict):

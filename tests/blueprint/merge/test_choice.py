@@ -217,3 +217,32 @@ def test_an_entry_written_by_hand_is_refused_or_gives_a_blueprint(entry: dict[st
             except EditRefused:
                 continue
             assert read(json.loads(after.document.text)) == after
+
+
+@pytest.mark.parametrize("is_mine", [True, False])
+def test_who_decides_about_its_operations_comes_and_goes_with_a_state(is_mine: bool) -> None:
+    """Without its entry an operation of a kept state would be decided by nobody."""
+    levels = {"A/S2/back": "human", "A/S1/on": "shared", "B/X0/up": "human"}
+    base = {**BASE, "_levels": levels}
+    kept = {**changed(("A|S2|back", "S0")), "_levels": levels}
+    gone = {**without_s2(), "_levels": {"B/X0/up": "human"}}
+    ours, theirs = (kept, gone) if is_mine else (gone, kept)
+    done = merge(read(base), read(ours), read(theirs))
+    with_it = chosen(done.blueprint, "ours" if is_mine else "theirs")
+    without = chosen(done.blueprint, "theirs" if is_mine else "ours")
+    assert with_it.document.values["_levels"] == levels
+    assert without.document.values["_levels"] == {"B/X0/up": "human"}
+    renamed = rename(done.blueprint, Address("A", "S1"), "Mid")
+    after = chosen(renamed, "ours" if is_mine else "theirs")
+    assert after.document.values["_levels"]["A/Mid/on"] == "shared"
+
+
+def test_a_level_that_one_side_changed_on_a_deleted_operation_is_a_conflict() -> None:
+    base = {**BASE, "_levels": {"A/S0/wait": "human"}}
+    ours = {**BASE, "_levels": {"A/S0/wait": "shared"}}
+    done = merge(read(base), read(ours), read(changed(("A|S0|wait", None))))
+    (one,) = done.conflicts
+    assert one.path == ("A", "S0", "wait")
+    assert done.blueprint.document.values["_levels"] == {"A/S0/wait": "shared"}
+    after = choose(done.blueprint, one, "theirs")
+    assert "_levels" not in after.document.values
