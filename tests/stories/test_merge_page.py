@@ -115,7 +115,12 @@ def test_leaving_it_open_keeps_the_conflicts_in_the_file(sit: Sit, tmp_path: Pat
 def test_focus_previews_a_version_with_its_findings_and_changes_nothing(
     sit: Sit, tmp_path: Path
 ) -> None:
-    path = merged_file(tmp_path, changed(("A|S0|go", "Gone")))
+    base, ours, theirs = (
+        {key: one[key] for key in "AB"}
+        for one in (BASE, changed(("A|S0|go", "Gone")), changed(("A|S0|go", None)))
+    )
+    path = tmp_path / "plan.json"
+    path.write_text(merge(read(base), read(ours), read(theirs)).blueprint.document.text)
     person = sit(path)
     page = at_page(person)
     before = person.blueprint
@@ -123,7 +128,7 @@ def test_focus_previews_a_version_with_its_findings_and_changes_nothing(
     go.buttons["ours"].setFocus()
     person.until(lambda: "errors" in go.preview.text())
     assert go.preview.text().startswith("Preview: Mine. 3 errors")
-    assert "Gone" in go.preview.text()
+    assert "R02 A/S0/go: leads to Gone" in go.preview.text().splitlines()[1]
     go.buttons["base"].setFocus()
     person.until(lambda: go.preview.text().startswith("Preview: Base. 0 errors"))
     assert person.blueprint is before

@@ -4,7 +4,7 @@
 conflict keeps the value of the first side, and stands in the merged file under ``_conflicts``.
 """
 
-from smsl_studio.blueprint.merge.choice import Side, choose, chosen_side, open_conflicts
+from smsl_studio.blueprint.merge.choice import Side, choose, choose_all, chosen_side, open_conflicts
 from smsl_studio.blueprint.merge.conflict import ABSENT, KEY, Conflict
 from smsl_studio.blueprint.merge.merge import Merge, merge
 from smsl_studio.blueprint.merge.written import read_conflicts
@@ -16,6 +16,7 @@ __all__ = [
     "Merge",
     "Side",
     "choose",
+    "choose_all",
     "chosen_side",
     "merge",
     "open_conflicts",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any, Literal
 
 from smsl_studio.blueprint.address import Address
@@ -57,12 +58,7 @@ def choose(blueprint: Blueprint, conflict: Conflict, side: Side) -> Blueprint:
     if conflict.about_name:
         return _named(blueprint, conflict, getattr(conflict, side))
     draft = Draft(blueprint)
-    values = draft.file()
-    whole: tuple[Conflict | Attachment, ...] = (conflict, *conflict.parts)
-    for one in whole:
-        _put(values, one, getattr(one, side), is_part=one is not conflict)
-    if len(conflict.path) == 2 and not conflict.path[1].startswith(("_", HEADER)):
-        _keep_header(values, blueprint.branches.get(conflict.path[0]))
+    _put_whole(draft.file(), blueprint, conflict, side)
     try:
         return draft.done()
     except ReadError as error:
@@ -71,6 +67,46 @@ def choose(blueprint: Blueprint, conflict: Conflict, side: Side) -> Blueprint:
             f"that value of {conflict.address} gives no blueprint: {error.sentence}",
             advice="Take another one, or correct the entry under _conflicts in the source.",
         ) from None
+
+
+def choose_all(blueprint: Blueprint, side: Side) -> Blueprint:
+    """Decide all open conflicts for one version, as far as it can be taken; the others keep mine.
+    Entries that are not understood stay."""
+    if side != "ours":
+        for one in open_conflicts(blueprint):
+            if one.about_name:
+                with suppress(EditRefused):
+                    blueprint = choose(blueprint, one, side)
+    found = read_conflicts(blueprint.document.values.get(KEY, []))[0]
+    draft = Draft(blueprint)
+    file = draft.file()
+    left = [entry for at, entry in enumerate(file.get(KEY, ())) if at not in found]
+    if left:
+        file[KEY] = left
+    else:
+        file.pop(KEY, None)
+    if side == "ours":
+        return draft.done()
+    for one in found.values():
+        if not one.about_name and (side != "base" or one.base_known):
+            with suppress(EditRefused):
+                _put_whole(file, blueprint, one, side)
+    try:
+        return draft.done()
+    except (EditRefused, ReadError):
+        # An entry that was written by hand has a value that gives no blueprint.
+        return choose_all(blueprint, "ours")
+
+
+def _put_whole(
+    values: dict[str, Json], blueprint: Blueprint, conflict: Conflict, side: Side
+) -> None:
+    """Give the element of a conflict, with its parts, the value of a version."""
+    whole: tuple[Conflict | Attachment, ...] = (conflict, *conflict.parts)
+    for one in whole:
+        _put(values, one, getattr(one, side), is_part=one is not conflict)
+    if len(conflict.path) == 2 and not conflict.path[1].startswith(("_", HEADER)):
+        _keep_header(values, blueprint.branches.get(conflict.path[0]))
 
 
 def chosen_side(blueprint: Blueprint, conflict: Conflict) -> Side | None:
@@ -202,7 +238,8 @@ def _keep_header(values: dict[str, Json], before: StateBranch | None) -> None:
     for key, end, default in ends:
         if key not in header and end in states and [end] != default:
             found[key] = end
-    if header.get("NUM_STATES") == len(before.table) != len(states):
+    number = header.get("NUM_STATES")
+    if number != len(states) and before.header.num_states == len(before.table):
         found["NUM_STATES"] = len(states)
     if found:
         _insert(inner, HEADER, {**header, **found}, 1)

@@ -8,10 +8,9 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.comparison import Change, compare
 from smsl_studio.blueprint.comparison.signs import CHANGED, sign_of
-from smsl_studio.blueprint.merge.choice import Side, choose, open_conflicts
+from smsl_studio.blueprint.merge.choice import Side, choose_all, open_conflicts
 from smsl_studio.blueprint.merge.conflict import Conflict, Path
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import EditRefused
 
 MINE, THEIRS, ALIKE = "M", "T", "MT"
 
@@ -50,20 +49,9 @@ def sides_of_entries(blueprint: Blueprint) -> MergeSides:
     """Return the versions as far as the open conflicts of a file tell them."""
     found = open_conflicts(blueprint)
     known = all(one.base_known for one in found)
-    base = _taken(blueprint, found, "base") if known else None
-    return MergeSides(
-        _taken(blueprint, found, "ours"), _taken(blueprint, found, "theirs"), base, known=False
-    )
-
-
-def _taken(blueprint: Blueprint, found: Iterable[Conflict], side: Side) -> Blueprint:
-    for one in found:
-        try:
-            blueprint = choose(blueprint, one, side)
-        except EditRefused:
-            # This version of the element cannot be shown; the list says its value.
-            continue
-    return blueprint
+    base = choose_all(blueprint, "base") if known else None
+    ours, theirs = choose_all(blueprint, "ours"), choose_all(blueprint, "theirs")
+    return MergeSides(ours, theirs, base, known=False)
 
 
 def merged_groups(sides: MergeSides, conflicts: Iterable[Conflict]) -> tuple[MergedGroup, ...]:

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.merge import (
     Conflict,
     Side,
     choose,
+    choose_all,
     chosen_side,
     merge,
     open_conflicts,
@@ -71,6 +72,7 @@ def test_all_theirs_is_the_merge_with_the_sides_swapped(part: int) -> None:
         swapped = chosen(merge(base, theirs, ours).blueprint, "ours")
         mine = chosen(done.blueprint, "theirs", Random(number))
         assert things(mine) == things(swapped), number
+        assert things(choose_all(done.blueprint, "theirs")) == things(swapped), number
         seen += len(done.conflicts)
     assert seen > 10
 
@@ -217,6 +219,10 @@ def test_an_entry_written_by_hand_is_refused_or_gives_a_blueprint(entry: dict[st
             except EditRefused:
                 continue
             assert read(json.loads(after.document.text)) == after
+    for side in sides_of:
+        after = choose_all(blueprint, side)
+        assert read(json.loads(after.document.text)) == after
+        assert open_conflicts(after) == ()
 
 
 @pytest.mark.parametrize("is_mine", [True, False])

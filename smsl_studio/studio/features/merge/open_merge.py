@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint.merge import Conflict, Side, choose, chosen_side, open_conflicts
+from smsl_studio.blueprint.merge.conflict import Path
 from smsl_studio.blueprint.merge.sides import MergeSides, sides_of_entries
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.document.files.files import Files
@@ -30,6 +33,7 @@ class OpenMerge(QObject):
         self.conflicts: tuple[Conflict, ...] = ()
         self.sides: MergeSides | None = None
         self._open: tuple[Conflict, ...] = ()
+        self._open_at: dict[Path, list[Conflict]] = {}
         session.opened.connect(self._forget)
         session.blueprint_changed.connect(self._follow)
         files.changed.connect(self._end_if_saved)
@@ -46,7 +50,7 @@ class OpenMerge(QObject):
 
     def is_open(self, conflict: Conflict) -> bool:
         """Whether a conflict waits for a choice."""
-        return conflict in self._open
+        return conflict in self._open_at.get(conflict.path, ())
 
     def side_of(self, conflict: Conflict) -> Side | None:
         """The version that was chosen; None for an open conflict, or for another value."""
@@ -74,6 +78,7 @@ class OpenMerge(QObject):
 
     def _forget(self) -> None:
         self.conflicts, self._open, self.sides = (), (), None
+        self._open_at = {}
 
     def _follow(self, _before: Blueprint, after: Blueprint) -> None:
         if self._session.broken is not None:
@@ -86,17 +91,29 @@ class OpenMerge(QObject):
             return
         if not self.conflicts:
             self.sides = self.sides or sides_of_entries(after)
-        new = [one for one in now if one not in self.conflicts]
+        known = by_path(self.conflicts)
+        new = [one for one in now if one not in known.get(one.path, ())]
         if new and len(now) == len(self._open):
             # Elements got other names, and the entries followed them in their order.
-            names = dict(zip(self._open, now, strict=True))
-            self.conflicts = tuple(names.get(one, one) for one in self.conflicts)
+            names = [pair for pair in zip(self._open, now, strict=True) if pair[0] != pair[1]]
+            self.conflicts = tuple(
+                next((after for before, after in names if before == one), one)
+                for one in self.conflicts
+            )
         else:
             self.conflicts = (*self.conflicts, *new)
-        self._open = now
+        self._open, self._open_at = now, by_path(now)
         self.changed.emit()
 
     def _end_if_saved(self) -> None:
         if self.conflicts and not self._open and not self._session.edited:
             self._forget()
             self.changed.emit()
+
+
+def by_path(conflicts: Iterable[Conflict]) -> dict[Path, list[Conflict]]:
+    """The conflicts by their paths. They have values that cannot be hashed."""
+    found: dict[Path, list[Conflict]] = {}
+    for one in conflicts:
+        found.setdefault(one.path, []).append(one)
+    return found

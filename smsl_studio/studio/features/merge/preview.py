@@ -6,7 +6,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from smsl_studio.blueprint.merge import Conflict, Side, choose, open_conflicts
+from smsl_studio.blueprint.merge import Conflict, Side, choose, choose_all
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.inspect import inspect
@@ -50,18 +50,17 @@ def preview_words(blueprint: Blueprint, conflict: Conflict, side: Side) -> str:
     """The findings after a choice in words. The other open conflicts do not count: they keep
     mine."""
     try:
-        after = choose(blueprint, conflict, side)
-        for one in open_conflicts(after):
-            after = choose(after, one, "ours")
+        after = choose_all(choose(blueprint, conflict, side), "ours")
     except EditRefused as error:
         return f"{WORDS[side]} cannot be taken: {error.sentence}. {error.advice}"
-    return f"Preview: {WORDS[side]}. {findings_words(inspect(after))}"
+    return f"Preview: {WORDS[side]}. {findings_words(inspect(after), conflict.address)}"
 
 
-def findings_words(findings: tuple[Finding, ...]) -> str:
-    """The numbers of errors and warnings, and the first errors."""
+def findings_words(findings: tuple[Finding, ...], address: str) -> str:
+    """The numbers of errors and warnings, and the first errors; those at an element come first."""
     letters = [finding.severity.value for finding in findings]
     words = f"{counted(letters.count('E'), 'error')}, {counted(letters.count('W'), 'warning')}"
     errors = [finding for finding in findings if finding.severity.value == "E"]
+    errors.sort(key=lambda finding: str(finding.address) != address)
     named = [f"{finding.rule} {finding.address}: {finding.message}" for finding in errors[:NAMED]]
     return "\n".join([words, *named])
