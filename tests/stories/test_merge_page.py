@@ -85,6 +85,7 @@ def test_conflicts_are_chosen_taken_back_and_saved(sit: Sit, tmp_path: Path) -> 
     assert not page.list.save.isEnabled()
     assert not title.buttons["base"].isChecked()
     assert page.list.words.startswith("1 conflict to choose")
+    assert page.list.current == title.conflict, "what an undo opened is selected"
     person.click(title.buttons["theirs"])
     person.click(go.buttons["ours"])
     assert person.blueprint["A"].table["S0"]["go"] == "S2", "it can be decided anew"
@@ -126,11 +127,11 @@ def test_focus_previews_a_version_with_its_findings_and_changes_nothing(
     before = person.blueprint
     go = card(page, "A/S0/go")
     go.buttons["ours"].setFocus()
-    person.until(lambda: "errors" in go.preview.text())
-    assert go.preview.text().startswith("Preview: Mine. 3 errors")
-    assert "R02 A/S0/go: leads to Gone" in go.preview.text().splitlines()[1]
+    person.until(lambda: "errors" in page.list.preview.text())
+    assert page.list.preview.text().startswith("Conflict 1. Preview: Mine. 3 errors")
+    assert "R02 A/S0/go: leads to Gone" in page.list.preview.text().splitlines()[1]
     go.buttons["base"].setFocus()
-    person.until(lambda: go.preview.text().startswith("Preview: Base. 0 errors"))
+    person.until(lambda: page.list.preview.text().startswith("Conflict 1. Preview: Base. 0 errors"))
     assert person.blueprint is before
     person.press(Qt.Key.Key_Space)
     assert person.blueprint["A"].table["S0"]["go"] == "S1"
@@ -352,8 +353,8 @@ def test_f1_explains_the_page_and_its_names_are_shown_as_text(sit: Sit, tmp_path
     page = at_page(person)
     (one,) = page.list.cards
     one.buttons["theirs"].setFocus()
-    person.until(lambda: "error" in one.preview.text())
-    assert one.preview.textFormat() == Qt.TextFormat.PlainText
+    person.until(lambda: "error" in page.list.preview.text())
+    assert page.list.preview.textFormat() == Qt.TextFormat.PlainText
     assert page.width() <= 1280
     person.press(Qt.Key.Key_F1)
     person.until(lambda: bool(person.window.features.help.windows))

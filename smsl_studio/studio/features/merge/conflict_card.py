@@ -1,4 +1,4 @@
-"""The card of one conflict: what it is about, three buttons, and the preview of one version."""
+"""The card of one conflict: what it is about, and three buttons with the values."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 from smsl_studio.blueprint.comparison.values import said
 from smsl_studio.blueprint.merge import ABSENT, Conflict, Side
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.controls import Elided, row
 from smsl_studio.studio.base.paint.change_signs import CHOSEN, draw_conflict
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.merge.open_merge import WORDS
@@ -42,9 +42,6 @@ class ConflictCard(QFrame):
         for side, button in self.buttons.items():
             button.clicked.connect(lambda _=False, side=side: self.taken.emit(side))
             button.looked_at.connect(lambda on, side=side: self.previewed.emit(side if on else ""))
-        self.preview = label("", "small")
-        self.preview.setWordWrap(True)
-        self.preview.hide()
         column = QVBoxLayout(self)
         column.setContentsMargins(14, 8, 12, 10)
         column.setSpacing(6)
@@ -53,7 +50,6 @@ class ConflictCard(QFrame):
         head.setStretch(2, 2)
         column.addLayout(head)
         column.addLayout(row(*self.buttons.values(), spacing=6))
-        column.addWidget(self.preview)
         self.setAccessibleName(plain_text(f"Conflict {number}: {what}, {where}"))
 
     def show_choice(self, is_open: bool, side: Side | None) -> None:
@@ -69,11 +65,6 @@ class ConflictCard(QFrame):
         if current != self._current:
             self._current = current
             self.update()
-
-    def show_preview(self, words: str) -> None:
-        """Show what a version would give; empty text hides it."""
-        self.preview.setText(words)
-        self.preview.setVisible(bool(words))
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
+    QHBoxLayout,
     QProgressBar,
     QPushButton,
     QScrollArea,
@@ -13,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.merge import Conflict
+from smsl_studio.blueprint.merge.conflict import Path
 from smsl_studio.blueprint.merge.sides import MergeSides, merged_groups
 from smsl_studio.studio.base.controls import label, row, rule
 from smsl_studio.studio.base.rows import RowsView
@@ -24,6 +26,8 @@ from smsl_studio.studio.features.merge.merged_rows import merged_rows
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
 
 WIDTH = 396
+PREVIEW = 96
+HINT = "Point at a version to see the findings that it would give."
 MOST = 60
 """So many cards are shown at once; the others follow when these are chosen."""
 
@@ -47,7 +51,28 @@ class ConflictList(QWidget):
         self._merge, self._tokens = merge, tokens
         self.cards: list[ConflictCard] = []
         self._current: Conflict | None = None
+        self._were_open: set[Path] = set()
         self._told: tuple[MergeSides, tuple[Conflict, ...]] | None = None
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(self._upper_part())
+        split.addWidget(self._merged_part())
+        split.setStretchFactor(0, 3)
+        split.setStretchFactor(1, 2)
+        split.setSizes([600, 300])
+        split.setChildrenCollapsible(False)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self._head())
+        column.addWidget(rule())
+        column.addWidget(split, 1)
+        column.addWidget(rule())
+        column.addLayout(self._foot())
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setMinimumWidth(320)
+
+    def _head(self) -> QHBoxLayout:
         self._title, self._chosen = label("Conflicts", "heading"), label("", "small")
         self._bar = QProgressBar()
         self._bar.setTextVisible(False)
@@ -55,6 +80,9 @@ class ConflictList(QWidget):
         self._bar.setAccessibleName("Chosen conflicts")
         head = row(self._title, None, self._chosen, self._bar)
         head.setContentsMargins(14, 8, 14, 8)
+        return head
+
+    def _upper_part(self) -> QWidget:
         self._stack = QVBoxLayout()
         self._stack.setContentsMargins(0, 0, 0, 0)
         self._stack.setSpacing(0)
@@ -75,24 +103,19 @@ class ConflictList(QWidget):
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._scroll.setAccessibleName("Conflicts")
         self._scroll.setWidget(inner)
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.addWidget(self._scroll)
-        split.addWidget(self._merged_part())
-        split.setStretchFactor(0, 3)
-        split.setStretchFactor(1, 2)
-        split.setSizes([600, 300])
-        split.setChildrenCollapsible(False)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(head)
-        column.addWidget(rule())
-        column.addWidget(split, 1)
-        column.addWidget(rule())
-        column.addLayout(self._foot())
-        self.setProperty("role", "panel")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setMinimumWidth(320)
+        self.preview = label(HINT, "small")
+        self.preview.setWordWrap(True)
+        self.preview.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.preview.setContentsMargins(14, 8, 14, 8)
+        self.preview.setFixedHeight(PREVIEW)
+        upper = QWidget()
+        over = QVBoxLayout(upper)
+        over.setContentsMargins(0, 0, 0, 0)
+        over.setSpacing(0)
+        over.addWidget(self._scroll, 1)
+        over.addWidget(rule())
+        over.addWidget(self.preview)
+        return upper
 
     def _merged_part(self) -> QWidget:
         part = QWidget()
@@ -144,6 +167,11 @@ class ConflictList(QWidget):
         """Show what is open and what was chosen."""
         merge = self._merge
         every = merge.conflicts
+        were, self._were_open = self._were_open, {one.path for one in merge.open_ones}
+        reopened = [one for one in merge.open_ones if one.path not in were] if were else []
+        if len(reopened) == 1:
+            # An undo opened it again.
+            self._current = reopened[0]
         if self._current not in every:
             self._current = next(iter(merge.open_ones or every), None)
         self._show_cards(every)
@@ -186,9 +214,14 @@ class ConflictList(QWidget):
                 self._scroll.ensureWidgetVisible(card, 0, 8)
 
     def show_preview(self, conflict: Conflict, words: str) -> None:
-        """Show what a choice of a conflict would give."""
-        for card in self.cards:
-            card.show_preview(words if card.conflict == conflict else "")
+        """Show what a choice of a conflict would give; empty text ends that.
+
+        The words have a place of their own, so that no button moves away from the pointer.
+        """
+        every = self._merge.conflicts
+        number = f"Conflict {every.index(conflict) + 1:,}. " if conflict in every else ""
+        self.preview.setText(f"{number}{words}" if words else HINT)
+        self.preview.setToolTip(tip_text(words))
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

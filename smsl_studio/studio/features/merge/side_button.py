@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QEnterEvent,
+    QFocusEvent,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.paint.change_signs import BASE, MINE, THEIRS, draw_side
 from smsl_studio.studio.base.rows import TextInk, paint_text
-from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.theme import Tokens, mono_font
 from smsl_studio.studio.base.tips import tip_text
 
 LETTERS = {"ours": MINE, "theirs": THEIRS, "base": BASE}
@@ -42,13 +50,23 @@ class SideButton(QAbstractButton):
         self.setEnabled(known)
         told = ", chosen" if chosen else ""
         self.setAccessibleName(plain_text(f"Take {self.text().lower()}, {value}{told}"))
-        self.setToolTip(tip_text(f"{self.text()}: {value}"))
+        self._tell_cut()
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
+
+    def _tell_cut(self) -> None:
+        """Put the value into the tooltip if it is cut; a tooltip would cover the preview."""
+        cut = QFontMetricsF(mono_font(11)).horizontalAdvance(self._value) > self.width() - 18
+        self.setToolTip(tip_text(f"{self.text()}: {self._value}" if cut else ""))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Look again whether the value is cut."""
+        super().resizeEvent(event)
+        self._tell_cut()
 
     def nextCheckState(self) -> None:
         """A click does not check the button; the choice does, after it was made."""
