@@ -1,9 +1,9 @@
-"""The layouts of 60 graphs, ours and that of Graphviz ``dot``, measured in the same way.
+"""The layouts of 60 graphs, ours, Graphviz ``dot`` and ELK layered, measured in the same way.
 
-Both sides draw the same operations between nodes of the same sizes, each with its label in its own
+All sides draw the same operations between nodes of the same sizes, each with its label in its own
 size. A label that is not shown counts as one that overlaps. ``python -m benches.layouts`` prints a
-row for each graph, and ``--write`` puts them into docs/layouts.md. Without Graphviz only ours is
-measured, and the bench says so.
+row for each graph, and ``--write`` puts them into docs/layouts.md. A side that is not installed is
+left out, and the bench says so.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from benches.layouts.dot import drawn_by_dot, is_here
+from benches.layouts import dot, elk
 from benches.layouts.graphs import graphs
 from benches.row import Row
 from smsl_studio.graph.layout import place_states
@@ -32,17 +32,26 @@ class Compared:
     operations: int
     sides: dict[str, tuple[Measures, float]]
 
-    def wins(self) -> bool:
-        """Whether ours has no more crossings and no more faults of labels than ``dot``."""
-        ours, dot = self.sides["ours"][0], self.sides["dot"][0]
-        return ours.crossings <= dot.crossings and ours.overlaps <= dot.overlaps
+    def wins(self, side: str = "dot") -> bool:
+        """Whether ours has no more crossings and no more faults of labels than a side."""
+        ours, other = self.sides["ours"][0], self.sides[side][0]
+        return ours.crossings <= other.crossings and ours.overlaps <= other.overlaps
 
 
 def compared(wanted: str = "") -> Iterator[Compared]:
     """Yield the graphs whose name has ``wanted`` in it, each as soon as it is measured."""
-    others = is_here()
-    if not others:
-        print("dot is not installed: only ours is measured", file=sys.stderr, flush=True)
+    others = {
+        name: draw
+        for name, here, draw in (
+            ("dot", dot.is_here, dot.drawn_by_dot),
+            ("elk", elk.is_here, elk.drawn_by_elk),
+        )
+        if here()
+    }
+    missing = {"dot", "elk"} - others.keys()
+    if missing:
+        words = " and ".join(sorted(missing))
+        print(f"not installed, so not measured: {words}", file=sys.stderr, flush=True)
     for name, blueprint, branch in graphs():
         if wanted not in name:
             continue
@@ -51,13 +60,13 @@ def compared(wanted: str = "") -> Iterator[Compared]:
         figure = Figure(picture, place_states(blueprint[branch]))
         drawing = drawing_of(figure)
         sides = {"ours": (measure(drawing), time.process_time() - start)}
-        if others:
-            edges = range(len(picture.operations))
-            sizes = [(width(figure.label(e), LABEL) + 8.0, 15.0) for e in edges]
+        edges = range(len(picture.operations))
+        sizes = [(width(figure.label(e), LABEL) + 8.0, 15.0) for e in edges]
+        for side, draw in others.items():
             start = time.perf_counter()
-            dot = drawn_by_dot(figure, sizes)
-            if dot is not None:
-                sides["dot"] = measure(dot), time.perf_counter() - start
+            found = draw(figure, sizes)
+            if found is not None:
+                sides[side] = measure(found), time.perf_counter() - start
         yield Compared(name, len(picture), len(picture.operations), sides)
 
 
@@ -73,7 +82,7 @@ def rows() -> Iterator[Row]:
     work = f"no more crossings and label faults than dot, of {len(pairs)}"
     yield Row(work, better, "graphs", bound="at least 50")
     for words, figure in (("crossings", "crossings"), ("label faults", "overlaps")):
-        ours, dot = (
+        ours, other = (
             sum(getattr(one.sides[side][0], figure) for one in pairs) for side in ("ours", "dot")
         )
-        yield Row(f"{words} in all", ours, words, others=(("dot", dot),))
+        yield Row(f"{words} in all", ours, words, others=(("dot", other),))
