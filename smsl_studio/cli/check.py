@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
@@ -11,8 +12,12 @@ from smsl_studio.cli.blueprint_argument import read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import ReadError
 from smsl_studio.front.inputs import inspect
+from smsl_studio.inspection.inspect import PROVED, order
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
+
+if TYPE_CHECKING:
+    from smsl_studio.inspection.proof.verdict import PropertyVerdict
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -20,6 +25,13 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument(
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
+    )
+    parser.add_argument(
+        "--limit",
+        type=_limit,
+        default=None,
+        metavar="N",
+        help="store at most N configurations to show properties (default 1,000,000)",
     )
     add_world(parser, required=False)
     add_format(parser, "sarif")
@@ -31,6 +43,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)
     inspected: list[tuple[Blueprint, tuple[Finding, ...]]] = []
+    proved: list[tuple[PropertyVerdict, ...]] = []
     unread: list[ReadError] = []
     worst = 0
     for blueprint in read_each(options.files, "smsl-studio check"):
@@ -38,13 +51,23 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             unread.append(blueprint)
             continue
         findings = inspect(blueprint, options.rule)
+        verdicts: tuple[PropertyVerdict, ...] = ()
+        if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
+            from smsl_studio.front.proof import prove
+
+            proof = prove(blueprint, options.limit) if options.limit else prove(blueprint)
+            verdicts = proof.verdicts
+            shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
+            findings = tuple(sorted((*findings, *shown), key=partial(order, blueprint)))
         worst = max(worst, int(any(found.severity is Severity.ERROR for found in findings)))
         if options.format == "text":
             _print(blueprint, findings, out)
         else:
             inspected.append((blueprint, findings))
+            proved.append(verdicts)
     if options.format == "json":
-        out.json({"files": [_as_json(*one) for one in inspected]})
+        pairs = zip(inspected, proved, strict=True)
+        out.json({"files": [_as_json(*one, verdicts) for one, verdicts in pairs]})
     elif options.format == "sarif":
         from smsl_studio.cli.sarif import sarif
 
@@ -67,12 +90,34 @@ def _must_exist(world: str) -> None:
         describe().world(world)
 
 
-def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, Any]:
+def _limit(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and 0 < len(text) < 13 and int(text)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 1 up")
+    return int(text)
+
+
+def _has_properties(blueprint: Blueprint) -> bool:
+    """Whether there may be something to show. Most files have nothing, and load no proof."""
+    keys = ("_hazards", "_properties")
+    return any(one.values.get(key) for one in blueprint.documents for key in keys)
+
+
+def _as_json(
+    blueprint: Blueprint, findings: tuple[Finding, ...], verdicts: tuple[PropertyVerdict, ...]
+) -> dict[str, Any]:
+    runs = {one.address: one.counterexample for one in verdicts if one.counterexample}
+    told = []
+    for finding in findings:
+        said = _finding(blueprint, finding)
+        if finding.rule in PROVED and finding.address in runs:
+            said["counterexample"] = runs[finding.address].as_json()
+        told.append(said)
     return {
         "file": blueprint.file,
         "states": blueprint.state_count,
         "operations": blueprint.operation_count,
-        "findings": [_finding(blueprint, finding) for finding in findings],
+        "findings": told,
+        "properties": [verdict.as_json() for verdict in verdicts],
     }
 
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         merge,
         render,
     )
+    from smsl_studio.front.proof import prove
     from smsl_studio.front.request import RunRequest
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
@@ -50,6 +51,7 @@ __all__ = [
     "open_run",
     "plan_route",
     "plugins",
+    "prove",
     "read",
     "read_script",
     "refusals",
@@ -73,7 +75,7 @@ class Verb(NamedTuple):
 
 
 VERBS = {
-    "check": Verb("inspect blueprints: every finding with its place", ("inspect",)),
+    "check": Verb("inspect blueprints: every finding with its place", ("inspect", "prove")),
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
     "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
@@ -97,6 +99,7 @@ _HOMES = {
     "read": "inputs",
     "read_script": "script.lines",
     "inspect": "inputs",
+    "prove": "proof",
     "refusals": "inputs",
     "plan_route": "routes",
     "Run": "runs",

@@ -49,7 +49,15 @@ ALL = (
     Rule("R18", "parallel operations without costs", effects.r18_parallel),
     Rule("R29", "an annotation not understood", writing.r29_annotations),
 )
-RULES: Mapping[str, str] = MappingProxyType({rule.id: rule.words for rule in ALL})
+PROVED = {
+    "R19": "a combination of facts that must not be",
+    "R20": "a way back that is missing",
+    "R30": "another property that fails or is unknown",
+}
+"""The rules about hazards and properties. ``proof`` finds what they report."""
+RULES: Mapping[str, str] = MappingProxyType(
+    dict(sorted([*((rule.id, rule.words) for rule in ALL), *PROVED.items()]))
+)
 """The number of each rule and a few words about it."""
 
 
@@ -71,10 +79,10 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
             if rules is None or rule.id in rules:
                 heed()
                 found.extend(listed(blueprint, rule.check(blueprint)))
-    return tuple(sorted(found, key=partial(_order, blueprint)))
+    return tuple(sorted(found, key=partial(order, blueprint)))
 
 
-def _order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:
+def order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:
     """The sort key: the blueprint's own file first, then imported files, each from top to
     bottom."""
     place = finding.place

@@ -12,7 +12,7 @@ from functools import partial
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.inspect import RULES, inspect
+from smsl_studio.inspection.inspect import ALL, inspect
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
@@ -51,7 +51,7 @@ class Inspector(QObject):
     @property
     def rules(self) -> int:
         """The number of rules that are checked."""
-        return len(RULES)
+        return len(ALL)
 
     def stop(self) -> None:
         """End all work, because the window closes."""

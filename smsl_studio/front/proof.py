@@ -1,0 +1,114 @@
+"""Shows whether the hazards and properties of a blueprint hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.route.planner import Planner
+from smsl_studio.inspection.proof.claims import Claim, claims_of
+from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute
+from smsl_studio.inspection.proof.prove import prove as proved
+from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, UNKNOWN, PropertyVerdict
+from smsl_studio.inspection.rules.finding import Finding, Remark, Severity
+from smsl_studio.inspection.selection import listed
+
+RULES = {HAZARD: "R19", "never": "R19", "way_back": "R20"}
+
+
+@dataclass(frozen=True)
+class Proof:
+    """The verdicts about all hazards and properties, and the findings that follow from them."""
+
+    verdicts: tuple[PropertyVerdict, ...]
+    findings: tuple[Finding, ...]
+
+
+def prove(blueprint: Blueprint, limit: int = LIMIT) -> Proof:
+    """Return whether the hazards and properties of a blueprint hold (paper, Inspection).
+
+    It is shown for the blueprint as written, if every operation does what its edge says. ``limit``
+    is the largest number of configurations that are stored; beyond it a verdict may be ``unknown``.
+
+    >>> prove(read("hanoi-corrected.json")).verdicts
+    ()
+    """
+    verdicts = proved(blueprint, _Routes(blueprint).planned, limit)
+    if not verdicts:
+        return Proof((), ())
+    claims = {(one.path[0], one.name): one for one in claims_of(blueprint)}
+    by_claim = [(claims[one.address.path[0], one.name], one) for one in verdicts]
+    return Proof(verdicts, tuple(listed(blueprint, _remarks(by_claim))))
+
+
+class _Routes:
+    """Plans the routes that properties ask for. All of them begin at the start."""
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self._blueprint = blueprint
+
+    def planned(self, goals: Sequence[Address]) -> PlannedRoute | None:
+        """Return the cheapest route to the goals, None if there is none."""
+        hierarchy = Hierarchy(self._blueprint)
+        here = start_configuration(hierarchy, {})
+        legs = Planner(hierarchy).legs(here, goals)
+        if legs is None:
+            return None
+        configurations = [dict(here)]
+        for leg in legs:
+            for step in leg.steps:
+                for action in step.actions:
+                    configurations.append({**configurations[-1], **action.moved})
+        steps = [step for leg in legs for step in leg.steps]
+        return PlannedRoute(
+            tuple(step.asked.address for step in steps),
+            tuple(edge.address for step in steps for edge in step.edges),
+            tuple(configurations),
+            sum(leg.cost for leg in legs),
+        )
+
+
+def _remarks(verdicts: Sequence[tuple[Claim, PropertyVerdict]]) -> Iterator[Remark]:
+    for sentence, verdict in verdicts:
+        if verdict.verdict == HOLDS or sentence.meanings is None:
+            continue
+        yield Remark(
+            RULES.get(verdict.kind, "R30"),
+            Severity(verdict.severity),
+            verdict.address,
+            _words(verdict),
+            _advice(verdict),
+            spot=(sentence.document, sentence.path),
+        )
+
+
+def _words(verdict: PropertyVerdict) -> str:
+    """Return the sentence of a finding."""
+    if verdict.verdict == UNKNOWN:
+        return f"it is unknown whether {verdict.name} holds: {verdict.bound}"
+    assert verdict.verdict == FAILS
+    run = verdict.counterexample
+    many = len(run.path) if run else 0
+    after = "at the start" if not many else f"after {many} operation{'' if many == 1 else 's'}"
+    if verdict.kind == HAZARD:
+        return f"the facts of the hazard {verdict.name} hold together {after}"
+    if verdict.kind == "reachable":
+        return f"{verdict.name} fails: no configuration that can be reached is such"
+    if verdict.kind in ("at_most", "cost"):
+        route = f"the cheapest route has {many} operations" if many else "there is no route"
+        return f"{verdict.name} fails: {route}"
+    return f"{verdict.name} fails {after}"
+
+
+def _advice(verdict: PropertyVerdict) -> str:
+    run = verdict.counterexample
+    if run is None or not run.path:
+        return ""
+    shown = ", ".join(str(one) for one in run.path[:_SHOWN])
+    return f"by {shown}{' and so on' if len(run.path) > _SHOWN else ''}"
+
+
+_SHOWN = 5

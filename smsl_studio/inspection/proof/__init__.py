@@ -1,0 +1,1 @@
+"""Proof: shows whether hazards and properties hold, over the configurations of a blueprint."""

@@ -1,0 +1,111 @@
+"""``check`` answers hazards and properties: findings, JSON, the limit, the exit status."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.cli.shell import Shell, sample
+
+HEADER = {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2}
+BRANCH = {
+    "HEADER": HEADER,
+    "State_00": {"on": "State_10", "skip": "State_01"},
+    "State_10": {"end": "State_11"},
+    "State_01": {"end": "State_11"},
+    "State_11": {"again": "State_00"},
+}
+HAZARD = {"name": "Blind cut", "facts": {"SB/0": "0", "SB/1": "1"}}
+
+
+def put(folder: Path, **fields: Any) -> str:
+    file = folder / "asked.json"
+    file.write_text(json.dumps({**fields, "SB": BRANCH}, indent=1))
+    return str(file)
+
+
+def report(shell: Shell, file: str, *options: str) -> tuple[int, Any]:
+    answer = shell("check", file, "--format", "json", *options)
+    (found,) = answer.json["files"]
+    return answer.status, found
+
+
+def test_a_hazard_that_can_be_reached_is_an_error_with_its_run(
+    shell: Shell, tmp_path: Path
+) -> None:
+    file = put(tmp_path, _hazards=[HAZARD])
+    status, found = report(shell, file)
+    assert status == 1
+    assert found["properties"] == [
+        {
+            "name": "Blind cut",
+            "kind": "hazard",
+            "verdict": "fails",
+            "configurations": 4,
+            "engine": "explicit",
+            "bound": None,
+        }
+    ]
+    (finding,) = [one for one in found["findings"] if one["rule"] == "R19"]
+    assert (finding["severity"], finding["address"]) == ("E", "_hazards/Blind cut")
+    assert finding["counterexample"] == {
+        "start": {"SB": "State_00"},
+        "path": ["SB/State_00/skip"],
+        "end": {"SB": "State_01"},
+    }
+    words = shell("check", file).out
+    assert (
+        "E R19 _hazards/Blind cut: the facts of the hazard Blind cut hold together after" in words
+    )
+
+
+@pytest.mark.parametrize(
+    ("one", "rule"),
+    [
+        ({"never": "SB in State_01"}, "R19"),
+        ({"way_back": {"from": "SB/1 = 1", "to": "SB/0 = 1 and SB/1 = 0", "within": 1}}, "R20"),
+        ({"before": ["SB in State_10", "SB in State_11"]}, "R30"),
+        ({"cost": {"goal": "State_11", "limit": 1}}, "R30"),
+    ],
+)
+@pytest.mark.parametrize(("severity", "status"), [("E", 1), ("W", 0)])
+def test_a_property_that_fails_has_its_rule_and_severity(
+    one: dict[str, Any], rule: str, severity: str, status: int, shell: Shell, tmp_path: Path
+) -> None:
+    file = put(tmp_path, _properties=[{"name": "p", "severity": severity, **one}])
+    found = report(shell, file)
+    assert found[0] == status
+    told = [(f["rule"], f["severity"], f["address"]) for f in found[1]["findings"]]
+    assert (rule, severity, "_properties/p") in told
+    assert [one["verdict"] for one in found[1]["properties"]] == ["fails"]
+    # One rule may be asked for alone, and without it nothing is shown.
+    assert [f["rule"] for f in report(shell, file, "--rule", rule)[1]["findings"]] == [rule]
+    assert report(shell, file, "--rule", "R15")[1] == {**found[1], "findings": [], "properties": []}
+
+
+def test_the_limit_gives_an_unknown_verdict_which_is_no_good_answer(
+    shell: Shell, tmp_path: Path
+) -> None:
+    file = put(tmp_path, _properties=[{"name": "p", "reachable": "SB in State_11"}])
+    assert report(shell, file)[0] == 0
+    status, found = report(shell, file, "--limit", "2")
+    assert status == 1
+    (verdict,) = found["properties"]
+    assert (verdict["verdict"], verdict["bound"]) == ("unknown", "2 configurations")
+    (finding,) = [one for one in found["findings"] if one["rule"] == "R30"]
+    assert "2 configurations" in finding["message"]
+    assert "counterexample" not in finding
+    assert shell("check", file, "--limit", "0").status == 2
+
+
+def test_what_holds_is_no_finding(shell: Shell, tmp_path: Path) -> None:
+    file = put(
+        tmp_path, _properties=[{"name": "p", "before": ["SB/0 = 1 or SB/1 = 1", "SB in State_11"]}]
+    )
+    status, found = report(shell, file)
+    assert status == 0
+    assert [one["verdict"] for one in found["properties"]] == ["holds"]
+    assert report(shell, sample("hfsm"))[1]["properties"] == []
