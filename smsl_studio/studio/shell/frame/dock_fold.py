@@ -1,8 +1,10 @@
-"""DockFold: folds the lower panel to its tabs, so that the drawing has more room."""
+"""DockFold: the height of the lower panel. In a low window it is low, so that the drawing has the
+room, and it can be folded to its tabs.
+"""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from smsl_studio.studio.base.small_button import SmallButton
@@ -13,26 +15,38 @@ WORDS = {False: "Fold to the tabs", True: "Unfold"}
 PICTURES = {False: "chevron-down", True: "chevron-up"}
 ANY = 16_777_215
 """The greatest height that Qt allows."""
+LEAST, MOST = 112, 196
+"""The heights of the panel in a low and in a high window (pixels)."""
+LOW_WINDOW, HIGH_WINDOW = 640, 800
+"""The heights of the windows in which it has them (pixels)."""
+
+
+def usual_height(window: int) -> int:
+    """The height of the panel in a window of this height, if no person has chosen one (pixels)."""
+    share = (window - LOW_WINDOW) / (HIGH_WINDOW - LOW_WINDOW)
+    return LEAST + round((MOST - LEAST) * max(0.0, min(share, 1.0)))
 
 
 class DockFold(QObject):
     """Folds a dock to its tabs and unfolds it. A click on a tab unfolds it, too, and so does every
     command that shows one of its panels.
+
+    ``own`` is the height that a person has given the dock by dragging its edge (pixels); 0 if it
+    follows the height of the window.
     """
 
     changed = Signal()
 
-    def __init__(
-        self, window: QMainWindow, dock: QDockWidget, tabs: Tabs, height: int, tokens: Tokens
-    ) -> None:
-        """``height`` is the height of the dock when it is unfolded for the first time (pixels)."""
+    def __init__(self, window: QMainWindow, dock: QDockWidget, tabs: Tabs, tokens: Tokens) -> None:
         super().__init__(window)
-        self._window, self._dock, self._tabs, self._height = window, dock, tabs, height
+        self._window, self._dock, self._tabs = window, dock, tabs
         self.folded = False
+        self.own = self._before = 0
         self.button = SmallButton(WORDS[False], PICTURES[False], tokens)
         self.button.clicked.connect(self.toggle)
         tabs.add_button(self.button)
         tabs.bar.tabBarClicked.connect(lambda _: self.put(False))
+        window.installEventFilter(self)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -47,12 +61,25 @@ class DockFold(QObject):
         if folded == self.folded:
             return
         self.folded = folded
-        if folded:
-            self._height = max(self._dock.height(), 2 * HEIGHT)
         self._tabs.show_pages(not folded)
         self._dock.setMinimumHeight(HEIGHT if folded else 0)
         self._dock.setMaximumHeight(HEIGHT if folded else ANY)
-        if not folded:
-            self._window.resizeDocks([self._dock], [self._height], Qt.Orientation.Vertical)
+        self.fit()
         self.button.show_as(WORDS[folded], PICTURES[folded])
         self.changed.emit()
+
+    def fit(self) -> None:
+        """Give the dock the height that it has in a window of this height, unless it is folded."""
+        if not self.folded:
+            height = self.own or usual_height(self._window.height())
+            self._window.resizeDocks([self._dock], [height], Qt.Orientation.Vertical)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Note the height that a person gives the dock. Only the edges of docks get a press of the
+        pointer from the window itself."""
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._before = self._dock.height()
+        elif event.type() == QEvent.Type.MouseButtonRelease and not self.folded:
+            height = self._dock.height()
+            self.own = self.own if height == self._before else height
+        return super().eventFilter(watched, event)

@@ -1,7 +1,7 @@
 """The docks around the canvas: left, right, bottom.
 
-In a window below 1280 pixels wide the left one is a drawer. In one below 480 high the bottom one is
-hidden until it is asked for, so that the drawing keeps the room.
+In a window below 1280 pixels wide the left one is a drawer. In one below 800 high the bottom one is
+lower, and below 480 it is hidden until it is asked for, so that the drawing keeps the room.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import series
 from smsl_studio.studio.shell.frame.dock_fold import DockFold
 
-LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
+LEFT, PROPERTIES, SOURCE = 232, 304, 364
 NARROW = 1280
 NARROWEST = 200
 LOW = 480
@@ -63,7 +63,7 @@ class Docks(QObject):
         self.right = self._dock("right", self.right_tabs, area.RightDockWidgetArea)
         self.right.setMinimumWidth(FORM)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
-        self.fold = DockFold(window, self.bottom, self.bottom_tabs, BOTTOM, tokens)
+        self.fold = DockFold(window, self.bottom, self.bottom_tabs, tokens)
         self.fold.changed.connect(self.changed)
         self.drawer = Drawer(window, self.words("left"))
         self._narrow = self._low = False
@@ -87,10 +87,9 @@ class Docks(QObject):
 
     def set_first_sizes(self) -> None:
         """Set the sizes of the design, if none are remembered."""
-        sideways, upright = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        sideways = Qt.Orientation.Horizontal
         self._window.resizeDocks([self.left, self.right], [LEFT, self._widths[self._tab]], sideways)
-        if not self.fold.folded:
-            self._window.resizeDocks([self.bottom], [BOTTOM], upright)
+        self.fold.fit()
 
     def show_mode(self, mode: str) -> None:
         """Show the docks in Draw mode and hide them in all others."""
@@ -141,7 +140,8 @@ class Docks(QObject):
         return narrow
 
     def fit_height(self, height: int) -> None:
-        """Hide the bottom dock when the window gets low; show it again when it gets high."""
+        """Give the bottom dock the height for this window. Hide it when the window gets very low;
+        show it again when it gets high."""
         low = height < LOW
         if low != self._low:
             self._low = low
@@ -151,6 +151,7 @@ class Docks(QObject):
             elif self._bottom_when_high:
                 self.bottom.show()
             self.changed.emit()
+        self.fold.fit()
 
     def left_shown(self) -> bool:
         """Whether the left panel is shown, as a dock or as a drawer."""
@@ -190,6 +191,7 @@ class Docks(QObject):
 
     def _toggle(self, dock: QDockWidget) -> None:
         dock.setVisible(not dock.isVisible())
+        self.fold.fit()
         self.changed.emit()
 
     def show_tab(self, name: str) -> None:
@@ -204,6 +206,7 @@ class Docks(QObject):
                 tabs.show_page(name)
                 if dock is self.bottom:
                     self.fold.put(False)
+                    self.fold.fit()
         self.changed.emit()
 
     def enter_tab(self, name: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QSize
@@ -15,8 +16,10 @@ from smsl_studio.studio.shell.frame.mode_bar import ModeBar
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 DRAW = "draw"
-FOLD = "panels/fold"
-"""The setting that says whether the lower panel is folded."""
+FOLD, OWN = "panels/fold", "panels/lower"
+"""The settings that say whether the lower panel is folded, and the height that a person gave it."""
+OWN_HEIGHT = re.compile("[1-9][0-9]{1,3}")
+"""How a height stands in the settings (pixels)."""
 
 
 class Modes:
@@ -77,7 +80,9 @@ class Modes:
 
     def restore(self) -> None:
         """Restore the places of the panels from the last window."""
-        self._docks.fold.put(bool(self._settings.text_of(FOLD)))
+        fold, own = self._docks.fold, self._settings.text_of(OWN)
+        fold.own = int(own) if OWN_HEIGHT.fullmatch(own) else 0
+        fold.put(bool(self._settings.text_of(FOLD)))
         if not self._docks.restore(self._settings.bytes_of("panels/draw")):
             self._docks.set_first_sizes()
 
@@ -85,7 +90,9 @@ class Modes:
         """Remember the places of the panels, if they are shown."""
         if self.shown == DRAW and self._body.isVisible():
             self._settings.store("panels/draw", self._docks.save())
-            self._settings.store_text(FOLD, "folded" if self._docks.fold.folded else "")
+            fold = self._docks.fold
+            self._settings.store_text(FOLD, "folded" if fold.folded else "")
+            self._settings.store_text(OWN, str(fold.own or ""))
 
     def fit(self, size: QSize) -> None:
         """In a narrow window show a drawer and its button instead of the left dock.
