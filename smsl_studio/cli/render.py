@@ -23,6 +23,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="the whole file: all State Branches as cards, and which fact leads to which sub-SB",
     )
+    parser.add_argument(
+        "--collapse",
+        action="store_true",
+        help="draw operations between the same two states as one line with their number",
+    )
     parser.add_argument("--theme", choices=THEMES, default="light", help="light (default) or dark")
 
 
@@ -31,6 +36,6 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     picture_form(options.output)
     blueprint = read_argument(options.file)
     chosen = options.sb or ()
-    picture = drawn(blueprint, options.output, chosen, options.theme, options.map)
+    picture = drawn(blueprint, options.output, chosen, options.theme, options.map, options.collapse)
     save_document(picture, options.output, made_of=inputs_of(blueprint))
     return 0

@@ -169,11 +169,13 @@ def render(
     branches: Collection[str] = (),
     theme: str = "light",
     overview: bool = False,
+    collapsed: bool = False,
 ) -> None:
     """Draw State Branches into an ``.svg``, ``.png`` or ``.pdf`` file. No display is needed.
 
     ``branches`` are the names of the SBs; empty means all. ``theme`` is ``light`` or ``dark``. With
-    ``overview`` the picture is the map of all SBs, and ``branches`` must be empty.
+    ``overview`` the picture is the map of all SBs, and ``branches`` must be empty. With
+    ``collapsed`` operations between the same two states are one line with their number.
     UsageError for another suffix or theme, or if there is no SB. AddressError for an unknown SB.
     SaveError if the file cannot be written.
 
@@ -181,7 +183,7 @@ def render(
     >>> Path("hfsm.svg").read_text("utf-8")[:4]
     '<svg'
     """
-    picture = drawn(blueprint, output, branches, theme, overview)
+    picture = drawn(blueprint, output, branches, theme, overview, collapsed)
     save_document(picture, output, made_of=_files(blueprint))
 
 
@@ -191,23 +193,31 @@ def drawn(
     branches: Collection[str] = (),
     theme: str = "light",
     overview: bool = False,
+    collapsed: bool = False,
 ) -> bytes:
     """Return the bytes that ``render`` writes. It raises the same errors, except SaveError."""
     picture_form(output)
     if overview and branches:
         raise UsageError("the map shows all State Branches", advice="Leave --sb or --map out.")
     colours = colours_of(theme)
-    panels = map_panels(blueprint, colours) if overview else panels_of(blueprint, branches, colours)
+    if overview and collapsed:
+        raise UsageError("the map shows no operations", advice="Leave --collapse or --map out.")
+    if overview:
+        panels = map_panels(blueprint, colours)
+    else:
+        panels = panels_of(blueprint, branches, colours, collapsed)
     return picture_of(panels, title_of(blueprint), output, colours)
 
 
-def panels_of(blueprint: Blueprint, branches: Collection[str], colours: Colours) -> list[SvgPanel]:
+def panels_of(
+    blueprint: Blueprint, branches: Collection[str], colours: Colours, collapsed: bool = False
+) -> list[SvgPanel]:
     """Return the panels of SBs, of all if none is named. UsageError if there is no SB."""
     from smsl_studio.picture.svg import draw_blueprint
 
     _must_have_branches(blueprint)
     chosen = [blueprint[name].name for name in branches or blueprint.branches]
-    return draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
+    return draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours, collapsed)
 
 
 def map_panels(blueprint: Blueprint, colours: Colours) -> list[SvgPanel]:

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
+from smsl_studio.picture.bundles import chip_size
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
@@ -63,7 +64,7 @@ class Figure:
     @property
     def shows_labels(self) -> bool:
         """Whether operations have labels."""
-        return self.shows_nodes and len(self.picture.operations) <= MOST_LABELS
+        return self.shows_nodes and self.picture.line_count <= MOST_LABELS
 
     def _level(self) -> Level:
         if self.picture.small:
@@ -152,6 +153,9 @@ class Figure:
         if not self.shows_labels:
             return 0.0, 0.0
         picture = self.picture
+        count = picture.bundles.count(edge)
+        if count:
+            return chip_size(count)
         signs = bool(picture.kind(edge)) + bool(picture.guards(edge)) + (edge in self.signed)
         return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 

@@ -1,7 +1,6 @@
 """Geometry: the place of every edge and label of a picture, for one layout and one size of marks.
 
-Small pictures are routed as a whole: lanes, lines around nodes, labels that avoid all lines. In
-large pictures each edge is routed when it comes into view.
+Small pictures are routed as a whole. In large ones each edge is routed when it comes into view.
 """
 
 from __future__ import annotations
@@ -32,9 +31,7 @@ from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 from smsl_studio.picture.strands import Strand
 
 MOST_AT_ONCE = 20
-"""If two states of a large picture share more edges than this, each edge is routed when it is
-needed.
-"""
+"""If two states of a large picture share more edges, each edge is routed when it is needed."""
 LabelSize = Callable[[int], tuple[float, float]]
 """Returns the size of an edge's label in scene units, (0, 0) for none."""
 
@@ -80,7 +77,8 @@ class Geometry:
             self._route_small(former)
 
     def shape(self, edge: int) -> EdgeShape:
-        """Return the line of an edge."""
+        """Return the line of an edge, or of its bundle."""
+        edge = self.picture.line_of(edge)
         found = self._shapes.get(edge)
         if found is None:
             self._route(edge)
@@ -89,7 +87,7 @@ class Geometry:
 
     def prepare(self, edges: Iterable[int]) -> None:
         """Route all of these edges that are not routed yet, together."""
-        edges = list(edges)
+        edges = list(dict.fromkeys(map(self.picture.line_of, edges)))
         for edge in edges:
             if edge not in self._shapes and edge not in self._strands:
                 self._plan(edge)
@@ -98,14 +96,16 @@ class Geometry:
             self._choice = self._choice_of(anew)
 
     def label(self, edge: int) -> labels.Rect | None:
-        """Return the place of an edge's label. It is None while the label is hidden."""
+        """Return the place of an edge's label or of its bundle's chip, None while it is hidden."""
+        edge = self.picture.line_of(edge)
         if edge not in self._labels:
             self._place(edge)
         return self._labels[edge]
 
     def is_hidden(self, edge: int) -> bool:
         """Return whether the label of an edge has no place."""
-        return self.label(edge) is None and self._label_size(edge)[0] > 0.0
+        bundled = edge in self.picture.bundles.first
+        return not bundled and self.label(edge) is None and self._label_size(edge)[0] > 0.0
 
     def fallback(self, edge: int) -> labels.Rect:
         """Return the place where a hidden label appears while its edge is hovered or lit: the
@@ -121,8 +121,7 @@ class Geometry:
     def forget(self, states: Iterable[int]) -> list[int]:
         """Drop the lines of states that have moved, and return their edges.
 
-        It is used while states are dragged. Everything else keeps its place until they are
-        released.
+        During a drag everything else keeps its place.
         """
         concerned: dict[int, None] = {}
         self._clears.known.clear()
@@ -252,10 +251,11 @@ class Geometry:
             self._clears.look([self._pair(a, b) for a, b in self.picture.pairs()])
         passing: list[Passing] = []
         looping: dict[int, None] = {}
+        hidden = self.picture.bundles.hidden
         for edge, (a, b) in enumerate(
             zip(self.picture.source.tolist(), self.picture.target.tolist(), strict=True)
         ):
-            if edge in self._shapes or edge in self._strands:
+            if edge in self._shapes or edge in self._strands or edge in hidden:
                 continue
             if edge in self._drawn and (by_hand := self._by_hand(edge)) is not None:
                 self._shapes[edge] = by_hand
@@ -359,8 +359,8 @@ class Geometry:
 
     def _readable(self) -> list[labels.Rect]:
         """Return the rectangles of notes and of the titles of groups, which no label may cover."""
-        parts = DrawnParts(self.picture.branch, self.picture.index)
-        return parts.readable(self.boxes, self.style.unit, self.style.scale)
+        drawn = DrawnParts(self.picture.branch, self.picture.index)
+        return drawn.readable(self.boxes, self.style.unit, self.style.scale)
 
     def _route_loops(self, state: int) -> None:
         """Draw the loops of a state at the corner where they and their labels cover least."""

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.legible import markup
+from smsl_studio.picture.arrowhead import HEAD, arrowhead
+from smsl_studio.picture.bundle_svg import draw_bundle, draw_count
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
 from smsl_studio.picture.guards import needs_words
 from smsl_studio.picture.hidden_names import RADIUS, HiddenNames, hidden_names
 from smsl_studio.picture.labels import AsideRect, leader
 from smsl_studio.picture.levels import Level
-from smsl_studio.picture.shape import EdgeShape, Point
+from smsl_studio.picture.shape import Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import arch, box, circle, number, polygon, polyline, text
 from smsl_studio.stop import heed
 
-HEAD = 8.0
 MOST_PIECES = 4_000
 """The largest number of lines in one path. Qt draws only the beginning of a path of more than
 32,767 points.
@@ -31,9 +32,13 @@ def draw_lines(
     paths between centres.
     """
     if figure.shows_nodes:
+        hidden, bundles = figure.picture.bundles.hidden, figure.picture.bundles.members
         # Lines with a sign lie on top of the others.
         for edge in sorted(edges, key=lambda one: one in signs):
-            yield from _line(figure, edge, colours, signs.get(edge, ""))
+            if edge in bundles:
+                yield from draw_bundle(figure, edge, colours)
+            elif edge not in hidden:
+                yield from _line(figure, edge, colours, signs.get(edge, ""))
         return
     for sign in ("", *dict.fromkeys(signs.values())):
         chosen = [e for e in edges if signs.get(e, "") == sign]
@@ -46,7 +51,11 @@ def draw_labels(
     """Yield the labels of these operations that have a place."""
     if not figure.shows_labels:
         return
-    places = {e: figure.geometry.label(e) for e in edges}
+    bundles = figure.picture.bundles
+    for edge in edges:
+        if edge in bundles.members:
+            yield from draw_count(figure, edge, colours)
+    places = {e: figure.geometry.label(e) for e in edges if e not in bundles.first}
     # All grounds lie below all labels, because labels of neighbouring lines may overlap.
     for left, top, right, bottom in filter(None, places.values()):
         yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
@@ -54,7 +63,7 @@ def draw_labels(
         if isinstance(place, AsideRect):
             joined = leader(figure.geometry.shape(edge), place)
             yield polyline(joined, colours["edge"], 0.8, "2 2")
-    for names in hidden_names(figure.geometry, edges):
+    for names in hidden_names(figure.geometry, places):
         yield from _hidden(figure, names, colours)
     for edge, place in places.items():
         if place is not None:
@@ -71,18 +80,8 @@ def _line(figure: Figure, edge: int, colours: Colours, sign: str) -> Iterator[st
     yield f"<g><title>{markup(f'{name} {needs}' if needs else name)}</title>"
     body = shape.cut(0.0, max(shape.length - head + 2.0, 0.0))
     yield polyline(body, colour, wide, DASHES.get(sign, ""))
-    yield polygon(_head(shape, head), colour)
+    yield polygon(arrowhead(shape, head), colour)
     yield "</g>"
-
-
-def _head(shape: EdgeShape, size: float) -> list[Point]:
-    x, y = shape.tip
-    bx, by = shape.at(max(shape.length - size, 0.0))
-    dx, dy = x - bx, y - by
-    length = (dx * dx + dy * dy) ** 0.5 or 1.0
-    dx, dy = dx / length, dy / length
-    bx, by, half = x - dx * size, y - dy * size, size * 0.46
-    return [(x, y), (bx - dy * half, by + dx * half), (bx + dy * half, by - dx * half)]
 
 
 def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> Iterator[str]:

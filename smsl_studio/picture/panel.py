@@ -95,9 +95,12 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
             for digit, sub in picture.branch.subs.items()
         )
         words.append(("bar", f"expanded by a sub-SB: {elided(subs, NOTE, LEAST)}"))
+    if figure.shows_nodes and picture.bundles.members:
+        words.append(("", "A number on a line: so many operations between these two states."))
     if figure.shows_labels:
-        kinds = {picture.kind(edge) for edge in range(len(picture.operations))}
-        if any(picture.guards(edge) for edge in range(len(picture.operations))):
+        named = [e for e in range(len(picture.operations)) if e not in picture.bundles.first]
+        kinds = {picture.kind(edge) for edge in named}
+        if any(picture.guards(edge) for edge in named):
             words.append(("guard", MEANING))
         for kind, meaning in (
             ("rise", "turns a sub-SB's fact on"),

@@ -4,6 +4,8 @@ Qt.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
@@ -15,6 +17,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
+from smsl_studio.picture.bundles import NO_BUNDLES, Bundles, bundles_of
 from smsl_studio.picture.chip_kinds import chip_kind
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
@@ -61,8 +64,10 @@ class Picture:
 
     ``source`` and ``target`` give the states of each edge by number. An edge whose target is not a
     state of the SB (rule R02) has target -1 and is drawn as a stub. ``crowd`` is the size of a
-    picture with several SBs (see ``crowd_of``).
+    picture with several SBs (see ``crowd_of``). All operations of a bundle have one line.
     """
+
+    bundles = NO_BUNDLES
 
     def __init__(
         self, blueprint: Blueprint, branch: str, crowd: int = 0, words: bool = False
@@ -92,15 +97,40 @@ class Picture:
     @property
     def careful(self) -> bool:
         """Whether lines are led around nodes. Larger pictures have no detours."""
-        return len(self.operations) <= MOST_LED and self.crowd <= MOST_CAREFUL
+        return self.line_count <= MOST_LED and self.crowd <= MOST_CAREFUL
 
     @property
     def small(self) -> bool:
         """Whether the picture is small: then all its lines are computed together, and labels are
         placed off the lines.
         """
-        alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
+        alone = len(self.names) <= SMALL_STATES and self.line_count <= SMALL_EDGES
         return alone and self.crowd <= MOST_CAREFUL
+
+    @cached_property
+    def all_bundles(self) -> Bundles:
+        """The bundles of all operations that can be in one."""
+        return bundles_of(self.source, self.target)
+
+    def bundled(self, bundles: Bundles) -> Picture:
+        """Return the same picture with these bundles."""
+        found = copy(self)
+        found.bundles = bundles
+        return found
+
+    @property
+    def line_count(self) -> int:
+        """How many lines are drawn."""
+        return len(self.operations) - len(self.bundles.hidden)
+
+    def leads_back(self, edge: int) -> bool:
+        """Return whether an operation in the bundle of this edge leads the other way."""
+        own = self.bundles.members.get(edge, ())
+        return any(self.source[other] == self.target[edge] for other in own)
+
+    def line_of(self, edge: int) -> int:
+        """Return the edge whose line stands for this one: itself, or the first of its bundle."""
+        return self.bundles.first.get(edge, edge)
 
     def numbered(self, state: str, operation: str) -> int:
         """Return the number of the edge with this name out of a state, -1 if there is none."""
@@ -124,9 +154,14 @@ class Picture:
         return starts.astype(np.int32), both[keep][order]
 
     def edges_of(self, state: int) -> list[int]:
-        """Return the numbers of the edges that leave or enter a state."""
+        """Return the numbers of the edges that leave or enter a state and have a line."""
         starts, edges = self.incident
-        return list(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
+        return self._drawn(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
+
+    def _drawn(self, edges: Iterable[int]) -> list[int]:
+        """Return those of the edges that have a line of their own."""
+        hidden = self.bundles.hidden
+        return [edge for edge in edges if edge not in hidden]
 
     @cached_property
     def _by_ends(self) -> tuple[NDArray[np.int64], Ints]:
@@ -160,16 +195,20 @@ class Picture:
         return once
 
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
+        """Return the numbers of the edges with a line from ``a`` to ``b``, and of those from ``b``
+        to ``a``.
+        """
         if self.small:
             found = self._by_states
-            return tuple(found.get((a, b), ())), tuple(found.get((b, a), ()))
+            both = found.get((a, b), ()), found.get((b, a), ())
+            return tuple(self._drawn(both[0])), tuple(self._drawn(both[1]))
         keys, numbers = self._by_ends
         key = min(a, b) * (len(self) + 1) + max(a, b)
         first, last = np.searchsorted(keys, (key, key + 1))
         edges = numbers[first:last]
         there = self.source[edges] == a
-        return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
+        drawn = self._drawn(edges[there].tolist()), self._drawn(edges[~there].tolist())
+        return tuple(drawn[0]), tuple(drawn[1])
 
     def pairs(self) -> list[tuple[int, int]]:
         """Return the pairs of different states that edges join. The lower number comes first."""

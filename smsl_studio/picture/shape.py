@@ -44,6 +44,11 @@ class EdgeShape:
         """The length of the whole line."""
         return float(self.lengths[-1])
 
+    @cached_property
+    def reversed(self) -> EdgeShape:
+        """The same line in the other direction."""
+        return EdgeShape(self.points[::-1], self.way, -self.side, -self.out)
+
     @property
     def tip(self) -> Point:
         """The point where the line ends."""

@@ -20,14 +20,23 @@ GAP = 20.0
 
 
 def draw_blueprint(
-    blueprint: Blueprint, branches: Sequence[str], colours: Colours = LIGHT
+    blueprint: Blueprint,
+    branches: Sequence[str],
+    colours: Colours = LIGHT,
+    collapsed: bool = False,
 ) -> list[SvgPanel]:
-    """Return a panel for each SB, with the places of ``_layout`` or computed places. UsageError for
-    too many SBs.
+    """Return a panel for each SB, with the places of ``_layout`` or computed places. With
+    ``collapsed`` operations between the same two states are one line. UsageError for too many SBs.
     """
     refuse_too_many(blueprint, branches, "Name those to draw with --sb.")
     crowd = crowd_of(blueprint, branches)
-    return [_panel(Picture(blueprint, name, crowd), colours) for name in branches]
+    pictures = (Picture(blueprint, name, crowd) for name in branches)
+    return [_panel(_collapsed(one) if collapsed else one, colours) for one in pictures]
+
+
+def _collapsed(picture: Picture) -> Picture:
+    """Return a picture with bundles. What somebody has drawn by hand keeps its own line."""
+    return picture.bundled(picture.all_bundles.without(picture.edge_layouts()))
 
 
 def _panel(picture: Picture, colours: Colours) -> SvgPanel:

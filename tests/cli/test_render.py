@@ -27,6 +27,24 @@ def test_only_the_chosen_sbs_are_drawn(shell: Shell, tmp_path: Path) -> None:
     assert ">SB1<" not in svg
 
 
+@pytest.mark.parametrize("form", BEGIN)
+def test_operations_between_two_states_are_one_line(
+    form: str, shell: Shell, tmp_path: Path
+) -> None:
+    out, whole = tmp_path / f"out.{form}", tmp_path / f"whole.{form}"
+    assert shell("render", sample("registration"), "-o", str(out), "--collapse").status == 0
+    assert shell("render", sample("registration"), "-o", str(whole)).status == 0
+    assert out.read_bytes().startswith(BEGIN[form])
+    assert out.read_bytes() != whole.read_bytes()
+    if form == "svg":
+        assert out.read_text("utf-8").count("<polyline") < whole.read_text("utf-8").count(
+            "<polyline"
+        )
+    refused = shell("render", sample("registration"), "-o", str(out), "--collapse", "--map")
+    assert refused.status == 2
+    assert "the map shows no operations" in refused.err
+
+
 def test_what_cannot_be_drawn_or_written(shell: Shell, tmp_path: Path) -> None:
     assert shell("render", sample("hfsm")).status == 2
     wrong = shell("render", sample("hfsm"), "-o", str(tmp_path / "out.gif"))

@@ -1,0 +1,54 @@
+"""Bundles as SVG: a thick line for several operations, and the chip with their number."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from smsl_studio.legible import markup
+from smsl_studio.picture.arrowhead import HEAD, arrowhead
+from smsl_studio.picture.bundles import CHIP, chip_size, line_width
+from smsl_studio.picture.colours import Colours
+from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.strokes import box, polygon, polyline, text
+from smsl_studio.stop import heed
+
+
+def draw_bundle(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
+    """Yield the line of the bundle with this first operation. It has a head at each end to which
+    one of them leads. Its title names them all.
+    """
+    heed()
+    picture, shape = figure.picture, figure.geometry.shape(edge)
+    count, back = picture.bundles.count(edge), picture.leads_back(edge)
+    colour, head = colours["edge"], HEAD + 1.0
+    yield f"<g><title>{markup(_words(figure, edge))}</title>"
+    first = head - 2.0 if back else 0.0
+    body = shape.cut(first, max(shape.length - head + 2.0, first))
+    yield polyline(body, colour, line_width(count))
+    yield polygon(arrowhead(shape, head), colour)
+    if back:
+        yield polygon(arrowhead(shape.reversed, head), colour)
+    yield "</g>"
+
+
+def draw_count(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
+    """Yield the chip of a bundle, in its place or in the middle of its line."""
+    place = figure.geometry.label(edge) or figure.geometry.fallback(edge)
+    count = figure.picture.bundles.count(edge)
+    wide, high = chip_size(count)
+    x, y = (place[0] + place[2]) / 2, (place[1] + place[3]) / 2
+    yield f"<g><title>{markup(_words(figure, edge))}</title>"
+    area = (x - wide / 2, y - high / 2, wide, high)
+    yield box(area, CHIP / 2, colours["canvas"], colours["edge"])
+    yield text((x, y + 4.0), str(count), 11.0, colours["tx"], 600)
+    yield "</g>"
+
+
+def _words(figure: Figure, edge: int) -> str:
+    """Return the operations of a bundle, one in each line, with their states."""
+    picture = figure.picture
+    names, source, target = picture.names, picture.source, picture.target
+    own = picture.bundles.members[edge]
+    return "\n".join(
+        f"{names[source[one]]} -> {picture.operations[one]} -> {names[target[one]]}" for one in own
+    )
