@@ -304,3 +304,16 @@ def test_no_name_of_a_comparison_lies_on_another_one(
         assert len(lit) == 1
         assert len(names) > 60
         assert not [n for n in names.values() for one in lit.values() if meet(n, one.rect)]
+
+
+def test_each_side_says_which_version_it_is_and_where(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hanoi-corrected.json"))
+    person.window.comparing.ask_file = lambda folder: SAMPLES / "hanoi.json"
+    dialog = asked(person, "compare_file")
+    for side, words in (
+        (dialog.before, "Before, at the left: "),
+        (dialog.after, "After, at the right: "),
+    ):
+        assert side.title.text().startswith(words)
+        assert side.title.toolTip().startswith(words), "a cut name can be read whole"
+        assert side.canvas.camera.fitted

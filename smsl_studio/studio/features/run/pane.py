@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -19,12 +19,12 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
-from smsl_studio.studio.base.panels import panel
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.event_list import EventList
+from smsl_studio.studio.features.run.facts_place import FactsPlace
 from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
 from smsl_studio.studio.features.run.transport import Transport
@@ -39,8 +39,6 @@ from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words, status_words
 from smsl_studio.studio.running.timeline import Timeline
 
-FACTS = 380
-"""The smallest width of the facts, so that their words are not cut (pixels)."""
 FRAME = 33
 """Milliseconds between two pictures of the world."""
 
@@ -189,6 +187,11 @@ class RunPane(QWidget):
         super().showEvent(event)
         self.next.offer()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the facts beside the lists, or as one of them if there is little room."""
+        super().resizeEvent(event)
+        self.facts_place.fit(self.size())
+
     def _begin(self, stepping: bool) -> None:
         if self._session.broken is not None:
             self._say_refused(self._session.broken.refusal)
@@ -243,15 +246,13 @@ class RunPane(QWidget):
         )
         self.monitor_button.clicked.connect(self.show_monitor)
         top = head("Facts", self._facts_rate, None, self._facts_note, self.monitor_button)
-        facts = panel(top, self.facts, self.check)
-        facts.setMinimumWidth(FACTS)
         self._lists = Tabs()
         cost = label("cost", "small")
         cost.setContentsMargins(0, 0, 8, 0)
         self._lists.add("Possible now", self.possible, cost)
         self._lists.add("Events", self.events)
-        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (45, 55))
-        return split(Qt.Orientation.Vertical, (self.scene, below), (300, 325), (1, 1))
+        self.facts_place = FactsPlace(top, self.facts, self.check, self._lists)
+        return split(Qt.Orientation.Vertical, (self.scene, self.facts_place), (300, 325), (1, 1))
 
     def _connect(self) -> None:
         transport = self.transport

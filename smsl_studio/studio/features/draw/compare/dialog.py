@@ -74,7 +74,7 @@ class CompareDialog(QDialog):
     # Building.
 
     def _build(self, tokens: Tokens) -> None:
-        self.before, self.after = Side(tokens, "Before"), Side(tokens, "After")
+        self.before, self.after = Side(tokens, "Before", "left"), Side(tokens, "After", "right")
         self._words = Elided()
         self.branches = Combo()
         self.branches.setAccessibleName("State Branch")

@@ -26,14 +26,17 @@ class Side(QWidget):
     clicked = Signal(object)
     """Address: the person clicked this state or operation."""
 
-    def __init__(self, tokens: Tokens, word: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, tokens: Tokens, word: str, place: str, parent: QWidget | None = None
+    ) -> None:
+        """``word`` says which version it is, ``place`` where it stands: left or right."""
         super().__init__(parent)
-        self._word = word
+        self._head = f"{word}, at the {place}"
         self._blueprint: Blueprint | None = None
         self._shown: tuple[str, Mapping[str, Point]] | None = None
-        self._title = Elided()
-        self._title.setProperty("role", "heading")
-        self._title.setContentsMargins(14, 8, 14, 8)
+        self.title = Elided()
+        self.title.setProperty("role", "heading")
+        self.title.setContentsMargins(14, 8, 14, 8)
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
         self.canvas.setAccessibleName(plain_text(f"Canvas, {word}"))
@@ -43,13 +46,14 @@ class Side(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self._title)
+        column.addWidget(self.title)
         column.addWidget(self.canvas, 1)
 
     def show_version(self, words: str) -> None:
         """Set the name of the version on this side."""
-        self._title.setText(f"{self._word}: {words}")
-        self._title.setToolTip(tip_text(words))
+        said = f"{self._head}: {words}"
+        self.title.setText(said)
+        self.title.setToolTip(tip_text(said))
 
     def show_branch(
         self,
