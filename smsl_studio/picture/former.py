@@ -14,7 +14,7 @@ from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import Between, LineStyle, breadth
 from smsl_studio.picture.detours import GAP
 from smsl_studio.picture.label_candidates import FARTHEST
-from smsl_studio.picture.labels import Rect, meet
+from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 
@@ -61,6 +61,8 @@ class FormerLines:
         self._edges = _matched(former, now)
         self._far: list[Rect] = []
         """The places at which something changed, each with a margin."""
+        self._quiet: dict[int, int] = {}
+        """For each kept label how many of these places are known to be away from its line."""
         self._same = [
             old >= 0 and bool((now.boxes[state] == former.boxes[old]).all())
             for state, old in enumerate(self._state)
@@ -203,7 +205,11 @@ class FormerLines:
             return False
         left, top, right, bottom = shape.bounds
         wide, high = (side + FARTHEST * self._now.style.unit for side in size)
-        return self._is_quiet((left - wide, top - high, right + wide, bottom + high))
+        around = left - wide, top - high, right + wide, bottom + high
+        quiet = self._is_quiet(around, self._quiet.get(edge, 0))
+        if quiet:
+            self._quiet[edge] = len(self._far)
+        return quiet
 
     def label_moved(self, edge: int, rect: Rect | None) -> None:
         """Note the new place of an edge's label."""
@@ -216,8 +222,13 @@ class FormerLines:
         drawn, loops = self._former.drawn, _loops(self._former.picture, self._state[state])
         return sum(edge not in drawn or not drawn[edge].bends for edge in loops)
 
-    def _is_quiet(self, rect: Rect) -> bool:
-        return not any(meet(rect, far) for far in self._far)
+    def _is_quiet(self, rect: Rect, known: int = 0) -> bool:
+        """Return whether no change is at this place. The first ``known`` ones are not there."""
+        left, top, right, bottom = rect
+        return not any(
+            left < far[2] and far[0] < right and top < far[3] and far[1] < bottom
+            for far in self._far[known:]
+        )
 
 
 def _matched(former: Routing, now: Routing) -> list[int]:

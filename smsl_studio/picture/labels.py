@@ -105,7 +105,7 @@ class LinePieces:
 
     def __init__(self, shapes: Mapping[int, EdgeShape]) -> None:
         pieces = [shape.pieces for shape in shapes.values()]
-        found = np.vstack(pieces) if pieces else np.zeros((0, 4))
+        found = np.concatenate(pieces) if pieces else np.zeros((0, 4))
         self._owners = np.repeat(np.array(list(shapes), dtype=int), [len(p) for p in pieces])
         self._start, end = found[:, :2], found[:, 2:]
         step = end - self._start

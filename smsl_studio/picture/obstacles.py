@@ -68,12 +68,12 @@ class Obstacles:
         self, lines: Sequence[Floats], gap: float, skip: Sequence[int] = ()
     ) -> list[bool]:
         """Return for each line whether it keeps a distance of ``gap`` or more from all nodes."""
-        rows = self.near(np.vstack(lines), gap, skip)
+        rows = self.near(np.concatenate(lines), gap, skip)
         if not len(rows):
             return [True] * len(lines)
         boxes = self.boxes[rows]
-        start = np.vstack([line[:-1] for line in lines])
-        end = np.vstack([line[1:] for line in lines])
+        start = np.concatenate([line[:-1] for line in lines])
+        end = np.concatenate([line[1:] for line in lines])
         owner = np.repeat(np.arange(len(lines)), [len(line) - 1 for line in lines])
         piece, box = np.nonzero(pieces_hit(start, end, boxes, gap))
         # The wider box has sharp corners, so a line in it can still be far enough from the node.

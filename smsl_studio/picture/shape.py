@@ -87,7 +87,7 @@ class EdgeShape:
         if len(self.points) == 2:
             return np.array([self.at(start), self.at(max(end, start))])
         inside = self.points[(self.lengths > start) & (self.lengths < end)]
-        return np.vstack([[self.at(start)], inside, [self.at(max(end, start))]])
+        return np.concatenate([[self.at(start)], inside, [self.at(max(end, start))]])
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -97,6 +97,8 @@ class EdgeShape:
 
     def is_like(self, other: EdgeShape) -> bool:
         """Return whether another line is equal."""
+        if self is other:
+            return True
         if (self.way, self.side, self.out) != (other.way, other.side, other.out):
             return False
         return bool(np.array_equal(self.points, other.points))
@@ -108,8 +110,8 @@ class EdgeShape:
         """
         points = self.points
         if self.way in ("curve", "loop"):
-            points = np.vstack([points[:-1:4], points[-1:]])
-        return np.hstack([points[:-1], points[1:]])
+            points = np.concatenate([points[:-1:4], points[-1:]])
+        return np.concatenate([points[:-1], points[1:]], axis=1)
 
     def distance(self, x: float, y: float) -> float:
         """Return the distance of a point from the line."""

@@ -10,6 +10,7 @@ from PySide6.QtGui import QPainter
 from smsl_studio.picture import labels
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks, hidden_names
+from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.ink import pen
 
@@ -21,7 +22,9 @@ class NameMarks:
         self._version = -1
         self._geometry: Geometry | None = None
         self._marks: HiddenMarks | None = None
-        self._leaders: dict[int, QLineF] = {}
+        self._leaders: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
+        self._older: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
+        """The leaders before the last change. Lines that did not change are the same objects."""
 
     def paint(self, painter: QPainter, sheet: Sheet, names: Mapping[int, labels.Rect]) -> None:
         """Paint a dotted line to each name that stands away from its line (mark pixels)."""
@@ -48,15 +51,18 @@ class NameMarks:
         geometry = sheet.geometry
         if self._marks is None or (self._geometry, self._version) != (geometry, sheet.version):
             self._geometry, self._version = geometry, sheet.version
-            self._marks, self._leaders = HiddenMarks(geometry), {}
+            self._marks = HiddenMarks(geometry)
+            self._older, self._leaders = self._leaders, {}
         return self._marks
 
     def _leader(self, sheet: Sheet, edge: int, rect: labels.Rect) -> QLineF:
-        found = self._leaders.get(edge)
+        shape, unit = sheet.geometry.shape(edge), sheet.unit
+        key = shape, rect, unit
+        found = self._leaders.get(key) or self._older.get(key)
         if found is None:
-            (ax, ay), (bx, by) = labels.leader(sheet.geometry.shape(edge), rect)
-            unit = sheet.unit
-            found = self._leaders[edge] = QLineF(ax / unit, ay / unit, bx / unit, by / unit)
+            (ax, ay), (bx, by) = labels.leader(shape, rect)
+            found = QLineF(ax / unit, ay / unit, bx / unit, by / unit)
+        self._leaders[key] = found
         return found
 
 

@@ -42,7 +42,7 @@ from smsl_studio.studio.base.paint.looks import Looks
 from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 
 Position = tuple[float, float]
-KEPT_UNITS = 4
+KEPT_UNITS = 8
 """How many zooms of compact nodes keep their lines and labels."""
 
 
