@@ -1,5 +1,5 @@
-"""The colours of the light and the dark theme by name, as ``#RRGGBB``, for the window and for
-files.
+"""The colours of the light, the dark and the high-contrast theme by name, as ``#RRGGBB``, for the
+window and for files.
 """
 
 from __future__ import annotations
@@ -23,6 +23,11 @@ _DARK = (
     "86AAFF 1D2A49 4565B0 0B1430 4FCB9C 12322A FF8A76 401F1B B9A8EC 2B2541 F0B34C 392A10 "
     "7E899A 3A434F B5BECA 12161C D5352A"
 )
+_CONTRAST = (
+    "000000 000000 0B0B0B 000000 4A4A4A 8A8A8A B8B8B8 FFFFFF FFFFFF F2F2F2 DADADA "
+    "FFD60A 332B00 C7A600 000000 5CF2B8 00331F FFA69A 3D0B05 D6C8FF 261A47 FFC56B 3A2500 "
+    "FFFFFF 9A9A9A FFFFFF 000000 C4221A"
+)
 
 
 def _named(colours: str) -> Colours:
@@ -30,5 +35,5 @@ def _named(colours: str) -> Colours:
     return MappingProxyType({name: f"#{colour}" for name, colour in pairs})
 
 
-LIGHT, DARK = _named(_LIGHT), _named(_DARK)
+LIGHT, DARK, CONTRAST = _named(_LIGHT), _named(_DARK), _named(_CONTRAST)
 """docs/window.md explains what each colour is for."""

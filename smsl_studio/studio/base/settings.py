@@ -13,7 +13,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from smsl_studio.home import user_folder
 
 RECENT = 10
-THEMES = ("light", "dark", "system")
+THEMES = ("light", "dark", "contrast", "system")
 
 
 class Settings:
@@ -25,7 +25,7 @@ class Settings:
 
     @property
     def theme(self) -> str:
-        """``light``, ``dark`` or ``system``."""
+        """``light``, ``dark``, ``contrast`` or ``system``."""
         value = str(self._store.value("theme", "system"))
         return value if value in THEMES else "system"
 

@@ -8,17 +8,18 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.shipped import resources_dir
-from smsl_studio.studio.base.theme import DARK, LIGHT, Tokens, text_font
+from smsl_studio.studio.base.theme import CONTRAST, DARK, LIGHT, Tokens, text_font
 
 _PLACE = re.compile(r"\{([a-z][a-z0-9]*)\}")
 
 
 def tokens_of(theme: str, app: QApplication) -> Tokens:
-    """The tokens of the theme ``light``, ``dark`` or ``system`` (the desktop's choice)."""
+    """The tokens of the theme ``light``, ``dark``, ``contrast`` or ``system`` (the desktop's
+    choice)."""
     if theme == "system":
         dark = app.styleHints().colorScheme() is Qt.ColorScheme.Dark
         return DARK if dark else LIGHT
-    return DARK if theme == "dark" else LIGHT
+    return {"dark": DARK, "contrast": CONTRAST}.get(theme, LIGHT)
 
 
 def style_sheet(tokens: Tokens) -> str:

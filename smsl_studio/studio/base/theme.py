@@ -1,7 +1,7 @@
-"""The design tokens of the window: colours, fonts and distances, in light and dark.
+"""The design tokens of the window: colours, fonts and distances, in three themes.
 
-Painters and the style sheet use these and nothing else. Both themes have the same contrast. Lengths
-are device-independent pixels.
+Painters and the style sheet use these and nothing else. Light and dark have the same contrast, and
+the third theme has more. Lengths are device-independent pixels.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ class Tokens:
 
     @property
     def dark(self) -> bool:
-        """Whether this is the dark theme."""
-        return self.name == "dark"
+        """Whether the grounds of this theme are dark."""
+        return self.win.lightness() < 128
 
     def css(self) -> dict[str, str]:
         """Every colour by name as ``#rrggbb``, for the style sheet."""
@@ -103,6 +103,7 @@ def _tokens(name: str, inks: colours.Colours) -> Tokens:
 
 LIGHT = _tokens("light", colours.LIGHT)
 DARK = _tokens("dark", colours.DARK)
+CONTRAST = _tokens("contrast", colours.CONTRAST)
 
 
 @cache

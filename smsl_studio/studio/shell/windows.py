@@ -119,7 +119,7 @@ class Windows(QObject):
         return tokens_of(self.theme, self.application)
 
     def set_theme(self, theme: str) -> None:
-        """Set and remember the theme: light, dark, or system."""
+        """Set and remember the theme: light, dark, contrast, or system."""
         self.settings.theme = theme
         dress(self.application, self.tokens)
         # All windows share the palette of the application.

@@ -94,5 +94,6 @@ def view_actions(
         Action("show_history", "History", lambda: enter("History"), "View", "",
                ("Ctrl+H",), drawn, section=3),
         theme("light", "Light theme"), theme("dark", "Dark theme"),
+        theme("contrast", "High-contrast theme"),
         theme("system", "Theme of the desktop"),
     )  # fmt: skip
