@@ -286,8 +286,9 @@ class Picture:
         short = name
         if not branch.shape.opaque:
             facts = branch.facts(name)
-            shown = enumerate(facts[:MOST_CHIPS])
-            chips = tuple(self._chip(d, value) for d, value in shown)
+            if not is_plain_word(branch, name):
+                shown = enumerate(facts[:MOST_CHIPS])
+                chips = tuple(self._chip(d, value) for d, value in shown)
             if len(facts) > MOST_CHIPS:  # the beginning and the end distinguish states
                 facts = (*facts[: MOST_CHIPS // 2], "…", *facts[-MOST_CHIPS // 2 :])
             short = "".join(facts) if branch.shape.width else " ".join(facts)
@@ -331,3 +332,13 @@ def has_words(branch: StateBranch) -> bool:
 
 def _cut(text: str, most: int) -> str:
     return f"{text[: most - 1]}…" if len(text) > most else text
+
+
+def is_plain_word(branch: StateBranch, name: str) -> bool:
+    """Return whether a name is a word such as ``Idle``, whose letters would mean nothing as chips.
+
+    It is, if it has only letters, and nothing in the file says that they are facts.
+    """
+    shape = branch.shape
+    said = shape.width != 1 or shape.written is not None or branch.subs or branch.notes.facts
+    return not said and name.isalpha() and not name.startswith("State")

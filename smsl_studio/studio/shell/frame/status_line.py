@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import PurePath
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QStatusBar, QStyle, QStyleOption, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -20,6 +20,8 @@ from smsl_studio.studio.base.words import counted
 ENDING = "Not a medical device"
 LONG = 64
 """A part wider than this may be shortened, so that the notice at the end is never cut (pixels)."""
+INSET = 6
+"""Pixels beside a message."""
 SENTENCES = {3: 100, 5: 1}
 """The stretch of the parts that can have a run's sentence: the fourth after the run, the sixth
 during it.
@@ -57,6 +59,7 @@ class StatusLine(QStatusBar):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
         self.messageChanged.connect(lambda *_: self._show_parts())
+        self.messageChanged.connect(lambda *_: self._fit_message())
         self._show_parts()
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
@@ -108,6 +111,42 @@ class StatusLine(QStatusBar):
         """All texts at the left, for tests."""
         shown = [self.nothing] if self._start else self.run if self._running else self.counts
         return " | ".join(part.text() for part in shown if part.text())
+
+    @property
+    def shown_message(self) -> str:
+        """The message as it is painted: with an ellipsis if it is too long."""
+        metrics, right = self.fontMetrics(), Qt.TextElideMode.ElideRight
+        return metrics.elidedText(
+            plain_text(self.currentMessage()), right, self._message_room().width()
+        )
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the message, shortened if it is too long; Qt would cut it without a sign."""
+        option, painter = QStyleOption(), QPainter(self)
+        option.initFrom(self)
+        self.style().drawPrimitive(QStyle.PrimitiveElement.PE_PanelStatusBar, option, painter, self)
+        if self.currentMessage():
+            painter.setPen(self.palette().windowText().color())
+            left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(self._message_room(), left, self.shown_message)
+        painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the message into the new width."""
+        super().resizeEvent(event)
+        self._fit_message()
+
+    def _message_room(self) -> QRect:
+        """The place of the message: as far as the parts at the right."""
+        rights = [self.form, self.place, *self.run_right, self.ending]
+        end = min((part.x() for part in rights if part.isVisible()), default=self.width())
+        return QRect(INSET, 0, max(end - 2 * INSET, 0), self.height())
+
+    def _fit_message(self) -> None:
+        """Have all of a message in the tooltip, if it is shortened."""
+        whole = self.currentMessage()
+        cut = bool(whole) and self.shown_message != plain_text(whole)
+        self.setToolTip(tip_text(whole if cut else ""))
 
     def _show_parts(self) -> None:
         """Show the parts of the mode. A hint replaces the left side while it is shown."""
