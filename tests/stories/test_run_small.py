@@ -38,7 +38,7 @@ def test_in_a_small_window_they_are_tabs_and_come_back(sit: Sit) -> None:
     person.until(pane.facts.isVisible)
     assert pane.facts.height() >= HEADS + 28 + ROW
     assert pane.facts.width() > 380
-    lists.show_page("State check")
+    lists.show_page("Check")
     person.until(pane.check.isVisible)
     person.window.resize(1440, 900)
     person.until(lambda: lists.names == ("Possible now", "Events"))
@@ -47,3 +47,16 @@ def test_in_a_small_window_they_are_tabs_and_come_back(sit: Sit) -> None:
         pane.facts.mapTo(pane, pane.facts.rect().bottomLeft()).y()
         < pane.check.mapTo(pane, pane.check.rect().topLeft()).y()
     ), "the state check stands below the facts"
+
+
+def test_at_640_pixels_the_page_fits_and_the_notice_is_whole(sit: Sit) -> None:
+    person = sit(HFSM, (640, 398))
+    paused(person)
+    person.window.setMinimumSize(0, 0)
+    person.window.resize(640, 398)
+    body, line = person.window.body, person.window.status_line
+    person.until(lambda: person.window.width() == 640)
+    assert body.horizontalScrollBar().maximum() == 0
+    end = line.ending
+    assert end.x() + end.width() <= line.width(), "the notice is never cut"
+    assert end.width() >= end.fontMetrics().horizontalAdvance(end.text())

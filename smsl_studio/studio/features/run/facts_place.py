@@ -22,7 +22,7 @@ ABOVE = 225
 """What the picture of the world and the timeline need above and below the tabs (pixels)."""
 ROOM = QSize(1000, 500)
 """A run page narrower or lower than this has the facts as a tab (pixels)."""
-NAMES = "Facts", "State check"
+NAMES = "Facts", "Check"
 
 
 class FactsPlace(QSplitter):

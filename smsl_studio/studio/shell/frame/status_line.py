@@ -18,7 +18,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 
 ENDING = "Not a medical device"
-LONG = 64
+LONG = 36
 """A part wider than this may be shortened, so that the notice at the end is never cut (pixels)."""
 INSET = 6
 """Pixels beside a message."""
