@@ -49,7 +49,7 @@ class Overlays:
         self.pad = HoverPad(canvas, tokens, busy)
         self.banner = Banner(canvas, tokens)
         self.word = PointerNote(canvas, tokens)
-        self.empty = EmptyHint(canvas, tokens)
+        self.empty = EmptyHint(canvas, canvas.viewport(), tokens)
         self.ring = FocusRing(canvas, tokens)
         self._hush = QTimer(canvas)
         self._hush.setSingleShot(True)

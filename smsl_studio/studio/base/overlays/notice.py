@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label
@@ -97,13 +97,14 @@ class EmptyHint(QWidget):
 
     sample_wanted = Signal()
 
-    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+    def __init__(self, parent: QWidget, below: QWidget, tokens: Tokens) -> None:
+        """``below`` is the drawing, which gets what the mouse does beside the button."""
         super().__init__(parent)
-        self.tokens = tokens
+        self.tokens, self._below = tokens, below
         self._label = Label("Double-click to add the first state", self)
         self._label.setFont(text_font(14))
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        # A double click on the words must reach the canvas below.
+        # A double click on the words must reach the canvas below, see ``event``.
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.sample = QPushButton("Open sample", self)
         self.sample.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -119,6 +120,20 @@ class EmptyHint(QWidget):
         """Use the colours of another theme."""
         self.tokens = tokens
         tint(self._label, tokens.tx2)
+
+    def event(self, event: QEvent) -> bool:
+        """Hand clicks and moves of the mouse to the drawing below."""
+        if isinstance(event, QMouseEvent):
+            at = self._below.mapFromGlobal(event.globalPosition())
+            QApplication.sendEvent(
+                self._below,
+                QMouseEvent(
+                    event.type(), at, event.globalPosition(), event.button(), event.buttons(),
+                    event.modifiers(),
+                ),
+            )  # fmt: skip
+            return True
+        return super().event(event)
 
     def sizeHint(self) -> QSize:
         """320 by 96 pixels."""
