@@ -73,6 +73,10 @@ class DockFold(QObject):
         if not self.folded:
             height = self.own or usual_height(self._window.height())
             self._window.resizeDocks([self._dock], [height], Qt.Orientation.Vertical)
+            # At once: the drawing must not move later, when somebody works on it already.
+            layout = self._window.layout()
+            if layout is not None and self._window.isVisible():
+                layout.activate()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Note the height that a person gives the dock. Only the edges of docks get a press of the
