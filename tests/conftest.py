@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import itertools
 import logging
 import os
@@ -43,6 +44,21 @@ def home(_homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SMSL_STUDIO_HOME", str(folder))
     monkeypatch.delenv("SMSL_PLUGIN_PATH", raising=False)
     return folder
+
+
+@pytest.fixture(autouse=True)
+def _garbage_of_windows(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a test of windows leaves is collected in this thread, not in a worker thread of it.
+
+    Qt crashes if a widget is freed in another thread.
+    """
+    if "qapp" not in request.fixturenames:
+        yield
+        return
+    gc.disable()
+    yield
+    gc.collect(1)
+    gc.enable()
 
 
 class PatientBot(QtBot):

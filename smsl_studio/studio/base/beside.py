@@ -1,77 +1,65 @@
-"""Work in a second thread, so that the window does not freeze; one task after the other."""
+"""Work in a second thread, so that the window does not freeze; one task after the other.
+
+Qt crashes if an object of its own is freed in another thread than its own, and Python frees an
+object where its last reference is given up. So the window's thread keeps all that a task holds
+until the worker thread has let go of it, also when the window is closed in the meantime. The worker
+touches no object of Qt: the window's thread looks whether a task is done.
+"""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 from smsl_studio.stop import Stopped, heeding
 
 Came = TypeVar("Came")
 
+LOOK = 2
+"""Milliseconds between two looks at a task that is being done."""
+
 
 class Beside(QObject):
-    """One worker thread with a queue. Results arrive in the thread of this object.
-
-    It does not use Qt's thread pool: if a task of that pool ends before Qt has taken it over, it is
-    never freed, nor what it holds.
-    """
+    """One worker thread with a queue. Results arrive in the thread of this object."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._thread = ThreadPoolExecutor(1)
-        self._waiting: list[Future[None]] = []
-        self._wanted = _Wanted()
+        self._tasks = tasks = _Tasks()
         self._stopped = False
-        # No parent, because a task that outlives this object still emits its signals.
-        self._told = _Result()
-        self._told.done.connect(self._hand_over)
-        self._told.failed.connect(self._failed)
+        # The tasks outlive this object, so the function does not hold it.
+        self.destroyed.connect(lambda: tasks.forget())
 
     def do(self, work: Callable[[], Came], then: Callable[[Came], object]) -> None:
         """Queue ``work`` for the worker thread; ``then`` gets its result in this thread.
 
         An exception from ``work`` is raised again in this thread, where unsaved work is kept.
         """
-        if self._stopped:
-            return
-        self._waiting = [one for one in self._waiting if not one.done()]
-        self._waiting.append(self._thread.submit(_do, work, then, self._told, self._wanted))
+        if not self._stopped:
+            task = _Task(work, then, self._tasks.wanted)
+            self._tasks.add(task, self._thread.submit(task.do))
 
     def drop(self) -> None:
         """Cancel what has not begun, and call off the running task if it heeds that (see
         ``stop.heed``)."""
-        self._wanted.ends = True
-        self._wanted = _Wanted()
-        for one in self._waiting:
-            one.cancel()
+        self._tasks.drop()
 
     def wait(self) -> None:
         """Wait until all tasks are done. Their results are handed over later."""
-        wait(self._waiting)
+        self._tasks.wait()
 
     def stop(self) -> None:
         """Hand over no further results and do not wait.
 
         The running task is called off if it heeds that. Otherwise it ends by itself.
         """
-        self._stopped = self._wanted.ends = True
+        self._stopped = True
+        self._tasks.forget()
         self._thread.shutdown(wait=False, cancel_futures=True)
-
-    def _hand_over(self, then: Callable[[Came], object], came: Came) -> None:
-        if not self._stopped:
-            then(came)
-
-    def _failed(self, error: Exception) -> None:
-        raise error
-
-
-class _Result(QObject):
-    done = Signal(object, object)
-    failed = Signal(object)
 
 
 class _Wanted:
@@ -86,15 +74,102 @@ class _Wanted:
             raise Stopped
 
 
-def _do(
-    work: Callable[[], Came], then: Callable[[Came], object], told: _Result, wanted: _Wanted
-) -> None:
-    try:
-        with heeding(wanted.heed):
-            came = work()
-    except Stopped:
-        return
-    except Exception as error:
-        told.failed.emit(error)
-    else:
-        told.done.emit(then, came)
+class _Task:
+    """One task. The worker thread fills in what came, the window's thread empties the task."""
+
+    def __init__(
+        self, work: Callable[[], Any], then: Callable[[Any], object], wanted: _Wanted
+    ) -> None:
+        self._work: Callable[[], Any] | None = work
+        self._then: Callable[[Any], object] | None = then
+        self._wanted = wanted
+        self._came: Any = None
+        self._error: Exception | None = None
+        self._called_off = False
+
+    def do(self) -> None:
+        """Do the work, in the worker thread."""
+        assert self._work is not None
+        try:
+            with heeding(self._wanted.heed):
+                self._came = self._work()
+        except Stopped:
+            self._called_off = True
+        except Exception as error:
+            self._error = error
+
+    def empty(self) -> Callable[[], object]:
+        """Take out all that the task holds. The returned function hands over what came."""
+        then, came, error = self._then, self._came, self._error
+        called_off = self._called_off
+        self._work = self._then = self._came = self._error = None
+
+        def hand_over() -> None:
+            """Give the result to who asked for it, or raise the error of the work."""
+            if error is not None:
+                raise error
+            if then is not None and not called_off:
+                then(came)
+
+        return hand_over
+
+
+class _Tasks:
+    """The tasks of one worker thread that were not handed over yet, the oldest first."""
+
+    def __init__(self) -> None:
+        self.wanted = _Wanted()
+        self._tasks: deque[tuple[_Task, Future[None]]] = deque()
+        self._timer: QTimer | None = None
+        self._forgotten = False
+
+    def add(self, task: _Task, future: Future[None]) -> None:
+        """Add a task that was given to the worker thread."""
+        self._tasks.append((task, future))
+        if self._timer is None:
+            # A child of the application, because the tasks may outlive the window.
+            self._timer = QTimer(QCoreApplication.instance())
+            self._timer.setSingleShot(True)
+            self._timer.timeout.connect(lambda: self._look())
+            self._timer.start(LOOK)
+
+    def wait(self) -> None:
+        """Wait until all tasks are done."""
+        wait([future for _, future in self._tasks])
+        if self._timer is not None:
+            self._timer.start(0)
+
+    def drop(self) -> None:
+        """Cancel what has not begun, and call off the running task."""
+        self.wanted.ends = True
+        self.wanted = _Wanted()
+        for one in tuple(self._tasks):
+            task, future = one
+            if future.cancel():
+                self._tasks.remove(one)
+                task.empty()
+
+    def forget(self) -> None:
+        """Hand over no further results."""
+        self._forgotten = True
+        self.drop()
+
+    def _look(self) -> None:
+        """Hand over the results of the tasks that are done."""
+        while self._tasks and self._tasks[0][1].done():
+            task, _ = self._tasks.popleft()
+            hand_over = task.empty()
+            # Before the result is handed over, because that may open a dialog and wait for it.
+            self._look_again()
+            if not self._forgotten:
+                hand_over()
+        self._look_again()
+
+    def _look_again(self) -> None:
+        if self._timer is None:
+            return
+        if self._tasks:
+            self._timer.start(LOOK)
+        else:
+            self._timer.deleteLater()
+            self._timer = None

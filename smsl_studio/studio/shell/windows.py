@@ -17,6 +17,7 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.shell.departure import Departure
 from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.sweeper import Sweeper
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
@@ -80,6 +81,7 @@ class Windows(QObject):
         self.plugins = plugins or Plugins()
         self.spare = spare
         self.persons = Persons(settings)
+        self._sweeper = Sweeper(self)
         self._open: list[OpenWindow] = []
         self._closed: list[OpenWindow] = []
         # A method and not a lambda, so that Qt disconnects it when this object is deleted.

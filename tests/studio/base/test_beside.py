@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 import pytest
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QEvent, QEventLoop, QObject
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -138,3 +138,64 @@ def test_done_or_dropped_work_is_freed(beside: Beside, qapp: QApplication) -> No
     beside.wait()
     gc.collect()
     assert [ref for ref in held if ref() is not None] == []
+
+
+@pytest.mark.parametrize("end", [Beside.drop, Beside.stop, Beside.parent, None])
+def test_what_a_task_holds_is_freed_in_this_thread(
+    qapp: QApplication, qtbot: QtBot, end: Callable[[Beside], object] | None
+) -> None:
+    """Qt crashes if a widget is freed in another thread."""
+    parent = QObject()
+    beside = Beside(parent)
+    going, go = threading.Event(), threading.Event()
+    ends: list[tuple[str, bool]] = []
+    here = threading.get_ident()
+    things = Thing(), Thing()
+
+    def freed(name: str) -> None:
+        ends.append((name, threading.get_ident() == here))
+
+    for name, thing in zip(("work", "then"), things, strict=True):
+        weakref.finalize(thing, freed, name)
+
+    def work(held: Thing) -> bool:
+        going.set()
+        return go.wait() and held is not None
+
+    def then(held: Thing, came: bool) -> None:
+        assert held is not None
+        assert came
+
+    beside.do(partial(work, things[0]), partial(then, things[1]))
+    del things, thing
+    going.wait()
+    if end is None:
+        del beside
+        parent.deleteLater()
+        qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    else:
+        end(beside)
+    go.set()
+    qtbot.waitUntil(lambda: len(ends) == 2)
+    assert sorted(ends) == [("then", True), ("work", True)]
+
+
+def test_results_come_also_while_a_dialog_of_the_result_before_is_open(
+    beside: Beside, qtbot: QtBot
+) -> None:
+    came: list[str] = []
+    dialog = QEventLoop()
+
+    def open_dialog(words: str) -> None:
+        came.append(words)
+        dialog.exec()
+        came.append("closed")
+
+    def close_dialog(words: str) -> None:
+        came.append(words)
+        dialog.quit()
+
+    beside.do(lambda: "first", open_dialog)
+    beside.do(lambda: "second", close_dialog)
+    qtbot.waitUntil(lambda: len(came) == 3)
+    assert came == ["first", "second", "closed"]
