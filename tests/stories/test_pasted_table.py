@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from threading import Event
+from typing import Any
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
@@ -23,6 +25,20 @@ def empty_clipboard(qapp: QGuiApplication) -> Iterator[None]:
     """What one story leaves on the clipboard is not there in the next."""
     yield
     QGuiApplication.clipboard().clear()
+
+
+@pytest.fixture
+def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
+    """A table is not put in before this is set, however quick the machine is."""
+    gate, put_in = Event(), editing.paste_states
+
+    def paste_states(*given: Any) -> Any:
+        gate.wait()
+        return put_in(*given)
+
+    monkeypatch.setattr(editing, "paste_states", paste_states)
+    yield gate
+    gate.set()
 
 
 def paste(person: Person, text: str) -> None:
@@ -139,7 +155,7 @@ def long_table() -> str:
     return "".join(f"State_{at}\tgo\tState_{at + 1}\n" for at in range(3_000))
 
 
-def test_a_long_table_is_pasted_beside_the_window_as_one_step(sit: Sit) -> None:
+def test_a_long_table_is_pasted_beside_the_window_as_one_step(sit: Sit, gate: Event) -> None:
     person = sit()
     before = person.blueprint.document.text
     paste(person, long_table())
@@ -151,6 +167,7 @@ def test_a_long_table_is_pasted_beside_the_window_as_one_step(sit: Sit) -> None:
     assert card.cancel.hasFocus()
     assert not card.agree.isEnabled()
     assert person.blueprint.document.text == before
+    gate.set()
     person.until(lambda: not card.isVisible())
     assert len(person.blueprint["SB1"].table) == 3_001
     assert person.steps() == ["Paste 3,001 states and 3,000 operations"]
@@ -160,7 +177,7 @@ def test_a_long_table_is_pasted_beside_the_window_as_one_step(sit: Sit) -> None:
 
 
 @pytest.mark.parametrize("way", ["escape", "edit", "undo", "close"])
-def test_a_long_paste_is_called_off(sit: Sit, way: str) -> None:
+def test_a_long_paste_is_called_off(sit: Sit, gate: Event, way: str) -> None:
     person = sit()
     window = person.window
     window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
@@ -179,6 +196,7 @@ def test_a_long_paste_is_called_off(sit: Sit, way: str) -> None:
         window.features.stop()
     after = person.blueprint.document.text
     assert way == "close" or not clipping.table_card.isVisible()
+    gate.set()
     clipping.finish()
     QApplication.processEvents()
     assert person.blueprint.document.text == after
