@@ -68,6 +68,9 @@ class Picture:
     """
 
     bundles = NO_BUNDLES
+    collapsed = False
+    """Whether operations between the same two states are drawn as one line, where nothing speaks
+    against it."""
 
     def __init__(
         self, blueprint: Blueprint, branch: str, crowd: int = 0, words: bool = False
@@ -111,6 +114,12 @@ class Picture:
     def all_bundles(self) -> Bundles:
         """The bundles of all operations that can be in one."""
         return bundles_of(self.source, self.target)
+
+    def collapse(self) -> Picture:
+        """Return the same picture, collapsed. A line that is drawn by hand stays by itself."""
+        found = self.bundled(self.all_bundles.without(self.edge_layouts()))
+        found.collapsed = True
+        return found
 
     def bundled(self, bundles: Bundles) -> Picture:
         """Return the same picture with these bundles."""

@@ -31,12 +31,7 @@ def draw_blueprint(
     refuse_too_many(blueprint, branches, "Name those to draw with --sb.")
     crowd = crowd_of(blueprint, branches)
     pictures = (Picture(blueprint, name, crowd) for name in branches)
-    return [_panel(_collapsed(one) if collapsed else one, colours) for one in pictures]
-
-
-def _collapsed(picture: Picture) -> Picture:
-    """Return a picture with bundles. What somebody has drawn by hand keeps its own line."""
-    return picture.bundled(picture.all_bundles.without(picture.edge_layouts()))
+    return [_panel(one.collapse() if collapsed else one, colours) for one in pictures]
 
 
 def _panel(picture: Picture, colours: Colours) -> SvgPanel:

@@ -18,6 +18,12 @@ from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Floats, Point
+from smsl_studio.studio.base.canvas.bundle_layer import (
+    bundles_among,
+    lines_alone,
+    paint_bundles,
+    paint_counts,
+)
 from smsl_studio.studio.base.canvas.edge_reaches import Numbers
 from smsl_studio.studio.base.canvas.hidden_marks import NameMarks
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
@@ -72,12 +78,13 @@ class EdgePainter:
 
     def _paint_near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
         geometry, looks = sheet.geometry, sheet.looks
-        rest = [e for e in edges if not looks.is_lit(e)]
-        geometry.prepare(rest)
+        geometry.prepare(edges)
+        rest = [e for e in lines_alone(sheet, edges) if not looks.is_lit(e)]
         ink = LineInk(sheet.ink, sheet.unit, sheet.compact)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         shapes, look = [geometry.shape(e) for e in rest], looks.plain
         paint_plain(painter, shapes, look, ink, self._drawn)
+        paint_bundles(painter, sheet, bundles_among(sheet, edges))
 
     def paint_names(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         """Paint the names of the exposed edges, if these are painted one by one."""
@@ -85,7 +92,7 @@ class EdgePainter:
         if not self._near or looks.marks.dimmed:
             return
         edges = sheet.edges_in(*_sides(exposed)).tolist()
-        rest = [edge for edge in edges if not looks.is_lit(edge)]
+        rest = [edge for edge in lines_alone(sheet, edges) if not looks.is_lit(edge)]
         look = looks.plain
         painter.save()
         painter.scale(unit, unit)
@@ -95,6 +102,7 @@ class EdgePainter:
             centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
             paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
         self._marks.paint_hidden(painter, sheet, edges)
+        paint_counts(painter, sheet, bundles_among(sheet, edges))
         painter.restore()
 
     def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:

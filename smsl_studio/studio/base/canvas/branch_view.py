@@ -72,12 +72,16 @@ class BranchView(DrawnStage):
     verb_wanted = Signal(str)
     """The id of a window action whose key was pressed: copy, cut, paste, duplicate, find,
     set_value."""
+    collapse_wanted = Signal(bool)
+    """Draw operations between the same two states as one line, or each by itself."""
     hover_changed = Signal(object)
     """Address under the pointer, or None."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
         self.editing = True
+        self.crowded = False
+        """Whether the SB has so many operations that it is or can be collapsed."""
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
         """Called with (source, target): why there can be no such operation; empty if there can."""
         self.state_pick: Callable[[Address], bool] = lambda address: False

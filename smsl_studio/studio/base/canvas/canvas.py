@@ -6,7 +6,7 @@ User requests leave it as signals, and ``CanvasEditor`` turns them into edits of
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import (
@@ -28,6 +28,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.crowded import is_crowded, may_be_crowded
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
@@ -49,7 +50,9 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
-        self._fitted, self._words = False, False
+        self._fitted = self._words = self._collapsed = self._judged = False
+        self.collapse_choice: Callable[[], bool | None] = lambda: False
+        """Whether the person wants SBs collapsed; None if nobody said so: then crowded ones are."""
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -82,7 +85,10 @@ class Canvas(BranchView):
             if positions is None:
                 positions = place_states(picture.branch)
             former = self.sheet if self.sheet and self.sheet.is_of(branch) else None
-            sheet = Sheet(picture, positions, self.ink, self.marks, former)
+            if not (keep_view and self._judged):
+                self._judge(picture, positions)
+            shown = picture.collapse() if self._collapsed else picture
+            sheet = Sheet(shown, positions, self.ink, self.marks, former)
         self.show_sheet(sheet)
         if not keep_view:
             self.look_at_opening()
@@ -90,6 +96,34 @@ class Canvas(BranchView):
         self.hand.show_grip()
         self.hand.look_again()
         self._describe()
+
+    def _judge(self, picture: Picture, positions: Mapping[str, Position]) -> None:
+        """Find out whether an SB that opens is to be collapsed: as the person chose, else if its
+        names have no room."""
+        chosen, self.crowded, self._judged = self.collapse_choice(), False, True
+        if self.editing and may_be_crowded(picture):
+            plain = Sheet(picture, positions, self.ink, Marks())
+            self.crowded = is_crowded(plain.geometry)
+        self._collapsed = self.editing and (self.crowded if chosen is None else chosen)
+        self.crowded = self.crowded or self._collapsed
+
+    def judge_anew(self) -> None:
+        """Another file comes next: it is collapsed or not whatever the present one is."""
+        self._judged = False
+
+    @property
+    def collapsed(self) -> bool:
+        """Whether operations between the same two states are drawn as one line."""
+        return self._collapsed
+
+    def set_collapsed(self, on: bool) -> None:
+        """Draw operations between the same two states as one line, or each by itself."""
+        sheet = self.sheet
+        if on != self._collapsed:
+            self._collapsed, self.crowded = on, True
+            if sheet is not None:
+                name, places = sheet.picture.branch.name, self.positions
+                self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
 
     @property
     def words(self) -> bool:

@@ -8,6 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.bundle_card import bundle_at
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, takes
 from smsl_studio.studio.base.canvas.hidden_marks import hidden_tip
@@ -74,7 +75,7 @@ class Hover:
         target.
         """
         edge = sheet.looks.hovered_edge
-        if edge < 0 or not self._canvas.editing or edge != sheet.edge_at(point.x(), point.y()):
+        if edge < 0 or not self._canvas.editing or edge != sheet.operation_at(point.x(), point.y()):
             return False
         return self._is_at_tip(sheet, edge, point, REACH)
 
@@ -130,6 +131,8 @@ class Hover:
             return
         labels = canvas.lit_layer.shown()
         looks.hovered_state, looks.hovered_edge = state, edge
+        bundle = bundle_at(canvas, edge)
+        self._overlays.bundle.hover(bundle)
         canvas.update_lit(labels)
         canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
         for node in (before[0], state):
@@ -140,7 +143,7 @@ class Hover:
         address = None
         if state >= 0:
             address = sheet.address_of_state(state)
-        elif edge >= 0:
+        elif edge >= 0 > bundle:
             address = sheet.picture.address(edge)
         self._overlays.hover(address)
         canvas.hover_changed.emit(address)
@@ -170,7 +173,7 @@ class Hover:
         elif state >= 0:
             face = sheet.picture.face(state)
             tip = face.name if not face.title else f"{face.name}\n{face.title}"
-        elif edge >= 0:
+        elif edge >= 0 > bundle_at(self._canvas, edge):
             hidden = hidden_tip(sheet, edge) if sheet.level >= Level.COMPACT else ""
             tip = "\n".join(filter(None, (edge_tip(self._canvas, edge), hidden)))
         if self._canvas.viewport().toolTip() != tip:

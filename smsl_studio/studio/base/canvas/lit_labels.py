@@ -12,6 +12,7 @@ from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import COMPACT_SIZE, Level
 from smsl_studio.picture.shape import EdgeShape
+from smsl_studio.studio.base.canvas.bundle_layer import lines_alone
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.edge_paint import (
     EdgeLook,
@@ -71,9 +72,13 @@ class LitLabels:
 
 
 def by_weight(sheet: Sheet) -> list[int]:
-    """The highlighted edges in the order of painting: the most important is last and on top."""
+    """The highlighted edges in the order of painting: the most important is last and on top.
+
+    Edges in bundles are left out.
+    """
     # If everything is selected in a large SB, 20,000 edges must not be painted one by one.
-    return sorted(sheet.looks.lit_edges[:2000], key=lambda e: _weight(sheet.edge_look(e)))
+    lit = lines_alone(sheet, sheet.looks.lit_edges[:2000])
+    return sorted(lit, key=lambda e: _weight(sheet.edge_look(e)))
 
 
 def _weight(look: EdgeLook) -> int:

@@ -7,7 +7,12 @@ from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.picture.labels import Rect
-from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
+from smsl_studio.studio.base.canvas.bundle_layer import (
+    chosen_bundles,
+    paint_bundles,
+    paint_counts,
+)
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.edge_paint import (
@@ -70,9 +75,12 @@ class LitLayer(QGraphicsItem):
         for edge in order:
             shape = geometry.shape(edge)
             paint_line(painter, shape, looks.edge(edge), ink)
+        chosen = chosen_bundles(sheet) if sheet.level >= Level.COMPACT else []
+        paint_bundles(painter, sheet, chosen, chosen=True)
         painter.restore()
         painter.save()
         painter.scale(unit, unit)
+        paint_counts(painter, sheet, chosen, chosen=True)
         for edge in order:
             look, shape = looks.edge(edge), geometry.shape(edge)
             if look.pruned or look.held_back or look.risky:

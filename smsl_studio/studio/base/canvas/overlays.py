@@ -9,16 +9,19 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, QRect, QSize, QTimer
 from PySide6.QtGui import QCursor
+from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.branch_view import TOP, BranchView
+from smsl_studio.studio.base.canvas.bundle_card import BundleCard
 from smsl_studio.studio.base.canvas.hover_pad import HoverPad
 from smsl_studio.studio.base.canvas.mini_map import MiniMap
 from smsl_studio.studio.base.canvas.zoom_control import ZoomControl
 from smsl_studio.studio.base.overlays.breadcrumb import Breadcrumb
+from smsl_studio.studio.base.overlays.dense_legend import DenseLegend
 from smsl_studio.studio.base.overlays.focus_outline import FocusRing
 from smsl_studio.studio.base.overlays.key import Key
 from smsl_studio.studio.base.overlays.legend import Legend, RunLegend
@@ -47,6 +50,8 @@ class Overlays:
         self.map = MiniMap(canvas, tokens)
         self.key = Key(canvas, tokens)
         self.pad = HoverPad(canvas, tokens, busy)
+        self.bundle = BundleCard(canvas, tokens)
+        self.dense = DenseLegend(canvas, tokens)
         self.banner = Banner(canvas, tokens)
         self.word = PointerNote(canvas, tokens)
         self.empty = EmptyHint(canvas, canvas.viewport(), tokens)
@@ -56,11 +61,14 @@ class Overlays:
         self._hush.setInterval(SPOKEN)
         self._hush.timeout.connect(self.hush)
         self.breadcrumb.clicked.connect(self._crumb)
+        self.dense.collapse_wanted.connect(canvas.collapse_wanted)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Give all floating widgets the colours of another theme."""
         for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
             widget.set_tokens(tokens)
+        self.bundle.set_tokens(tokens)
+        self.dense.set_tokens(tokens)
         for plain in (self.breadcrumb, self.legend, self.run_legend, self.key, self.ring):
             plain.tokens = tokens
             plain.update()
@@ -77,6 +85,7 @@ class Overlays:
             kinds |= {"guard"}
         if sheet is not None:
             self.legend.show_branch(sheet.picture.branch, kinds)
+        self.show_dense()
         self.show_empty()
         # During a run the run's own header and buttons take the place of the breadcrumb.
         self.breadcrumb.setVisible(self._canvas.editing)
@@ -86,6 +95,9 @@ class Overlays:
     def show_marks(self, marks: Marks) -> None:
         """Show the legend that fits the marks: during a run that of the run."""
         sheet = self._canvas.sheet
+        self.bundle.follow()
+        if self.show_dense():
+            self._place_dense()
         guarded = sheet is not None and bool(sheet.picture.guarded)
         anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
         # A merge dims what did not change, but its signs are not those of a run.
@@ -93,6 +105,18 @@ class Overlays:
         if dimmed != self._dimmed or (anew and dimmed):
             self._dimmed = dimmed
             self._place_legend()
+
+    def show_dense(self) -> bool:
+        """Show what is collapsed, in a drawing that is or was; returns whether the legend has
+        another size."""
+        sheet, before = self._canvas.sheet, (self.dense.empty, self.dense.size())
+        if sheet is None or not self._canvas.editing or not self._canvas.crowded:
+            self.dense.show_counts(False, 0, 0)
+        else:
+            every, now = sheet.picture.all_bundles.members, sheet.picture.bundles
+            whole = sum(own == now.members.get(first) for first, own in every.items())
+            self.dense.show_counts(sheet.picture.collapsed, len(every), len(every) - whole)
+        return before != (self.dense.empty, self.dense.size())
 
     def show_zoom(self, zoom: float) -> None:
         """Show the zoom; 1.0 is 100 %."""
@@ -137,8 +161,32 @@ class Overlays:
             at = corner
         crumb.setGeometry(QRect(at, crumb.sizeHint()))
 
+    def _place_dense(self) -> None:
+        """Put the legend of a dense drawing where it covers no state, best at the bottom left."""
+        dense, canvas = self.dense, self._canvas
+        size, foot = dense.sizeHint(), canvas.height() - dense.height() - EDGE
+        middle = (canvas.width() - size.width()) // 2
+        below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
+        places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
+        free = (at for at in places if not self._taken(at, size, dense))
+        clear = next((at for at in free if not self._on_states(at, size)), None)
+        dense.setVisible(clear is not None and not dense.empty)
+        if clear is not None:
+            dense.move(clear)
+
+    def _on_states(self, corner: QPoint, size: QSize) -> bool:
+        """Whether a widget of this size at this corner covers a state or a note."""
+        sheet = self._canvas.sheet
+        if sheet is None:
+            return False
+        near = self._canvas.mapToScene(corner - QPoint(6, 6))
+        far = self._canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
+        sides = near.x(), near.y(), far.x(), far.y()
+        return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
+
     def _place_legend(self) -> None:
         """Put the legend in a corner where it covers nothing, or hide it."""
+        self._place_dense()
         legend: Legend | RunLegend = self.run_legend if self._dimmed else self.legend
         (self.legend if self._dimmed else self.run_legend).hide()
         legend.resize(legend.sizeHint())
@@ -155,15 +203,17 @@ class Overlays:
         if place is not None:
             legend.move(place)
 
-    def _taken(self, corner: QPoint, size: QSize) -> bool:
+    def _taken(self, corner: QPoint, size: QSize, itself: QWidget | None = None) -> bool:
         """Whether another floating widget is there."""
         area = QRect(corner, size)
-        others = (self.zoom, self.map, self.key, self.breadcrumb)
-        return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
+        others = (self.zoom, self.map, self.key, self.breadcrumb, self.dense)
+        shown = (one for one in others if one is not itself and not one.isHidden())
+        return any(one.geometry().intersects(area) for one in shown)
 
     def floats(self) -> list[QRect]:
         """The places of the permanent floating widgets that are shown, in pixels of the view."""
-        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
+        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend,
+                 self.dense)  # fmt: skip
         return [part.geometry() for part in parts if not part.isHidden()]
 
     def floats_in(self, area: QRect) -> bool:
@@ -204,6 +254,7 @@ class Overlays:
         """Hide the sentence and the hover pad: their states may be gone or elsewhere now."""
         self.hush()
         self.pad.go()
+        self.bundle.go()
 
     def hover(self, address: Address | None) -> None:
         """Pass the element under the pointer to the hover pad; None for none."""
@@ -212,6 +263,7 @@ class Overlays:
     def view_moved(self) -> None:
         """Update the widgets after a scroll or zoom."""
         self.pad.go()
+        self.bundle.follow()
         self._count_outside()
         self._place_breadcrumb()
         if not self._canvas.camera.fitted:
@@ -262,10 +314,7 @@ class Overlays:
         canvas, sheet = self._canvas, self._canvas.sheet
         if sheet is None or canvas.camera.fitted:
             return self._covers(corner, size)
-        near = canvas.mapToScene(corner - QPoint(6, 6))
-        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
-        sides = near.x(), near.y(), far.x(), far.y()
-        return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
+        return self._on_states(corner, size)
 
     def _covers(self, corner: QPoint, size: QSize) -> bool:
         """Whether a widget of this size at this corner covers nodes or lines of a fitted

@@ -16,6 +16,7 @@ import numpy as np
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
+from smsl_studio.picture.bundles import chip_size
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.former import Routing
 from smsl_studio.picture.geometry import Geometry
@@ -34,6 +35,7 @@ from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
 from smsl_studio.studio.base.canvas.edge_reaches import EdgeReaches, Numbers
+from smsl_studio.studio.base.canvas.opened import opened
 from smsl_studio.studio.base.paint import edge_paint, node_paint
 from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
 from smsl_studio.studio.base.paint.guard_sign import DECLARED
@@ -63,6 +65,7 @@ class Sheet:
         self.lines: dict[int, EdgeLayout] = picture.edge_layouts()
         """The edges whose line or label is drawn by hand."""
         self.looks = Looks(picture, marks)
+        self.picture = opened(picture, self.looks)
         self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
         self.version = 0
         """Increased whenever lines or labels change their place."""
@@ -136,6 +139,7 @@ class Sheet:
         moved = np.nonzero((at != self.at).any(axis=1))[0].tolist()
         self.move({state: tuple(at[state].tolist()) for state in moved})
         self.lines = self.picture.edge_layouts()
+        self.picture = opened(self.picture, self.looks)
 
     def redraw(self, edge: int, layout: EdgeLayout) -> None:
         """Draw a line in another way during a drag."""
@@ -173,10 +177,14 @@ class Sheet:
     def change_marks(self, marks: Marks) -> tuple[set[int], set[int]]:
         """Set other marks; returns the numbers of the states and edges that look different now.
 
-        Findings change the width of labels, so a small picture is labelled again.
+        Findings change the width of labels, so a small picture is labelled again. In a collapsed
+        one a selected state opens its bundles.
         """
         relabel = marks.findings != self.looks.marks.findings and self.picture.small
         changed = self.looks.change(marks)
+        picture = opened(self.picture, self.looks)
+        relabel = relabel or picture is not self.picture
+        self.picture = picture
         if relabel:
             self._route_anew()
             return changed[0], set(range(len(self.picture.operations)))
@@ -298,7 +306,10 @@ class Sheet:
     def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
         text = self.text(edge)
         w, h = label_size(text, self.ink)
-        if self.looks.edge(edge).finding:
+        count = self.picture.bundles.count(edge)
+        if count:
+            w, h = chip_size(count)
+        elif self.looks.edge(edge).finding:
             w, h = boxed_width(text, self.ink), 18.0
         return w * unit, h * unit
 
@@ -315,10 +326,11 @@ class Sheet:
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
         """The edge whose label or line is at a scene point, -1 for none; ``reach`` is in pixels."""
         if self.level < Level.COMPACT:
-            near: Iterable[int] = self.looks.lit_edges
+            near: Iterable[int] = map(self.picture.line_of, self.looks.lit_edges)
         else:
             r = reach * self.unit
-            near = self.edges_in(x - r, y - r, x + r, y + r).tolist()
+            every = self.edges_in(x - r, y - r, x + r, y + r).tolist()
+            near = dict.fromkeys(map(self.picture.line_of, every))
         geometry = self.geometry
         best, distance = -1, reach * self.unit
         for edge in near:
@@ -333,6 +345,11 @@ class Sheet:
                 if away < distance:
                     best, distance = edge, away
         return best
+
+    def operation_at(self, x: float, y: float) -> int:
+        """The one operation whose label or line is at a scene point, -1 for none or a bundle."""
+        edge = self.edge_at(x, y)
+        return -1 if self.picture.bundles.count(edge) else edge
 
     def is_drawn_on(self, left: float, top: float, right: float, bottom: float) -> bool:
         """Whether a rectangle (scene units) touches a node, a note, a group's title, or a line of

@@ -184,14 +184,14 @@ class Stage(QGraphicsView):
         return QRectF(x - w, y - h, 2 * w, 2 * h)
 
     def address_at(self, at: QPointF) -> Address | None:
-        """The element at a scene point: a state before an operation; None for none."""
+        """The element at a scene point: a state before an operation; None for none or a bundle."""
         sheet = self._sheet
         if sheet is None:
             return None
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
             return sheet.address_of_state(state)
-        edge = sheet.edge_at(at.x(), at.y())
+        edge = sheet.operation_at(at.x(), at.y())
         return sheet.picture.address(edge) if edge >= 0 else None
 
     # Moving without rebuilding

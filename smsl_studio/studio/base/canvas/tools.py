@@ -93,6 +93,9 @@ class Hand:
         if drawn is not None:
             return press_drawn(canvas, event, drawn)
         edge = sheet.edge_at(at.x(), at.y())
+        if edge >= 0 and sheet.picture.bundles.count(edge):
+            self._overlays.bundle.open(edge)
+            return None
         if edge >= 0:
             address = sheet.picture.address(edge)
             chosen = selection_after(canvas.extended(), address, event.modifiers())
@@ -132,6 +135,12 @@ class Hand:
             gesture.cancel()
             self._cursor()
         return gesture is not None
+
+    def _close_card(self) -> bool:
+        """Close the card of a bundle; whether it was open."""
+        open_ = self._overlays.bundle.edge >= 0
+        self._overlays.bundle.go()
+        return open_
 
     def _use_tool(
         self, act: Callable[[ConnectTool, QMouseEvent], None], event: QMouseEvent
@@ -192,7 +201,7 @@ class Hand:
                 canvas.rename_wanted.emit(sheet.address_of_state(state))
             return
         edge = sheet.edge_at(at.x(), at.y())
-        if not canvas.editing:
+        if not canvas.editing or sheet.picture.bundles.count(edge):
             return
         drawn = canvas.drawn_at(at)
         if drawn is not None:
@@ -256,7 +265,7 @@ class Hand:
                 self._space = True
                 self._cursor()
             return True
-        if event.key() == Qt.Key.Key_Escape and self._drop_gesture():
+        if event.key() == Qt.Key.Key_Escape and (self._drop_gesture() or self._close_card()):
             return True
         tool = self._gesture
         if isinstance(tool, ConnectTool) and event.key() in keys.ENTER and tool.take_selected():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -83,6 +83,12 @@ class EdgeLook:
                 or self.conflict
             )
         )
+
+    @property
+    def stands_out(self) -> bool:
+        """Whether a mark other than a note of the inspection or the pointer is on the edge."""
+        plain = replace(self, hovered=False, finding="" if self.finding == "I" else self.finding)
+        return plain.lit
 
 
 PLAIN = EdgeLook()

@@ -18,6 +18,8 @@ class Looks:
         self._picture = picture
         self.marks = marks
         self.hovered_state, self.hovered_edge = -1, -1
+        self.shown_bundle = -1
+        """An edge of the bundle whose card is open, -1 for none."""
         self._nodes: dict[int, NodeLook] = {}
         self._edges: dict[int, EdgeLook] = {}
         self._guards: dict[int, str] = {}
@@ -35,6 +37,12 @@ class Looks:
         if self.hovered_edge >= 0 and self.hovered_edge not in self._edges:
             lit.append(self.hovered_edge)
         return lit
+
+    @property
+    def own_lines(self) -> set[int]:
+        """The edges that need a line of their own, which no bundle may hide: those with a mark
+        that is more than a note."""
+        return {edge for edge, look in self._edges.items() if look.stands_out}
 
     def is_lit(self, edge: int) -> bool:
         """Whether a mark or the pointer is on the edge."""

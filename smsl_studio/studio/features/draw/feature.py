@@ -33,6 +33,7 @@ from smsl_studio.studio.document.notices import step_notice
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
+from smsl_studio.studio.features.draw.canvas.collapse_choice import CollapseChoice
 from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
@@ -99,6 +100,7 @@ class DrawFeature(Feature):
         session, files, tokens, window = parts.session, parts.files, parts.tokens, parts.window
         self._parts, self._shell, self._loaded = parts, shell, Loaded()
         self.canvas = Canvas(tokens)
+        self.collapsing = CollapseChoice(self.canvas, files, parts.settings)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = DrawVerbs(session, self.editor)
         self.align = AlignVerbs(self.editor)
@@ -147,7 +149,7 @@ class DrawFeature(Feature):
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
-            *view_actions(self.drawing, shell.sides, shell.program, shell),
+            *view_actions(self.drawing, self.collapsing, shell.sides, shell.program, shell),
             *blueprint_actions(
                 self.drawing,
                 self.findings,
@@ -182,6 +184,7 @@ class DrawFeature(Feature):
         session.opened.connect(self.tidings.forget)
         session.opened.connect(self._parts.toast.hide)
         session.opened.connect(self.canvas.setFocus)
+        session.opened.connect(self.canvas.judge_anew)
         session.jumped.connect(self._jumped)
         session.history.indexChanged.connect(lambda _: self._parts.toast.edited())
         session.broken_changed.connect(self._show_broken)

@@ -75,7 +75,7 @@ class TemplateDrop:
         if sheet is not None and state:
             digit = self._canvas.hand.hover.fact_at(sheet.picture.index[state], point)
             return self.on(Address(self._session.branch, state), digit)
-        edge = sheet.edge_at(point.x(), point.y()) if sheet is not None else -1
+        edge = sheet.operation_at(point.x(), point.y()) if sheet is not None else -1
         if sheet is not None and edge >= 0:
             return self.on(sheet.picture.address(edge))
         return self.on(Address(self._session.branch))

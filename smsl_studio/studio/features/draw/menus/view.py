@@ -5,11 +5,16 @@ from __future__ import annotations
 from smsl_studio.picture.picture import has_words
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
+from smsl_studio.studio.features.draw.canvas.collapse_choice import CollapseChoice
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
 
 def view_actions(
-    drawing: DrawVerbs, docks: DockSides, windows: AllWindows, shell: Shell
+    drawing: DrawVerbs,
+    collapsing: CollapseChoice,
+    docks: DockSides,
+    windows: AllWindows,
+    shell: Shell,
 ) -> tuple[Action, ...]:
     """The rows of the View menu."""
     canvas = drawing.canvas
@@ -78,6 +83,10 @@ def view_actions(
         Action("words", "Words instead of digits", show_words, "View", "", (), drawn,
                lambda: canvas.words, section=1,
                tip="Show what the values of facts mean; the file stays as it is"),
+        Action("bundle", "Bundle operations", collapsing.turn, "View", "bundle", (), drawn,
+               lambda: canvas.collapsed, section=1,
+               tip="Draw operations between the same two states as one line with their number; "
+               "the file stays as it is"),
         in_draw("left"), in_draw("right"), in_draw("bottom"),
         Action("fold_panel", "Fold the lower panel", docks.fold_bottom, "View", "", (),
                lambda: drawn() and docks.bottom_shown(), docks.bottom_folded, section=2,

@@ -1,0 +1,81 @@
+"""The legend of a dense drawing: what is collapsed, and the button that shows all of it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label
+from smsl_studio.studio.base.overlays.card import Card, IconButton, tint
+from smsl_studio.studio.base.paint.ink import Type
+from smsl_studio.studio.base.theme import Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+
+ROOM = 24
+"""The room at the sides of a button with words (pixels)."""
+
+
+class DenseLegend(Card):
+    """Counts the bundles of a drawing. Its button shows all operations, or collapses them again."""
+
+    collapse_wanted = Signal(bool)
+    """Whether operations shall be collapsed."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent, tokens)
+        self._type = Type(text_font(13, 500))
+        self._collapsed, self.empty = False, True
+        self.bundles = Label("", self)
+        self.bundles.setFont(text_font(12, 500))
+        self.all = IconButton(self, tokens, "", "Show all")
+        self.all.accent = True
+        self.all.clicked.connect(lambda: self.collapse_wanted.emit(not self._collapsed))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 1, 3, 1)
+        row.setSpacing(8)
+        row.addWidget(self.bundles)
+        row.addWidget(self.all)
+        self.set_tokens(tokens)
+        self.hide()
+
+    def show_counts(self, collapsed: bool, bundles: int, opened: int) -> None:
+        """Tell how many bundles there can be, and how many of them are open now.
+
+        Without bundles the legend is empty.
+        """
+        self._collapsed, self.empty = collapsed, not bundles
+        words = f"Bundles {bundles:,}"
+        if collapsed and opened:
+            words += f", {opened:,} open"
+        self.bundles.setText(words)
+        button = "Show all" if collapsed else "Collapse"
+        tip = "Draw every operation by itself" if collapsed else (
+            "Draw operations between the same two states as one line")  # fmt: skip
+        self.all.setText(button)
+        self.all.setAccessibleName(button)
+        self.all.setToolTip(tip_text(tip))
+        self.all.setFixedSize(round(self._type.width(button)) + ROOM, 30)
+        self.setAccessibleName(plain_text(words))
+        self.resize(self.sizeHint())
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """As wide as its words, 32 high."""
+        wide = self.bundles.sizeHint().width() + self.all.width()
+        return QSize(wide + 23, 32)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        super().set_tokens(tokens)
+        tint(self.bundles, tokens.tx2)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the card, and a line before the button."""
+        super().paintEvent(event)
+        painter = QPainter(self)
+        painter.setPen(QPen(self.tokens.line, 1.0))
+        x = self.all.x() - 4
+        painter.drawLine(x, 8, x, self.height() - 9)
+        painter.end()

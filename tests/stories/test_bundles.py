@@ -1,0 +1,189 @@
+"""Operations between the same two states as one line: its card, its choice, what opens it."""
+
+from __future__ import annotations
+
+import json
+from itertools import permutations
+from pathlib import Path
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+
+from smsl_studio.studio.base.canvas.bundle_card import BundleCard
+from smsl_studio.studio.base.overlays.dense_legend import DenseLegend
+from smsl_studio.studio.shell.window import Window
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+FILE, SB = SAMPLES / "registration.json", "REGISTRATION"
+FAR = QPoint(8, 300)
+
+
+def collapsed(sit: Sit) -> Person:
+    person = sit(FILE)
+    person.window.actions_table["bundle"].trigger()
+    person.until(lambda: person.window.canvas.collapsed)
+    return person
+
+
+def card(person: Person) -> BundleCard:
+    return person.window.canvas.overlays.bundle
+
+
+def legend(person: Person) -> DenseLegend:
+    return person.window.canvas.overlays.dense
+
+
+def lines(person: Person) -> int:
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    return sheet.picture.line_count
+
+
+def chip(person: Person, a: str, b: str) -> QPoint:
+    """The middle of the chip between two states."""
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    pair = {sheet.picture.index[a], sheet.picture.index[b]}
+    for edge in sheet.picture.bundles.members:
+        if {int(sheet.picture.source[edge]), int(sheet.picture.target[edge])} == pair:
+            left, top, right, bottom = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
+            return person.on_canvas(((left + right) / 2, (top + bottom) / 2))
+    raise AssertionError(f"{a} and {b} have no bundle")
+
+
+def names(person: Person) -> list[str]:
+    return [row.line.address.operation for row in card(person).rows]
+
+
+def colours(image: QImage, at: QPoint) -> set[int]:
+    return {image.pixel(at.x() + x, at.y() + y) for x in range(-8, 9) for y in range(-8, 9)}
+
+
+def test_bundles_are_drawn_by_choice_and_change_no_file(sit: Sit) -> None:
+    person = sit(FILE)
+    assert lines(person) == 42
+    assert not legend(person).isVisible()
+    person.window.actions_table["bundle"].trigger()
+    assert lines(person) == 26
+    assert legend(person).bundles.text() == "Bundles 12"
+    assert person.steps() == []
+    assert not person.window.session.edited
+    person.click(legend(person).all)
+    assert (lines(person), legend(person).all.text()) == (42, "Collapse")
+    person.click(legend(person).all)
+    assert (lines(person), legend(person).all.text()) == (26, "Show all")
+
+
+def test_the_pointer_opens_the_card_and_a_row_selects_its_operation(sit: Sit) -> None:
+    person = collapsed(sit)
+    at = chip(person, "State_1010", "State_1110")
+    plain = person.window.canvas.viewport().grab().toImage()
+    person.move_to(at)
+    assert card(person).isVisible()
+    assert card(person).title.text() == "1010 ↔ 1110"
+    ends = {"State_1010", "State_1110"}
+    own = [e.name for e in person.blueprint[SB].edges() if {e.source, e.target} == ends]
+    assert sorted(names(person)) == sorted(own)
+    assert {row.line.back for row in card(person).rows} == {False, True}
+    assert not card(person).geometry().contains(at)
+    lit = person.window.canvas.viewport().grab().toImage()
+    assert colours(plain, at) != colours(lit, at), "the chip of the open card is filled"
+    assert person.selected() == []
+    row = card(person).rows[1]
+    person.click(row)
+    assert person.selected() == [str(row.line.address)]
+    assert not card(person).isVisible()
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    assert sheet.picture.bundles.count(sheet.picture.edge(row.line.address)) == 0
+    assert lines(person) == 27
+
+
+def test_the_card_goes_with_the_pointer_unless_a_click_pins_it(sit: Sit) -> None:
+    person = collapsed(sit)
+    at = chip(person, "State_1010", "State_1110")
+    person.move_to(at)
+    assert card(person).isVisible()
+    person.move_to(FAR)
+    person.until(lambda: not card(person).isVisible())
+    person.move_to(at)
+    person.click_canvas(at)
+    assert card(person).pinned
+    assert person.selected() == []
+    person.move_to(FAR)
+    assert card(person).edge >= 0
+    # A drag of the view takes it along; Escape and a click elsewhere close it.
+    before = card(person).pos()
+    person.window.canvas.camera.pan(40.0, 30.0)
+    assert card(person).pos() - before == QPoint(40, 30)
+    person.window.canvas.setFocus()
+    person.press(Qt.Key.Key_Escape)
+    assert not card(person).isVisible()
+    at = chip(person, "State_1010", "State_1110")
+    person.double_click_canvas(at)
+    assert card(person).pinned, "a double click renames nothing here"
+    assert person.window.features.draw.editor.field is None
+    person.click_canvas(FAR)
+    assert not card(person).isVisible()
+
+
+def test_a_selected_state_opens_its_bundles_and_closes_them_again(sit: Sit) -> None:
+    person = collapsed(sit)
+    far = chip(person, "State_0000", "State_0010")
+    person.select(f"{SB}/State_1110")
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    own = sheet.picture.edges_of(sheet.picture.index["State_1110"])
+    assert not any(sheet.picture.bundles.count(edge) for edge in own)
+    assert "open" in legend(person).bundles.text()
+    assert chip(person, "State_0000", "State_0010") == far, "other bundles stay as they are"
+    person.click_canvas(FAR)
+    assert (lines(person), legend(person).bundles.text()) == (26, "Bundles 12")
+
+
+def test_an_edit_keeps_the_drawing_collapsed(sit: Sit) -> None:
+    person = collapsed(sit)
+    far = chip(person, "State_0000", "State_0010")
+    start = person.place(f"{SB}/State_1111")
+    person.drag(start, start + QPoint(48, 48))
+    assert person.steps() == ["Move State_1111"]
+    person.click_canvas(FAR)
+    assert (lines(person), chip(person, "State_0000", "State_0010")) == (26, far)
+    person.ctrl(Qt.Key.Key_Z)
+    assert lines(person) == 26
+
+
+def crowded(folder: Path) -> Path:
+    """A file with so many operations that their names have no room."""
+    states = [f"State_{at:03b}" for at in range(8)]
+    table: dict[str, dict[str, str]] = {state: {} for state in states}
+    for number, (a, b) in enumerate(permutations(states, 2)):
+        table[a][f"Op_MoveTheInstrument{number}"] = b
+        table[a][f"Op_PlanTheWholeWay{number}"] = b
+    path = folder / "crowded.json"
+    path.write_text(json.dumps({"SB": table}), encoding="utf-8")
+    return path
+
+
+def open_again(person: Person, path: Path) -> None:
+    window: Window = person.window
+    assert window.files.open(path)
+
+
+def test_a_crowded_drawing_is_collapsed_by_itself_until_somebody_chooses(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = crowded(tmp_path)
+    person = sit(path)
+    assert lines(person) == 28
+    assert legend(person).all.text() == "Show all"
+    open_again(person, FILE)
+    assert (lines(person), legend(person).isVisible()) == (42, False)
+    open_again(person, path)
+    assert lines(person) == 28
+    person.click(legend(person).all)
+    assert lines(person) == 112
+    open_again(person, FILE)
+    open_again(person, path)
+    assert lines(person) == 112, "the choice is kept for the file"
