@@ -5,18 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, Qt, QTimer
-from PySide6.QtGui import (
-    QAccessible,
-    QAccessibleAnnouncementEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-)
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.errors import StudioError
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.keys_back import KeysBack
@@ -182,16 +176,8 @@ class Toast(QWidget):
         self.show()
         self.raise_()
         self._timer.start(lasts)
-        self._tell(severity)
+        announce(self, self.accessibleName(), urgent=severity == "E")
         self._fold_if_seatless()
-
-    def _tell(self, severity: str) -> None:
-        """Let a screen reader read the message, wherever it stands."""
-        if QAccessible.isActive():
-            event = QAccessibleAnnouncementEvent(self, self.accessibleName())
-            if severity == "E":
-                event.setPoliteness(QAccessible.AnnouncementPoliteness.Assertive)
-            QAccessible.updateAccessibility(event)
 
     def _fold_if_seatless(self) -> None:
         """Become a line if there is no free place. A refusal or a button stays as it is."""

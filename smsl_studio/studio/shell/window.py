@@ -19,6 +19,7 @@ from smsl_studio.studio.document.files.fresh import empty_blueprint
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.window_parts import WindowParts
+from smsl_studio.studio.shell.announcer import Announcer
 from smsl_studio.studio.shell.departure import Departure
 from smsl_studio.studio.shell.features import Features
 from smsl_studio.studio.shell.frame.body import PageBody
@@ -47,7 +48,7 @@ class Window(QMainWindow):
         self._windows, self._settings = windows, windows.settings
         self.tokens = windows.tokens
         self._closes = False
-        self._room = ScreenRoom(self)
+        self._room, self._announcer = ScreenRoom(self), Announcer(self)
         DroppedFiles(self.open_path, self._open_beside, self)
         self.session = Session(empty_blueprint(), self)
         self.files = Files(self.session, self._settings, Dialogs(self), self)
@@ -145,6 +146,7 @@ class Window(QMainWindow):
         features.said.connect(self._show_said)
         features.named.connect(self._captions.show_title)
         features.phase_shown.connect(self.mode_bar.show_phase)
+        features.phase_shown.connect(self._announcer.tell_phase)
 
     # What the features may ask of the shell.
 
@@ -288,6 +290,7 @@ class Window(QMainWindow):
     def say_findings(self, words: str) -> None:
         """Show the number of findings in the status line."""
         self.status_line.show_findings(words)
+        self._announcer.tell_findings(words)
 
     def show_shortcuts(self) -> None:
         """Show the list of all shortcuts."""

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible
+from smsl_studio.studio.base.canvas.accessible_leaf import MENU, PRESS, Acts, LeafAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 
@@ -20,8 +21,10 @@ class DrawnAccessible(LeafAccessible):
     def __init__(
         self, parent: QAccessibleInterface, canvas: Callable[[], Canvas | None], key: DrawnKey
     ) -> None:
-        """``canvas`` gives the canvas while it exists."""
-        super().__init__(parent)
+        """``canvas`` gives the canvas while it exists; it does now."""
+        shown = canvas()
+        assert shown is not None
+        super().__init__(parent, shown)
         self._held, self.key = canvas, key
 
     @property
@@ -43,6 +46,21 @@ class DrawnAccessible(LeafAccessible):
             return ""
         words = canvas.sheet.drawn.words(self.key)
         return plain_text(f"{words}, selected" if self.key == canvas.drawn.chosen else words)
+
+    def acts(self) -> Acts:
+        """Choose it, and while the canvas can be edited, edit it or open its menu."""
+        canvas = self._canvas
+        if canvas is None or not canvas.editing:
+            return {}
+        return {
+            PRESS: ("Select it", partial(canvas.drawn_wanted.emit, self.key)),
+            "Edit": ("Edit its text", partial(canvas.drawn_edit_wanted.emit, self.key)),
+            MENU: ("Open its menu", partial(self._open_menu, canvas)),
+        }
+
+    def _open_menu(self, canvas: Canvas) -> None:
+        canvas.drawn_wanted.emit(self.key)
+        canvas.drawn_menu_wanted.emit(self.key, self.rect().center())
 
     def rect(self) -> QRect:
         """Where it lies on the screen (pixels), a group with its title only; empty if it is

@@ -4,8 +4,8 @@ Graphics items have no accessible interface of their own. States are children of
 number, then groups and notes. Operations are children of the state they leave, in the order of the
 file. States outside the view are included, so that the zoom does not change what is read out.
 
-No class here overrides ``interface_cast``: PySide 6.11 crashes when an override returns None.
-Without an override Qt's own answer (no further interface) holds.
+No class here overrides ``interface_cast``: PySide 6.11 crashes on any override. The parts derive
+from Qt's interface of a widget instead (``accessible_leaf``), which has actions.
 """
 
 from __future__ import annotations
@@ -18,12 +18,24 @@ from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.canvas.accessible import state_words, words_for
+from smsl_studio.studio.base.canvas.accessible_acts import operation_acts, state_acts
 from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
-from smsl_studio.studio.base.canvas.accessible_leaf import LeafAccessible, PartAccessible
+from smsl_studio.studio.base.canvas.accessible_leaf import (
+    ALL,
+    Acts,
+    LeafAccessible,
+    PartAccessible,
+    Relation,
+)
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.base.canvas.element_details import operation_details, state_details
 from smsl_studio.studio.base.canvas.sheet import Sheet
+
+TO, FROM = QAccessible.RelationFlag.FlowsTo, QAccessible.RelationFlag.FlowsFrom
+"""Qt names a relation by what the other part is: the target of an operation flows from it."""
 
 
 class CanvasAccessible(QAccessibleInterface):
@@ -95,6 +107,16 @@ class CanvasAccessible(QAccessibleInterface):
             self._children[index] = StateAccessible(self, index)
         return self._children[index]
 
+    def operation(self, edge: int) -> OperationAccessible | None:
+        """The operation with this number in the picture; None if there is none."""
+        sheet = self.sheet
+        if sheet is None or not 0 <= edge < len(sheet.picture.operations):
+            return None
+        state = int(sheet.picture.source[edge])
+        found: StateAccessible = self.child(state)
+        operation: OperationAccessible | None = found.child(edge - int(sheet.picture.first[state]))
+        return operation
+
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         """The number of a state, group or note; -1 for anything else."""
         sheet = self.sheet
@@ -160,7 +182,7 @@ class StateAccessible(PartAccessible):
     """One state, read as "State_1100, active, 7 operations out"."""
 
     def __init__(self, parent: CanvasAccessible, index: int) -> None:
-        super().__init__(parent)
+        super().__init__(parent, parent.canvas)
         self._parent, self.index = parent, index
         self._children: dict[Address, OperationAccessible] = {}
 
@@ -209,9 +231,27 @@ class StateAccessible(PartAccessible):
 
     def text(self, kind: QAccessible.Text) -> str:
         """The name of the state as it is read out; empty for other kinds of text."""
-        if kind == QAccessible.Text.Name and self.isValid():
-            return state_words(self.canvas, self.index)
-        return ""
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid():
+            return ""
+        if kind == QAccessible.Text.Description:
+            return plain_text(state_details(sheet.picture.branch, sheet.picture.names[self.index]))
+        return state_words(self.canvas, self.index) if kind == QAccessible.Text.Name else ""
+
+    def acts(self) -> Acts:
+        """What can be done with the state now."""
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid():
+            return {}
+        return state_acts(self.canvas, sheet.address_of_state(self.index))
+
+    def relations(self, match: QAccessible.RelationFlag = ALL) -> list[Relation]:
+        """The operations that lead to the state: it flows from them."""
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid() or not match & TO:
+            return []
+        into = (sheet.picture.target == self.index).nonzero()[0]
+        return [(found, TO) for edge in into if (found := self._parent.operation(int(edge)))]
 
     def rect(self) -> QRect:
         """The rectangle of the node on the screen (pixels); empty if the state is gone."""
@@ -239,7 +279,7 @@ class OperationAccessible(LeafAccessible):
     """One operation, read as "Op_1b, State_aaa to State_baa"."""
 
     def __init__(self, parent: StateAccessible, address: Address) -> None:
-        super().__init__(parent)
+        super().__init__(parent, parent.canvas)
         self._state, self.address = parent, address
 
     @property
@@ -253,9 +293,25 @@ class OperationAccessible(LeafAccessible):
 
     def text(self, kind: QAccessible.Text) -> str:
         """The name of the operation as it is read out; empty for other kinds of text."""
-        if kind == QAccessible.Text.Name and self.isValid():
-            return words_for(self.canvas, self.address)
-        return ""
+        sheet = self.canvas.sheet if self.isValid() else None
+        if sheet is None:
+            return ""
+        if kind == QAccessible.Text.Description:
+            edge = sheet.picture.edge(self.address)
+            return plain_text(operation_details(sheet.picture, edge))
+        return words_for(self.canvas, self.address) if kind == QAccessible.Text.Name else ""
+
+    def acts(self) -> Acts:
+        """What can be done with the operation now."""
+        return operation_acts(self.canvas, self.address) if self.isValid() else {}
+
+    def relations(self, match: QAccessible.RelationFlag = ALL) -> list[Relation]:
+        """The state that the operation leads to: it flows to it."""
+        sheet = self.canvas.sheet if self.isValid() else None
+        if sheet is None or not match & FROM:
+            return []
+        target = int(sheet.picture.target[sheet.picture.edge(self.address)])
+        return [(self._state.parent().child(target), FROM)] if target >= 0 else []
 
     def rect(self) -> QRect:
         """The rectangle of the label on the screen (pixels); empty if the operation is gone."""

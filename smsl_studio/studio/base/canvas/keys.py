@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
@@ -10,6 +13,11 @@ from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_keys import ARROWS, press_drawn_key
 from smsl_studio.studio.base.canvas.gestures import GRID
+from smsl_studio.studio.base.canvas.operation_steps import (
+    go_to_source,
+    go_to_target,
+    step_operation,
+)
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
@@ -21,6 +29,11 @@ VERBS = {
     Key.Key_F: "find",
 }
 """The window actions for Ctrl and a key while the canvas has the focus."""
+WAYS: dict[Qt.Key, tuple[Callable[[BranchView], bool], Callable[[BranchView], bool]]] = {
+    Key.Key_O: (partial(step_operation, step=1), partial(step_operation, step=-1)),
+    Key.Key_G: (go_to_target, go_to_source),
+}
+"""Keys that lead along operations, alone and with Shift."""
 PAN_STEP = 64.0
 ENTER = (Key.Key_Return, Key.Key_Enter)
 
@@ -35,6 +48,8 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
         return _arrow(canvas, *ARROWS[key], modifiers)
     if _is_view_key(canvas, key, event.text(), modifiers):
         return True
+    if key in WAYS and not modifiers & ~Modifier.ShiftModifier:
+        return WAYS[key][bool(modifiers)](canvas)
     if modifiers == Modifier.ControlModifier and key == Key.Key_A:
         select_all(canvas)
         return True

@@ -7,6 +7,7 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.controls import Label
 from smsl_studio.studio.base.overlays.card import Card, tint
 from smsl_studio.studio.base.theme import Tokens, text_font
@@ -90,6 +91,7 @@ class PointerNote(Card):
         self.adjustSize()
         self.setVisible(True)
         self.raise_()
+        announce(self, text)
 
 
 class EmptyHint(QWidget):

@@ -62,6 +62,7 @@ from smsl_studio.studio.features.draw.menus.edit import edit_actions
 from smsl_studio.studio.features.draw.menus.files import file_actions
 from smsl_studio.studio.features.draw.menus.samples import sample_actions
 from smsl_studio.studio.features.draw.menus.view import view_actions
+from smsl_studio.studio.features.draw.menus.walk import walk_actions
 from smsl_studio.studio.features.draw.panels.findings import Findings
 from smsl_studio.studio.features.draw.panels.history import History
 from smsl_studio.studio.features.draw.panels.library import Library
@@ -150,6 +151,7 @@ class DrawFeature(Feature):
             *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
             *view_actions(self.drawing, self.collapsing, shell.sides, shell.program, shell),
+            *walk_actions(self.canvas, lambda: shell.mode == "draw"),
             *blueprint_actions(
                 self.drawing,
                 self.findings,

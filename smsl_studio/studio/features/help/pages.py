@@ -12,7 +12,7 @@ from smsl_studio.shipped import docs_dir
 
 GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("First steps", ("engineer.md", "clinician.md", "plugin-author.md")),
-    ("The window", ("window.md", "gestures.md", "pictures.md")),
+    ("The window", ("window.md", "access.md", "gestures.md", "pictures.md")),
     ("Blueprints", ("language.md", "inspection.md")),
     ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "failures.md",
               "record.md")),

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QVBoxLayout, QWidget
 
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.people.continuum import Continuum
@@ -50,7 +51,7 @@ class People(QObject):
         run.who = lambda: persons.me.name
         self.continuum = Continuum(session, run, levels, tokens)
         self.badge.clicked.connect(self.task_wanted)
-        self._asked = False
+        self._asked, self._told = False, ""
         self.editor: LevelEditor | None = None
         """The dialog for levels while it is open."""
         self.card.changed.connect(self._tell)
@@ -83,6 +84,16 @@ class People(QObject):
         if self.has_task() != self._asked:
             self._asked = self.has_task()
             self.changed.emit()
+        self._announce()
+
+    def _announce(self) -> None:
+        """Let a screen reader read a question that has just come up, in whichever mode."""
+        card = self.card.card
+        task = card.task if card is not None else ""
+        if card is not None and task != self._told:
+            words = f"{card.heading}: {card.question} {card.left} left."
+            announce(self._window, words, urgent=True)
+        self._told = task
 
     def edit_persons(self) -> None:
         """Open the dialog for persons."""

@@ -1,0 +1,56 @@
+"""What a state or operation is, in sentences: for assistive tools and for the table of an SB."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.annotations import OperationNote, StateNote
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.picture.guards import needs_words
+from smsl_studio.picture.picture import Picture
+from smsl_studio.studio.base.chips import fact_words
+
+SAFE = {True: "Declared safe", False: "Declared not safe"}
+
+
+def facts_told(branch: StateBranch, state: str) -> str:
+    """The facts of a state: ``Clamp: fixed (1), Plan: 0``; empty without facts."""
+    return ", ".join(fact_words(branch, at, value) for at, value in enumerate(branch.facts(state)))
+
+
+def subs_told(branch: StateBranch) -> str:
+    """Which facts of an SB have a sub-SB: ``Fact 2 is expanded by SB2``; empty without one."""
+    return ", ".join(
+        f"{branch.fact_name(digit)} is expanded by {sub}"
+        for digit, sub in sorted(branch.subs.items())
+    )
+
+
+def state_details(branch: StateBranch, state: str) -> str:
+    """Title, facts and annotations of a state, as sentences."""
+    note = branch.state_note(state) or StateNote()
+    said = (note.title, facts_told(branch, state), subs_told(branch),
+            SAFE[note.safe] if note.safe is not None else "", note.note)  # fmt: skip
+    return _sentences(said)
+
+
+def operation_details(picture: Picture, edge: int) -> str:
+    """Title, cost and annotations of an operation, as sentences."""
+    address, branch = picture.address(edge), picture.branch
+    note = branch.operation_note(address.state, address.operation)
+    needs = needs_words(picture.guards(edge))
+    cost = f"Cost {branch.cost(address.state, address.operation):g}"
+    return _sentences((note.title, cost, *_annotated(note), needs[:1].upper() + needs[1:]))
+
+
+def _annotated(note: OperationNote) -> list[str]:
+    said = [f"Risk {note.risk}"] if note.risk else []
+    said += [f"Done by {note.actor}"] if note.actor else []
+    said += [f"Confirmed by {', '.join(note.confirm)}"] if note.confirm else []
+    said += [f"Takes {note.duration:g} s"] if note.duration is not None else []
+    said += [f"Time limit {note.timeout:g} s"] if note.timeout is not None else []
+    said += ["Repeatable"] if note.repeatable else []
+    said += [note.question] if note.question else []
+    return said
+
+
+def _sentences(parts: tuple[str, ...]) -> str:
+    return " ".join(f"{part.rstrip('.')}." for part in parts if part)
