@@ -53,9 +53,7 @@ def test_findings_are_told_when_their_sum_changes(sit: Sit, heard: Heard) -> Non
     assert "warning" in told[0] or "error" in told[0]
 
 
-def test_run_states_questions_and_holds_are_told(
-    sit: Sit, heard: Heard, tmp_path: Path
-) -> None:
+def test_run_states_questions_and_holds_are_told(sit: Sit, heard: Heard, tmp_path: Path) -> None:
     path = asking(tmp_path, go={"confirm": ["surgeon"], "answer_within": 40.0})
     person = sit(path)
     at = AtTasks(person, SURGEON, NURSE)

@@ -100,7 +100,8 @@ def test_the_tree_has_relations_and_details(sit: Sit) -> None:
             assert [(one.text(NAME).split(",")[0], way) for one, way in leads] == [
                 (target, FLOWS_FROM)
             ]
-        into = {(", ".join(one.text(NAME).split(", ")[:2]), way) for one, way in part(person, state).relations(FLOWS_TO)}
+        leading = part(person, state).relations(FLOWS_TO)
+        into = {(", ".join(one.text(NAME).split(", ")[:2]), way) for one, way in leading}
         expected = {
             (f"{name}, {source} to {state}", FLOWS_TO)
             for source, out in table.items()
