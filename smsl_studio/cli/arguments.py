@@ -63,6 +63,11 @@ def add_format(parser: ArgumentParser, *more: str) -> None:
     parser.add_argument("--format", choices=forms, default="text", help=words)
 
 
+def add_limit(parser: ArgumentParser, words: str) -> None:
+    """Add ``--limit N``, a whole number from 1 up. None is its default."""
+    parser.add_argument("--limit", type=_limit, default=None, metavar="N", help=words)
+
+
 def add_world(parser: ArgumentParser, required: bool) -> None:
     """Add ``--world NAME``."""
     parser.add_argument(
@@ -96,6 +101,12 @@ def host_of(options: argparse.Namespace) -> str:
 
     chosen: str | None = options.host
     return chosen or ("local" if options.world == TABLE else "process")
+
+
+def _limit(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and 0 < len(text) < 13 and int(text)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 1 up")
+    return int(text)
 
 
 def _seed(text: str) -> int:

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from smsl_studio.front.exploration import explore
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.hosts import worlds
     from smsl_studio.front.inputs import inspect, read, refusals
@@ -42,6 +43,7 @@ __all__ = [
     "converted",
     "diff",
     "digest",
+    "explore",
     "fmt",
     "forbid_plugin",
     "git_setup",
@@ -84,6 +86,8 @@ VERBS = {
     "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
     "digest": Verb("SHA-256 of what blueprints do, say and need", ("digest",)),
     "route": Verb("plan the cheapest route between two states", ("plan_route",)),
+    "explore": Verb("all configurations of all SBs together: disagreements and traps",
+                    ("explore",)),
     "run": Verb("run a blueprint in a world, headless", ("run",)),
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -102,6 +106,7 @@ _HOMES = {
     "prove": "proof",
     "refusals": "inputs",
     "plan_route": "routes",
+    "explore": "exploration",
     "Run": "runs",
     "RunRequest": "request",
     "open_request": "runs",

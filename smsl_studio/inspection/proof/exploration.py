@@ -68,6 +68,12 @@ class Exploration:
         """Return the number of steps from the start."""
         return self._depth[node]
 
+    def origin(self, node: int) -> tuple[int, Address] | None:
+        """Return the configuration before one on the shortest way, and the operation between
+        them. None at the start."""
+        before = self._origin[node]
+        return None if before == NOWHERE else (before, self._names[self._label[node]])
+
     def path(self, node: int) -> tuple[Address, ...]:
         """Return the shortest way from the start."""
         found = []

@@ -1,0 +1,45 @@
+"""Explores the configurations of all SBs of a blueprint together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.explorer.explorer import (
+    ExploredMode,
+    explored_coupled,
+    explored_free,
+)
+
+Json = Any
+LIMIT = 1_000_000
+"""The largest number of configurations that are stored."""
+
+
+@dataclass(frozen=True)
+class ExploredSpace:
+    """All that can happen: ``ours`` with the SBs coupled as in a run, ``free`` without."""
+
+    sbs: tuple[str, ...]
+    ours: ExploredMode
+    free: ExploredMode
+
+    def as_json(self) -> dict[str, Json]:
+        """Return it as ``explore`` writes it."""
+        modes = {"ours": self.ours.as_json(), "free": self.free.as_json()}
+        return {"sbs": list(self.sbs), "modes": modes}
+
+
+def explore(blueprint: Blueprint, limit: int = LIMIT) -> ExploredSpace:
+    """Return the configurations of all SBs together, once coupled and once free (paper, FSM-G).
+
+    At most ``limit`` configurations of the coupled SBs are stored; if there are more,
+    ``ours.bound`` says so. RunRefused if the blueprint has no start.
+
+    >>> found = explore(read("hfsm.json"))
+    >>> found.ours.configurations, found.free.configurations
+    (4, 8)
+    """
+    free = explored_free(blueprint)
+    return ExploredSpace(tuple(blueprint.branches), explored_coupled(blueprint, limit), free)

@@ -1,0 +1,1 @@
+"""The explorer: all configurations of a blueprint together, as it moves and as it could move."""
