@@ -56,11 +56,10 @@ def independent(hierarchy: Hierarchy) -> tuple[tuple[str, ...], ...]:
     """
     edges = Edges(hierarchy)
     near: dict[str, set[str]] = {name: set() for name in hierarchy.blueprint.branches}
-    for name in near:
+    for name, touched in near.items():
         heed()
-        others = {sub for _, sub in hierarchy.subs[name]} | edges.required_by(name)
-        for other in others:
-            near[name].add(other)
+        for other in {sub for _, sub in hierarchy.subs[name]} | edges.required_by(name):
+            touched.add(other)
             near[other].add(name)
     groups, seen = [], set[str]()
     for name in near:
