@@ -77,9 +77,7 @@ def independent(hierarchy: Hierarchy) -> tuple[tuple[str, ...], ...]:
 
 def restricted(blueprint: Blueprint, names: Iterable[str]) -> Blueprint:
     """Return a blueprint with some of its SBs alone."""
-    return replace(
-        blueprint, branches=MappingProxyType({name: blueprint[name] for name in names})
-    )
+    return replace(blueprint, branches=MappingProxyType({name: blueprint[name] for name in names}))
 
 
 def coupled_part(blueprint: Blueprint, names: tuple[str, ...], limit: int) -> SpacePart:
