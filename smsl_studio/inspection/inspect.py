@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.inspection.rules import effects, header, levels, look_alikes, reach
+from smsl_studio.inspection.rules import effects, header, levels, look_alikes, reach, reverses
 from smsl_studio.inspection.rules import text as writing
 from smsl_studio.inspection.rules.finding import Finding, Remark
 from smsl_studio.inspection.selection import listed
@@ -47,6 +47,7 @@ ALL = (
     Rule("R16", "a conditional effect", effects.r16_conditional),
     Rule("R17", "a self loop not marked as repeatable", effects.r17_self_loops),
     Rule("R18", "parallel operations without costs", effects.r18_parallel),
+    Rule("R28", "an operation without its reverse", reverses.r28_missing_reverse),
     Rule("R29", "an annotation not understood", writing.r29_annotations),
 )
 PROVED = {

@@ -161,6 +161,10 @@ PLANTED = [
   "State_0": {"a": "State_1", ^"b": "State_0"}, "State_1": {"b": "State_1", "c": "State_0"}}}"""),
     ("R18", "I", "SB/State_0/a", "a and b lead to State_1 in parallel", """{"SB": {
   "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
+    ("R28", "W", "SB/State_01/b", "nothing leads back from State_11, although all 4 other", """{
+  "SB": {"State_00": {"a": "State_10", "c": "State_01"}, "State_01": {^"b": "State_11"},
+  "State_10": {"d": "State_00", "a2": "State_20"}, "State_20": {"d2": "State_10"},
+  "State_11": {"e": "State_10"}}}"""),
     ("R29", "W", "SB", "Input should be greater than or equal to 0", """{"SB": {
   "_operations": {^"a": {"cost": -1}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
@@ -232,7 +236,7 @@ def test_a_fix_takes_the_finding_away_and_brings_no_new_error() -> None:
         assert (finding.rule, finding.address, finding.message) not in left
         assert errors(fixed) <= errors(blueprint), fix.words
         fixed_rules.add(finding.rule)
-    assert fixed_rules == {"R01", "R02", "R03", "R04", "R05", "R07", "R08", "R10", "R17"}
+    assert fixed_rules == {"R01", "R02", "R03", "R04", "R05", "R07", "R08", "R10", "R17", "R28"}
 
 
 def test_every_rule_has_a_planted_fault() -> None:

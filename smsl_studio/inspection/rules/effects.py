@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
@@ -11,14 +11,12 @@ from itertools import islice
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import note_key
 from smsl_studio.blueprint.elements import Operation
-from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.graph.effects import EdgeEffects, Effect, effects_of
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.words import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
-Effect = tuple[tuple[int, str], ...]
-"""(digit, new value) for each digit that an edge changes. Digits count from 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,46 +57,24 @@ _SLIPS = "_mislabelled"
 
 
 def _mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
-    effects: dict[str, list[tuple[Operation, Effect]]] = {}
-    for edge, effect in _effects(branch):
-        effects.setdefault(edge.name, []).append((edge, effect))
-    majority = {name: _majority([effect for _, effect in own]) for name, own in effects.items()}
-    holders: dict[Effect, list[str]] = {}
-    for name, most in majority.items():
-        if most:
-            holders.setdefault(most, []).append(name)
-    absent = _Absent(branch, holders, majority)
-    found = [
-        Mislabelled(edge, effect, *others)
-        for name, own in effects.items()
-        for edge, effect in own
-        if effect
-        and majority[name] is not None
-        and effect != majority[name]
-        and (others := absent.of(edge.source, effect))[1]
-    ]
-    order = {state: number for number, state in enumerate(branch.table)}
-    return tuple(sorted(found, key=lambda slip: order[slip.edge.source]))
-
-
-def _effects(branch: StateBranch) -> Iterator[tuple[Operation, Effect]]:
-    """Yield every edge to a state of the SB with its effect. The effect is computed once for each
-    pair of states."""
-    known: dict[tuple[str, str], Effect] = {}
-    for edge in branch.edges():
-        if edge.target in branch.table:
-            ends = edge.source, edge.target
-            effect = known.get(ends)
-            if effect is None:
-                before, after = branch.facts(edge.source), branch.facts(edge.target)
-                effect = tuple((digit, after[digit]) for digit in changed_digits(before, after))
-                known[ends] = effect
-            yield edge, effect
-
-
-def _majority(effects: list[Effect]) -> Effect | None:
-    effect, count = Counter(effects).most_common(1)[0]
-    return effect if 2 * count > len(effects) else None
+    effects = effects_of(branch)
+    majority, kinds = effects.majority, effects.kinds
+    odd = {
+        (name, kind)
+        for name, kind in effects.counts
+        if kinds[kind] and majority[name] is not None and kinds[kind] != majority[name]
+    }
+    if not odd:
+        return ()
+    absent = _Absent(branch, effects.holders, majority)
+    found = []
+    for number, pair in enumerate(zip(effects.graph.operations, effects.of, strict=True)):
+        if pair in odd:
+            edge, effect = effects.edge(number), kinds[pair[1]]
+            others = absent.of(edge.source, effect)
+            if others[1]:
+                found.append(Mislabelled(edge, effect, *others))
+    return tuple(found)
 
 
 class _Absent:
@@ -107,8 +83,8 @@ class _Absent:
     def __init__(
         self,
         branch: StateBranch,
-        holders: dict[Effect, list[str]],
-        majority: dict[str, Effect | None],
+        holders: Mapping[Effect, Sequence[str]],
+        majority: Mapping[str, Effect | None],
     ) -> None:
         self._branch, self._holders, self._majority = branch, holders, majority
         self._present: dict[str, Counter[Effect]] = {}
@@ -166,15 +142,20 @@ def r16_conditional(blueprint: Blueprint) -> Iterator[Remark]:
     for branch in blueprint:
         if branch.shape.opaque:
             continue
+        effects = effects_of(branch)
+        several = _with_several_effects(effects)
+        if not several:
+            continue
         slips = {(slip.edge.source, slip.edge.name) for slip in mislabelled(branch)}
-        edges: dict[str, list[tuple[Operation, Effect]]] = {}
-        for edge, effect in _effects(branch):
-            if (edge.source, edge.name) not in slips:
-                edges.setdefault(edge.name, []).append((edge, effect))
+        edges: dict[str, list[int]] = {}
+        names, sources = effects.graph.operations, effects.graph.sources
+        for number, name in enumerate(names):
+            if name in several and (effects.graph.names[sources[number]], name) not in slips:
+                edges.setdefault(name, []).append(number)
         for own in edges.values():
-            unsure = _unsure(branch, own)
+            unsure = _unsure(branch, effects, own)
             if unsure:
-                first = own[0][0]
+                first = effects.edge(own[0])
                 yield Remark(
                     "R16",
                     NOTE,
@@ -184,21 +165,27 @@ def r16_conditional(blueprint: Blueprint) -> Iterator[Remark]:
                 )
 
 
-def _unsure(branch: StateBranch, own: list[tuple[Operation, Effect]]) -> str:
+def _with_several_effects(effects: EdgeEffects) -> set[str]:
+    """Return the operations whose edges do not all have one effect."""
+    count = Counter(name for name, _ in effects.counts)
+    return {name for name, kinds in count.items() if kinds > 1}
+
+
+def _unsure(branch: StateBranch, effects: EdgeEffects, own: list[int]) -> str:
     """Name the facts on which the edges of one operation have different effects.
 
     Only facts that at least one edge changes are compared. An edge that leaves a fact at a value
     counts as equal to an edge that sets the fact to this value.
     """
     changes: dict[int, dict[str, int]] = {}
-    for _, effect in own:
-        for digit, value in effect:
+    for kind, count in Counter(effects.of[number] for number in own).items():
+        for digit, value in effects.kinds[kind]:
             values = changes.setdefault(digit, {})
-            values[value] = values.get(value, 0) + 1
+            values[value] = values.get(value, 0) + count
     unsure = []
     for digit, values in sorted(changes.items()):
         ways = [f"to {value}" for value in values]
-        if sum(values.values()) < len(own) and _leaves(branch, own, digit, values):
+        if sum(values.values()) < len(own) and _leaves(branch, effects, own, digit, values):
             ways.append("left")
         if len(ways) > 1:
             unsure.append(f"{fact_words(branch, digit)} ({some(ways, last='or')})")
@@ -207,13 +194,16 @@ def _unsure(branch: StateBranch, own: list[tuple[Operation, Effect]]) -> str:
 
 def _leaves(
     branch: StateBranch,
-    own: list[tuple[Operation, Effect]],
+    effects: EdgeEffects,
+    own: list[int],
     digit: int,
     values: Collection[str],
 ) -> bool:
     """Whether an edge leaves the fact ``digit`` at a value that no edge sets it to."""
-    facts = branch.facts
-    return any(facts(edge.target)[digit] not in values for edge, _ in own)
+    if all(value in values for value in branch.alphabet[digit]):
+        return False
+    names, targets, facts = effects.graph.names, effects.graph.targets, branch.facts
+    return any(facts(names[targets[number]])[digit] not in values for number in own)
 
 
 def r17_self_loops(blueprint: Blueprint) -> Iterator[Remark]:

@@ -44,7 +44,7 @@ class Fix:
     certain: bool = False
 
 
-def edit(name: str, **arguments: Any) -> Callable[[Blueprint], Blueprint]:
+def edit(name: str, /, **arguments: Any) -> Callable[[Blueprint], Blueprint]:
     """The edit of that name of ``blueprint.editing`` with these arguments, for a ``Fix``.
 
     It is loaded when it is applied: most findings are only read.
