@@ -63,6 +63,7 @@ from smsl_studio.studio.features.draw.menus.files import file_actions
 from smsl_studio.studio.features.draw.menus.samples import sample_actions
 from smsl_studio.studio.features.draw.menus.view import view_actions
 from smsl_studio.studio.features.draw.menus.walk import walk_actions
+from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
 from smsl_studio.studio.features.draw.panels.findings import Findings
 from smsl_studio.studio.features.draw.panels.history import History
 from smsl_studio.studio.features.draw.panels.library import Library
@@ -116,7 +117,7 @@ class DrawFeature(Feature):
         self.facts = Facts(session, tokens)
         self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
         self.findings = Findings(session, tokens, parts.inspector.rules)
-        self.history = History(session, tokens)
+        self.history, self.table = History(session, tokens), BranchTable(session, tokens)
         self.fix_card = FixCard(session, self.canvas, tokens)
         ask = self.properties.file.ask_file = Dialogs(window).file_to_open
         self.comparing = Comparison(session, files, ask, tokens, window)
@@ -135,6 +136,7 @@ class DrawFeature(Feature):
             DockPanel("Source", "right", self.source),
             DockPanel("Findings", "bottom", self.findings, self.findings.tools),
             DockPanel("History", "bottom", self.history),
+            DockPanel("Table", "bottom", self.table),
         )
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
@@ -172,7 +174,7 @@ class DrawFeature(Feature):
         self._actions = actions
         finder = Finder(session, actions, self.findings, self.going)
         self.palette = Palette(finder, parts.tokens, parts.window)
-        marked = (self.outline, self.library, self.source, self.fix_card)
+        marked = (self.outline, self.library, self.source, self.fix_card, self.table)
         say = self._shell.say_findings
         self.tidings = Tidings(parts, self.findings, self.editor, marked, say, actions.refresh)
         for running in ("run_play", "run_step"):
@@ -214,7 +216,9 @@ class DrawFeature(Feature):
             panel.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self._parts.files.open(Path(file)))
         self.outline.verb_wanted.connect(self.clipping.on_branch)
-        self.outline.action_wanted.connect(lambda name: actions[name].trigger())
+        for acting in (self.outline, self.table):
+            acting.action_wanted.connect(lambda name: actions[name].trigger())
+        self.table.shown_wanted.connect(self.canvas.reveal)
         self.outline.branch_deleted.connect(self._say_deleted)
         self.drawing.values.fact_wanted.connect(self.going.show_fact)
         self.properties.state.values_wanted.connect(self.drawing.values.open)

@@ -1,0 +1,105 @@
+"""The drawing as a table: it is read by cells, and its cells select, lead on and edit."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+
+from smsl_studio.studio.base.words import BLANK
+from smsl_studio.studio.features.draw.panels.branch_model import HEADS
+from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key = Qt.Key
+CTRL_SHIFT = [Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier]
+
+
+def at_table(person: Person) -> BranchTable:
+    """Go to the table by its key."""
+    person.press(Key.Key_L, CTRL_SHIFT)
+    table = person.window.docks.panel("Table")
+    assert isinstance(table, BranchTable)
+    person.until(table.hasFocus)
+    return table
+
+
+def cells(table: BranchTable) -> list[list[str]]:
+    """What a screen reader reads, row by row."""
+    read, model = QAccessible.queryAccessibleInterface(table), table.lines
+    wide = model.columnCount() + 1
+    # The first row and the first column are the heads.
+    return [
+        [
+            read.child((row + 1) * wide + column).text(QAccessible.Text.Name)
+            for column in range(1, wide)
+        ]
+        for row in range(model.rowCount())
+    ]
+
+
+def first(table: BranchTable) -> str:
+    """The words of the first cell."""
+    return str(table.lines.index(0, 0).data())
+
+
+def test_every_state_and_operation_has_its_row(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    person.until_inspected()
+    table = at_table(person)
+    read = cells(table)
+    branch = person.blueprint["SB1"]
+    expected = [(s, o, t) for s, out in branch.table.items() for o, t in out.items() or [("", "")]]
+    assert len(read[0]) == len(HEADS)
+    found = [(row[0].split(" (")[0], row[2], row[3]) for row in read]
+    assert found == [(s, o or BLANK, t or BLANK) for s, o, t in expected]
+    assert read[0][0] == "State000 (initial)"
+    assert read[0][1] == "Fact 1: 0, Fact 2: 0, Fact 3: 0"
+    assert "Cost 1." in read[0][4]
+    warned = [row for row in read if row[2] == "Operation100B"]
+    told = [f for f in person.window.findings.findings if f.address.operation == "Operation100B"]
+    assert told
+    assert all(finding.rule in warned[0][5] for finding in told)
+
+
+def test_cells_select_and_enter_leads_on(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    table = at_table(person)
+    person.press(Key.Key_Down)
+    person.press(Key.Key_Home, [Qt.KeyboardModifier.ControlModifier])
+    assert person.selected() == ["SB1/State000"]
+    for _ in range(3):
+        person.press(Key.Key_Right)
+    assert person.selected() == ["SB1/State000/Operation000"]
+    person.press(Key.Key_Return)
+    assert person.selected() == ["SB1/State100"]
+    assert table.hasFocus()
+    # What is selected elsewhere is chosen here.
+    person.select("SB1/State110/Operation110B")
+    assert table.lines.rows[table.currentIndex().row()].operation == "Operation110B"
+    # The key leads back to the drawing, and a hidden table has no rows.
+    table.setFocus()
+    person.press(Key.Key_L, CTRL_SHIFT)
+    assert person.window.canvas.hasFocus()
+    person.window.show_tab("Findings")
+    assert not table.lines.rows
+
+
+def test_a_row_is_renamed_deleted_and_follows_undo(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    table = at_table(person)
+    table.setCurrentIndex(table.lines.index(0, 0))
+    person.press(Key.Key_F2)
+    person.type("State010")
+    person.press(Key.Key_Return)
+    assert first(table) == "State010 (initial)"
+    assert person.selected() == ["SB1/State010"]
+    rows = len(table.lines.rows)
+    table.setFocus()
+    table.setCurrentIndex(table.lines.index(1, 2))
+    person.press(Key.Key_Delete)
+    assert len(table.lines.rows) == rows - 1
+    person.ctrl(Key.Key_Z)
+    person.ctrl(Key.Key_Z)
+    assert first(table) == "State000 (initial)"
+    assert len(table.lines.rows) == rows
