@@ -9,16 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from smsl_studio.blueprint.address import Address, escape, note_key
+from smsl_studio.blueprint.address import escape, note_key
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT
 from smsl_studio.blueprint.merge.conflict import ABSENT, Attachment, Conflict, Path
+from smsl_studio.blueprint.merge.incidence import LAYOUT, LEVELS, Incidence
 from smsl_studio.blueprint.merge.trees import Trees
 from smsl_studio.blueprint.merge.values import equal
-from smsl_studio.blueprint.reading import HEADER
 
 Json = Any
 OURS, THEIRS = 1, 2
-LAYOUT, LEVELS = "_layout", "_levels"
 
 
 class Clashes:
@@ -30,6 +29,7 @@ class Clashes:
     def __init__(self, trees: Trees, renamed: tuple[frozenset[Path], frozenset[Path]]) -> None:
         self.conflicts: list[Conflict] = []
         self._trees, self._renamed = trees, renamed
+        self._incidence = Incidence(trees)
 
     def settle(self) -> None:
         """Settle all clashes: those of SBs, then of states, then of operations."""
@@ -77,10 +77,8 @@ class Clashes:
 
     def _subs_that_are(self, keeper: int, branch: str) -> Iterator[Path]:
         """Yield the entries of SUB_SBS with which a side made an SB a sub-SB anew."""
-        for base in self._trees.branches():
-            path = (base, HEADER, "SUB_SBS", branch)
-            found = self._trees.get(keeper, path)
-            if found is not ABSENT and not equal(found, self._trees.get(0, path)):
+        for path in self._incidence.bases_of(keeper, branch):
+            if not equal(self._trees.get(keeper, path), self._trees.get(0, path)):
                 yield path
 
     # States.
@@ -110,26 +108,13 @@ class Clashes:
         yield branch, "_states", state
         yield branch, LAYOUT, state
         for at in range(3):
-            for key in self._trees.map(at, (branch, "_operations")):
-                if Address.split(key)[0] == state and "/" in key:
-                    yield branch, "_operations", key
-            for key in self._trees.map(at, (branch, LAYOUT, IN_LAYOUT)):
-                if Address.split(key)[0] == state:
-                    yield branch, LAYOUT, IN_LAYOUT, key
-            for key in self._trees.map(at, (LEVELS,)):
-                if Address.split(key)[:2] == (branch, state) and key.count("/") > 1:
-                    yield LEVELS, key
-            for key, note in self._trees.map(at, (branch, "_notes")).items():
-                if isinstance(note, dict) and note.get("state") == state:
-                    yield branch, "_notes", key
+            yield from self._incidence.notes_of(at, branch, state)
 
     def _edges_into(self, branch: str, state: str, keeper: int) -> Iterator[Path]:
         """Yield the operations of other states that one side let lead to a state anew."""
-        for source in self._trees.states(keeper, branch):
-            for operation, target in self._trees.map(keeper, (branch, source)).items():
-                path = (branch, source, operation)
-                if target == state and source != state and self._trees.get(0, path) != state:
-                    yield path
+        for path in self._incidence.ways_into(keeper, branch, state):
+            if path[1] != state and self._trees.get(0, path) != state:
+                yield path
 
     def _ways_in(self, branch: str, state: str, keeper: int) -> Iterator[Path]:
         """Yield the operations that one side deleted together with the state they lead to, with all
@@ -138,19 +123,13 @@ class Clashes:
         One whose notes the keeper of the state changed is a clash of its own.
         """
         other = THEIRS if keeper == OURS else OURS
-        for source in self._trees.states(keeper, branch):
-            if self._trees.get(other, (branch, source)) is ABSENT:
+        for path in self._incidence.ways_into(keeper, branch, state):
+            if self._trees.get(other, path[:2]) is ABSENT:
                 continue
-            for operation, target in list(self._trees.map(keeper, (branch, source)).items()):
-                path = (branch, source, operation)
-                gone = self._trees.get(other, path) is ABSENT
-                if (
-                    gone
-                    and target == state == self._trees.get(0, path)
-                    and not self._is_noted_anew(keeper, path)
-                ):
-                    yield path
-                    yield from self._parts_of_edge(*path)
+            gone = self._trees.get(other, path) is ABSENT
+            if gone and self._trees.get(0, path) == state and not self._is_noted_anew(keeper, path):
+                yield path
+                yield from self._parts_of_edge(*path)
 
     # Operations.
 
