@@ -15,11 +15,13 @@ Held = Mapping[str, Carried]
 
 
 class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
-    """An edge cannot be carried out from a configuration. ``reasons`` are sentences."""
+    """An edge cannot be carried out from a configuration. ``reasons`` are sentences. ``hazard`` is
+    the name of the hazard that it would meet, if that is the reason.
+    """
 
-    def __init__(self, *reasons: str) -> None:
+    def __init__(self, *reasons: str, hazard: str = "") -> None:
         super().__init__("; ".join(reasons))
-        self.reasons = reasons
+        self.reasons, self.hazard = reasons, hazard
 
 
 class Along:

@@ -20,6 +20,7 @@ from smsl_studio.blueprint.configuration import (
 from smsl_studio.blueprint.downhill import Downhill
 from smsl_studio.blueprint.edges import Edge, EdgeKind, Edges
 from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.hazards import met_on_the_way, named
 from smsl_studio.blueprint.joint import Carried, JointStep, StepDraft
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.search import Move, PlanSearch, patience
@@ -73,6 +74,8 @@ class Stepper:
             try:
                 self._carry(script, edge, {})
                 found = script.joint_step()
+                if self.terms.hazards:
+                    self._refuse_hazards(configuration, found)
             except Unavailable as no:
                 found = no.with_traceback(None)  # a traceback would keep all local values
             self._steps[key] = found
@@ -87,7 +90,27 @@ class Stepper:
             self._carry(script, edge, {})
         except Unavailable:
             return None
+        if self.terms.hazards and self._near_hazard(configuration, script):
+            # Only the finished step has all configurations that it passes.
+            return script if isinstance(self.written(configuration, edge), JointStep) else None
         return script
+
+    def _near_hazard(self, before: Configuration, script: StepDraft) -> bool:
+        """Return whether a step moves an SB that a hazard names."""
+        after = script.configuration
+        return any(name in script.counts or before[name] != after[name] for name in self.in_hazards)
+
+    def _refuse_hazards(self, before: Configuration, step: JointStep) -> None:
+        """Raise Unavailable if a step meets a hazard on its way or at its end."""
+        met = next(met_on_the_way(self.terms.hazards, before, step), None)
+        if met is not None:
+            words = f"{step.asked} would meet {named([met])}"
+            raise Unavailable(words, hazard=met.name)
+
+    @cached_property
+    def in_hazards(self) -> frozenset[str]:
+        """The SBs that the hazards of the terms name."""
+        return frozenset(name for one in self.terms.hazards for name in one.states)
 
     def key(self, configuration: Configuration) -> tuple[str, ...]:
         """Return a configuration as a tuple in the order of ``hierarchy.order``."""

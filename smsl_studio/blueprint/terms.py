@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edges import NO_COSTS, Edge, Extra
+from smsl_studio.blueprint.hazards import GuardHazard
 
 
 @dataclass(frozen=True)
@@ -16,7 +17,7 @@ class Terms:
     ``bound`` None means a plan without a world, in which every edge counts as bound. ``failing``
     are the edges that may be used although they lead into a failure state (None: all of them). Only
     a request of a person allows one. ``costs`` replace declared costs. ``extra`` gives the
-    additional cost of an edge.
+    additional cost of an edge. No joint step may meet one of ``hazards``, on its way or at its end.
     """
 
     shut: Mapping[Address, str] = field(default_factory=dict)
@@ -25,6 +26,7 @@ class Terms:
     failing: Collection[Address] | None = ()
     costs: Mapping[Address, float] = field(default_factory=lambda: NO_COSTS)
     extra: Extra | None = None
+    hazards: tuple[GuardHazard, ...] = ()
 
     def closures(self, edge: Edge) -> Iterator[str]:
         """Yield the reasons why an edge can be used from no configuration at all."""

@@ -8,7 +8,7 @@ import argparse
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output, note
-from smsl_studio.front.routes import plan_route
+from smsl_studio.front.routes import hazards_between, plan_route
 from smsl_studio.legible import one_line
 
 
@@ -33,7 +33,9 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     blueprint = read_argument(options.file)
     route = plan_route(blueprint, options.start, options.goal, options.avoid, options.sb)
     if route is None:
-        note(f"no route leads from {options.start} to {options.goal}")
+        named = hazards_between(blueprint, options.start, options.goal, options.avoid, options.sb)
+        through = f" but through the hazard {' and '.join(named)}" if named else ""
+        note(f"no route leads from {options.start} to {options.goal}{through}")
         if options.format == "json":
             out.json({"operations": [], "states": [], "cost": None})
         return 1

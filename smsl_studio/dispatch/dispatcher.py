@@ -14,6 +14,7 @@ from contextlib import suppress
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
+from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.driver import Driver
@@ -102,7 +103,8 @@ class Dispatcher(Commands):
                 self._blueprint, self.host, terms.start, terms.goals, self._levels
             )
             avoid = dict.fromkeys(terms.avoid, "avoided")
-            course = Course(run.hierarchy, goals, run.bound, avoid)
+            hazards = guard_hazards(self._blueprint) if terms.guarded else ()
+            course = Course(run.hierarchy, goals, run.bound, avoid, hazards)
             self._driver = Driver(run, course, self._reviewer, terms, self._someone)
             self._driver.starting.go_on()
         except RunRefused as refused:

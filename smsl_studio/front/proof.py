@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute
@@ -54,7 +56,8 @@ class _Routes:
         """Return the cheapest route to the goals, None if there is none."""
         hierarchy = Hierarchy(self._blueprint)
         here = start_configuration(hierarchy, {})
-        legs = Planner(hierarchy).legs(here, goals)
+        terms = Terms(hazards=guard_hazards(self._blueprint))
+        legs = Planner(hierarchy, terms).legs(here, goals)
         if legs is None:
             return None
         configurations = [dict(here)]

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.hazards import GuardHazard, first_met, guard_hazards
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import AddressError, RunRefused, did_you_mean
 from smsl_studio.front.script.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.route.planner import Leg
 
 
 def plan_route(
@@ -24,8 +29,9 @@ def plan_route(
     With a State Branch only its own edges count, and entries of ``avoid`` in other SBs are ignored.
     With a Blueprint, an SB with sub-SBs is planned over joint configurations. So the cost includes
     the operations of the sub-SBs, but the route lists only the SB's own edges. ``branch`` is the SB
-    of states that are written without an SB. AddressError for an unknown name. RunRefused if no
-    configuration agrees with ``start``.
+    of states that are written without an SB. A route of a Blueprint meets no hazard (see
+    ``hazards_between``). AddressError for an unknown name. RunRefused if no configuration agrees
+    with ``start``.
 
     >>> route = plan_route(read("hanoi-corrected.json"), "State_aaa", "State_ccc")
     >>> len(route.operations), route.cost
@@ -37,34 +43,104 @@ def plan_route(
     first = state_at(where, start, branch)
     last = state_at(where, goal, branch or first.branch)
     shut = operations_at(where, avoid)
-    own = where[first.branch]
-    if not own.subs:
-        return cheapest(own, first.state, last.state, avoid=shut)
-    return _joint_route(where, first, last, shut)
+    hazards = guard_hazards(where)
+    if not hazards and not where[first.branch].subs:
+        return cheapest(where[first.branch], first.state, last.state, avoid=shut)
+    return _Asked(where, first, last, tuple(shut)).route(hazards)
 
 
-def _joint_route(
-    blueprint: Blueprint, start: Address, goal: Address, avoid: Iterable[Address]
-) -> Route | None:
-    from smsl_studio.blueprint.configuration import Hierarchy
-    from smsl_studio.blueprint.terms import Terms
-    from smsl_studio.dispatch.route.effort import refuse_too_large
-    from smsl_studio.dispatch.route.planner import Planner
-    from smsl_studio.front.starts import starts_for
+def hazards_between(
+    where: Blueprint,
+    start: Written,
+    goal: Written,
+    avoid: Iterable[Written] = (),
+    branch: str | None = None,
+) -> tuple[str, ...]:
+    """Return the names of the hazards on the route that there would be without hazards.
 
-    hierarchy = Hierarchy(blueprint)
-    refuse_too_large(hierarchy)
-    configuration = next(starts_for(hierarchy, start.branch, start.state), None)
-    if configuration is None:
-        raise RunRefused(f"no configuration agrees with {start}")
-    planner = Planner(hierarchy, Terms(shut=dict.fromkeys(avoid, "avoided")))
-    legs = planner.legs(configuration, [goal])
-    if legs is None:
-        return None
-    own = tuple(edge for leg in legs for edge in leg.operations if edge.branch == goal.branch)
-    table = blueprint[goal.branch].table
-    states = (start.state, *(table[edge.state][edge.operation] for edge in own))
-    return Route(own, states, sum(leg.cost for leg in legs))
+    Empty if there is no such route. The arguments are those of ``plan_route``.
+    """
+    hazards = guard_hazards(where)
+    if not hazards:
+        return ()
+    first = state_at(where, start, branch)
+    last = state_at(where, goal, branch or first.branch)
+    return _Asked(where, first, last, tuple(operations_at(where, avoid))).met(hazards)
+
+
+class _Asked:
+    """A question for a route of one SB in its blueprint."""
+
+    def __init__(
+        self, blueprint: Blueprint, start: Address, goal: Address, avoid: Sequence[Address]
+    ) -> None:
+        self._blueprint, self._start, self._goal, self._avoid = blueprint, start, goal, avoid
+        self._own = blueprint[start.branch]
+
+    def route(self, hazards: Sequence[GuardHazard]) -> Route | None:
+        """Return the cheapest route that meets none of the hazards."""
+        if self._alone(hazards):
+            others = self._configuration() if hazards else {}
+            barred = {state for one in hazards for state in one.bars(self._own.name, others)}
+            if self._start.state in barred or first_met(hazards, others) is not None:
+                return None
+            shut = [Address(self._own.name, state) for state in sorted(barred)]
+            return self._cheapest((*self._avoid, *shut))
+        legs = self._legs(hazards)
+        if legs is None:
+            return None
+        edges = (edge for leg in legs for edge in leg.operations)
+        own = tuple(edge for edge in edges if edge.branch == self._own.name)
+        table = self._own.table
+        states = (self._start.state, *(table[edge.state][edge.operation] for edge in own))
+        return Route(own, states, sum(leg.cost for leg in legs))
+
+    def met(self, hazards: Sequence[GuardHazard]) -> tuple[str, ...]:
+        """Return the names of the hazards on the route that there would be without them."""
+        from smsl_studio.dispatch.route.planner import hazards_on
+
+        here = self._configuration()
+        if not self._alone(hazards):
+            return tuple(one.name for one in hazards_on(hazards, here, self._legs(())))
+        route = self._cheapest(self._avoid)
+        places = [{**here, self._own.name: one} for one in route.states] if route else []
+        return tuple(one.name for one in hazards if any(map(one.meets, places)))
+
+    def _cheapest(self, avoid: Sequence[Address]) -> Route | None:
+        return cheapest(self._own, self._start.state, self._goal.state, avoid=avoid)
+
+    def _alone(self, hazards: Sequence[GuardHazard]) -> bool:
+        """Return whether the SB moves alone, as far as its route and the hazards are concerned."""
+        from smsl_studio.blueprint.configuration import Hierarchy
+
+        if self._own.subs:
+            return False
+        hierarchy = Hierarchy(self._blueprint)
+        above = {n for root in hierarchy.roots_of(self._own.name) for n in hierarchy.tree(root)}
+        named = {name for one in hazards for name in one.states}
+        return self._own.name in hierarchy.roots or not (named & above)
+
+    def _configuration(self) -> dict[str, str]:
+        from smsl_studio.blueprint.configuration import Hierarchy
+        from smsl_studio.front.starts import starts_for
+
+        hierarchy = Hierarchy(self._blueprint)
+        found = next(starts_for(hierarchy, self._start.branch, self._start.state), None)
+        if found is None:
+            raise RunRefused(f"no configuration agrees with {self._start}")
+        return found
+
+    def _legs(self, hazards: Sequence[GuardHazard]) -> tuple[Leg, ...] | None:
+        from smsl_studio.blueprint.configuration import Hierarchy
+        from smsl_studio.blueprint.terms import Terms
+        from smsl_studio.dispatch.route.effort import refuse_too_large
+        from smsl_studio.dispatch.route.planner import Planner
+
+        hierarchy = Hierarchy(self._blueprint)
+        refuse_too_large(hierarchy)
+        configuration = self._configuration()
+        terms = Terms(shut=dict.fromkeys(self._avoid, "avoided"), hazards=tuple(hazards))
+        return Planner(hierarchy, terms).legs(configuration, [self._goal])
 
 
 def _state_in(branch: StateBranch, written: Written) -> str:

@@ -74,7 +74,7 @@ def edge_alone(
     if start is None:
         words = f"no start agrees with {edge.branch} in {edge.state}"
         return _verdict(edge, sentence=words), False
-    terms = RunTerms(start, seed=seed, automatic=False)
+    terms = RunTerms(start, seed=seed, automatic=False, guarded=False)
     dispatcher = Dispatcher(hierarchy.blueprint, host, terms)
     events = list(dispatcher.open())
     source = "unknown"

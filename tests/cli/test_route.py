@@ -93,3 +93,29 @@ def test_an_operation_is_avoided_wherever_its_branch_has_it(shell: Shell) -> Non
     assert around["states"] == ["State000", "State100", "State110", "State111"]
     wrong = shell("route", sample("hfsm"), *ends, "--avoid", "SB2/Operation100B")
     assert (wrong.status, wrong.out) == (2, "")
+
+
+def test_a_route_meets_no_hazard_and_names_the_one_in_the_way(shell: Shell, tmp_path: Path) -> None:
+    values = json.loads(Path(sample("hfsm")).read_text())
+    file = tmp_path / "guarded.json"
+    ends = ("--from", "State000", "--to", "SB1/State111", "--format", "json")
+
+    def routed(**facts: str) -> list[str]:
+        hazard = {"name": "Both", "facts": {key.replace("_", "/"): v for key, v in facts.items()}}
+        file.write_text(json.dumps({"_hazards": [hazard], **values}))
+        answer = shell("route", str(file), *ends)
+        assert answer.status == (0 if answer.json["cost"] is not None else 1)
+        assert ("but through the hazard Both" in answer.err) == bool(answer.status)
+        return list(answer.json["states"])
+
+    assert routed(SB1_0="0", SB1_1="1") == ["State000", "State100", "State111"]
+    assert routed(SB1_0="1", SB1_1="0") == []
+    file.write_text(json.dumps({
+        "_hazards": [{"name": "Nowhere", "facts": {"SB/0": "1"}}],
+        "SB": {"State0": {"a": "State1", "b": "State2"}, "State1": {"c": "State3"},
+               "State2": {"d": "State3"}, "State3": {}},
+    }))  # fmt: skip
+    answer = shell("route", str(file), "--from", "State0", "--to", "State3", "--format", "json")
+    assert answer.json["operations"] == ["SB/State0/b", "SB/State2/d"]
+    answer = shell("route", str(file), "--from", "State0", "--to", "State1")
+    assert (answer.status, "but through the hazard Nowhere" in answer.err) == (1, True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.known_values import values_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.properties.formula import (
     AllOf,
@@ -15,6 +16,17 @@ from smsl_studio.blueprint.properties.formula import (
     StateTerm,
 )
 from smsl_studio.errors import FormulaError, did_you_mean
+
+__all__ = [
+    "Joined",
+    "Meaning",
+    "States",
+    "branches_in",
+    "fact_of",
+    "holds",
+    "meaning_of",
+    "values_of",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,14 +150,6 @@ class _Look:
             words = f"{branch.name} has {count} facts, so {digit} is none of its digits"
             raise FormulaError(words, term.at, "Digits count from 0.")
         return digit
-
-
-def values_of(branch: StateBranch, digit: int) -> tuple[str, ...]:
-    """Return the values that a fact may have: those of the states, and those that ``_facts``
-    tells of, which sensors may read."""
-    note = branch.fact_note(digit)
-    told = (*note.values, *note.failure) if note else ()
-    return tuple(dict.fromkeys((*branch.alphabet[digit], *told)))
 
 
 _SHOWN = 12

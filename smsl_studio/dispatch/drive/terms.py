@@ -20,7 +20,8 @@ class RunTerms:
     somebody is there to decide; None means that only a run by hand is attended. Without attendance
     a hold or a stop ends the run. The automatic route begins an edge from one configuration at most
     ``visits`` times, and then the run holds. ``findings`` are the findings that a person must
-    accept before anything moves, in words.
+    accept before anything moves, in words. A run that is not ``guarded`` ignores hazards.
+    ``left_out`` are annotations of the file that nobody can read, as addresses with sentences.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -32,6 +33,8 @@ class RunTerms:
     attended: bool | None = None
     visits: int = VISITS
     findings: str = ""
+    guarded: bool = True
+    left_out: Sequence[tuple[str, str]] = ()
 
     @property
     def adopts(self) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.hazards import GuardHazard, named
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.execution.recovery import candidates, stands, sub_relocalised
 from smsl_studio.dispatch.execution.run import LiveRun
@@ -163,8 +164,16 @@ class Trouble:
         sentence = f"Nothing permitted leads from {here} to {goal}"
         if blocking:
             sentence += f"; it would with {', '.join(map(str, blocking))}"
+        elif hazards := self._hazards():
+            sentence += f"; it would through {named(hazards)}"
         skipped = tuple(course.vetoed)
         return Hold(f"{sentence}.", (*words, *details), NO_ROUTE, tuple(blocking), skipped)
+
+    def _hazards(self) -> tuple[GuardHazard, ...]:
+        try:
+            return self._course.hazards_between(self._run.configuration)
+        except PlanningError:
+            return ()
 
     def _blocking(self) -> Mapping[Address, str]:
         try:

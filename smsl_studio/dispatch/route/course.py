@@ -8,10 +8,11 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.hazards import GuardHazard
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.blocks import Blocks
-from smsl_studio.dispatch.route.planner import Leg, Planner
+from smsl_studio.dispatch.route.planner import Leg, Planner, hazards_on
 from smsl_studio.dispatch.route.prices import Prices
 from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.errors import PlanningError
@@ -44,7 +45,8 @@ class Course:
 
     ``shut`` are edges that were avoided or pruned, with reasons. ``risky`` are edges that have
     failed. ``vetoed`` are edges that are skipped while the run stays where they were vetoed. A
-    route uses none of them. A person may still ask for a risky or a vetoed edge.
+    route uses none of them. A person may still ask for a risky or a vetoed edge. No route, and no
+    operation that a person asks for, meets one of ``hazards``.
     """
 
     def __init__(
@@ -53,7 +55,9 @@ class Course:
         goals: Sequence[Address],
         bound: Mapping[Address, Bound],
         shut: Mapping[Address, str],
+        hazards: tuple[GuardHazard, ...] = (),
     ) -> None:
+        self.hazards = hazards
         self.goals = tuple(goals)
         self.shut = dict(shut)
         self.risky: dict[Address, str] = {}
@@ -275,7 +279,8 @@ class Course:
         blocks = Blocks(self.closed, self._bound)
         planner = self._what_if.get(Blocks)
         if planner is None:
-            terms = Terms({}, None, self._exact, None, self.prices.now, blocks)
+            prices, hazards = self.prices.now, self.hazards
+            terms = Terms({}, None, self._exact, None, prices, blocks, hazards)
             planner = self._what_if[Blocks] = Planner(self._hierarchy, terms, self._ways)
         legs = planner.legs(configuration, self.goals)
         edges = (edge for leg in legs or () for step in leg.steps for edge in step.edges)
@@ -291,6 +296,17 @@ class Course:
         legs = planner.legs(configuration, self.goals)
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
+
+    def hazards_between(self, configuration: Mapping[str, str]) -> tuple[GuardHazard, ...]:
+        """Return the hazards on the route that would exist without any hazard. Empty if there is
+        none.
+        """
+        if not self.hazards:
+            return ()
+        planner = self._what_if.get(GuardHazard)
+        if planner is None:
+            planner = self._what_if[GuardHazard] = self._planner_of(self.closed, hazards=())
+        return hazards_on(self.hazards, configuration, planner.legs(configuration, self.goals))
 
     def lift_vetoes(self, addresses: Collection[Address]) -> None:
         """Lift the vetoes of these edges, because they were skipped."""
@@ -326,9 +342,14 @@ class Course:
         return planner
 
     def _planner_of(
-        self, shut: Mapping[Address, str], failing: Collection[Address] = ()
+        self,
+        shut: Mapping[Address, str],
+        failing: Collection[Address] = (),
+        hazards: tuple[GuardHazard, ...] | None = None,
     ) -> Planner:
-        terms = Terms(shut, self._bound.keys(), self._exact, failing, self.prices.now)
+        guards = self.hazards if hazards is None else hazards
+        prices = self.prices.now
+        terms = Terms(shut, self._bound.keys(), self._exact, failing, prices, hazards=guards)
         return Planner(self._hierarchy, terms, self._ways)
 
 

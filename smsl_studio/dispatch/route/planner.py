@@ -13,6 +13,7 @@ from smsl_studio.blueprint.allowance import Allowance
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, EdgeKind
 from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.hazards import GuardHazard, first_met, met_on_the_way
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, PlanSearch, patience
 from smsl_studio.blueprint.stepper import Stepper
@@ -89,7 +90,7 @@ class Planner:
         The goals are pursued in order, and each leg keeps the goals before it. If this is not
         possible, one search looks for all goals together. If an SB is in a failure state, the first
         leg leads to the nearest configuration without failure, if a route leads on from there. No
-        route leads into a failure state.
+        route leads into a failure state, or passes a configuration that meets a hazard.
 
         It heeds the listener (see ``stop``). If it is called off and asked again, it goes on.
         PlanningError if too many configurations were searched, or if the route has too many steps.
@@ -112,6 +113,9 @@ class Planner:
         return found
 
     def _way(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
+        hazards = self.stepper.terms.hazards
+        if hazards and first_met(hazards, start) is not None:
+            return None
         if holds(start, goals):
             return ()
         if not self.failing(start, goals):
@@ -245,14 +249,14 @@ class Planner:
         return Leg(goal, steps, before, round(sum(step.cost for step in steps), 9))
 
     def _quiet(self, movers: Sequence[str], seen: Collection[str]) -> frozenset[str]:
-        """Return the quiet sub-SBs: they have no sub-SBs, no goal (``seen``) and no ``requires``
-        depends on them, and their own operations require nothing.
+        """Return the quiet sub-SBs: they have no sub-SBs, no goal (``seen``), no ``requires`` and
+        no hazard depends on them, and their own operations require nothing.
 
         Only their operations that leave ACTIVATING need to be asked for. A base's rise does
         everything else on the sub-SB's own route, and never at a higher cost. An operation that
         requires a fact may be open only before that rise, so its SB is not quiet.
         """
-        asked = self._required.union(seen, self._guarded)
+        asked = self._required.union(seen, self._guarded, self.stepper.in_hazards)
         return frozenset(
             name
             for name in movers
@@ -274,7 +278,7 @@ class Planner:
                 here = here or dict(zip(self.hierarchy.order, node, strict=True))
                 key = (f"{at:06}", edge.name)
                 if edge.kind is EdgeKind.PURE and not edge.crossing:
-                    if self.stepper.allows(here, edge):
+                    if self.stepper.allows(here, edge) and not self._endangers(here, edge):
                         to = (*node[:at], edge.target, *node[at + 1 :])
                         count = int(name == routed)
                         yield Move(to, edge.cost, count, partial(_one, edge, routed), key, edge)
@@ -290,6 +294,13 @@ class Planner:
         # on.
         self.stepper.allowance.spend(seen)
 
+    def _endangers(self, here: Mapping[str, str], edge: Edge) -> bool:
+        """Return whether an edge that moves its own SB alone leads into a hazard."""
+        stepper = self.stepper
+        if edge.branch not in stepper.in_hazards:
+            return False
+        return first_met(stepper.terms.hazards, {**here, edge.branch: edge.target}) is not None
+
     def _names(self, here: Mapping[str, str], edge: Edge, routed: str) -> tuple[str, ...]:
         step = self.stepper.written(here, edge)
         return step.names(routed) if isinstance(step, JointStep) else ()
@@ -304,6 +315,19 @@ def _after(configuration: Configuration, leg: Leg) -> dict[str, str]:
     for step in leg.steps:
         after.update(step.after)
     return after
+
+
+def hazards_on(
+    hazards: Sequence[GuardHazard], start: Configuration, legs: Sequence[Leg] | None
+) -> tuple[GuardHazard, ...]:
+    """Return the hazards that a route meets, its start included, in the order of the file."""
+    if legs is None:
+        return ()
+    met = {one.name for one in hazards if one.meets(start)}
+    for leg in legs:
+        for before, step in zip(leg.before, leg.steps, strict=True):
+            met.update(one.name for one in met_on_the_way(hazards, before, step))
+    return tuple(one for one in hazards if one.name in met)
 
 
 def holds(configuration: Configuration, goals: Sequence[Address]) -> bool:

@@ -113,6 +113,8 @@ class _Lone:
         closed = set(self._never) if terms.extra is None else set()
         closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
         closed.update(e for e in self._asking if not self._granted(stepper, start, e))
+        if terms.hazards:
+            closed.update(self._into_hazard(stepper, start))
         key = goals, terms.extra is not None
         heed()
         tree, priced = self._trees.pop(key, (None, {}))
@@ -193,6 +195,17 @@ class _Lone:
             for number, target in enumerate(graph.targets):
                 heed()
                 if bad[target] and not bad[graph.sources[number]]:
+                    yield number
+
+    def _into_hazard(self, stepper: Stepper, start: Configuration) -> Iterator[int]:
+        """Yield the edges into states that meet a hazard while all other SBs stay."""
+        name, graph = self._branch.name, self._graph
+        barred = {state for one in stepper.terms.hazards for state in one.bars(name, start)}
+        if barred:
+            bad = [state in barred for state in graph.names]
+            for number, target in enumerate(graph.targets):
+                heed()
+                if bad[target]:
                     yield number
 
     def _with_requires(self) -> Iterator[int]:

@@ -132,8 +132,6 @@ class _Prover:
             space = Space(blueprint)
             start = space.configuration(space.start())
             return _Found(Answer(FAILS, Run(start, (), start)))
-        if self._meets_hazard(route):
-            return _Found(Answer(UNKNOWN), "the cheapest route meets a hazard")
         if one.kind == "cost":
             good = route.cost <= one.written.limit
         else:
@@ -143,11 +141,6 @@ class _Prover:
             return _Found(Answer(HOLDS))
         start, *_, end = (route.configurations[0], *route.configurations)
         return _Found(Answer(FAILS, Run(start, route.asked, end)))
-
-    def _meets_hazard(self, route: PlannedRoute) -> bool:
-        from smsl_studio.blueprint.properties.meaning import holds
-
-        return any(holds(one, here) for one in self._hazards for here in route.configurations)
 
 
 def _pattern(text: str) -> Callable[[Address], bool]:

@@ -193,6 +193,29 @@ def test_routes_answer_cost_and_at_most() -> None:
     assert run.end == {"BASE": "S11", "SUB": "S1"}
 
 
+def test_the_cheapest_route_goes_around_hazards() -> None:
+    edges = {"S00": {"a": "S01", "b": "S10"}, "S01": {"c": "S11"}, "S10": {"d": "S11"}, "S11": {}}
+    head = {"ACTIVATING": "S11", "NUM_FACTS": 2}
+    flat = {"HEADER": head, "_operations": {"d": {"cost": 4}}, **edges}
+    asked: list[Any] = [
+        {"name": "cost", "cost": {"goal": "A/S11", "limit": 2}},
+        {"name": "few", "at_most": {"operation": "d", "times": 0}},
+    ]
+    kept = verdicts({"_properties": asked, "A": flat})
+    assert [kept[one].verdict for one in ("cost", "few")] == ["holds", "holds"]
+    hazards = [{"name": "h", "facts": {"A/0": "0", "A/1": "1"}}]
+    found = verdicts({"_properties": asked, "_hazards": hazards, "A": flat})
+    for name in ("cost", "few"):
+        assert (found[name].verdict, found[name].bound) == ("fails", None)
+        run = found[name].counterexample
+        assert run is not None
+        assert run.path == (Address("A", "S00", "b"), Address("A", "S10", "d"))
+    hazards.append({"name": "both", "facts": {"A/0": "1", "A/1": "0"}})
+    found = verdicts({"_properties": asked, "_hazards": hazards, "A": flat})
+    run = found["cost"].counterexample
+    assert (found["cost"].verdict, run and run.path) == ("fails", ())
+
+
 def test_the_bound_is_told_and_never_hides_a_failure() -> None:
     line = {f"S{n:02}": {"on": f"S{n + 1:02}"} for n in range(40)} | {"S40": {}}
     properties = [
