@@ -1,35 +1,59 @@
 """Inspector: inspects the blueprint in a second thread after every change.
 
-The rules are pure functions of a frozen blueprint, so a large one does not freeze the window.
-Findings of a blueprint that is no longer shown are dropped. Those of the last ones are kept,
-because an undo shows the same blueprint again.
+The rules are pure functions of a frozen blueprint, so a large one does not freeze the window. After
+them the hazards and properties are answered, which may take longer. Findings of a blueprint that is
+no longer shown are dropped. Those of the last ones are kept, because an undo shows the same
+blueprint again.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.inspect import ALL, inspect
+from smsl_studio.inspection.inspect import ALL, inspect, order
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
+
+if TYPE_CHECKING:
+    from smsl_studio.front.proof import Proof
 
 KEPT = 40
 """The findings of so many blueprints are kept. An undo shows those of its blueprint at once."""
 WAIT = 120
 """Milliseconds from an edit to its inspection; another edit in that time starts the wait again."""
+PATIENCE = 150
+"""Milliseconds for which the findings of the rules wait for those of properties, so that the list
+changes once. After that they are shown alone."""
+LIMIT = 50_000
+"""The largest number of configurations that are looked at. ``check`` looks at more."""
+CLAIMS = ("_hazards", "_properties")
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What is known of a blueprint. Without a proof nobody has answered its properties yet."""
+
+    blueprint: Blueprint
+    findings: tuple[Finding, ...]
+    proof: Proof | None = None
 
 
 class Inspector(QObject):
-    """Keeps the findings of the session's blueprint up to date."""
+    """Keeps the findings and the verdicts of the session's blueprint up to date."""
 
     found = Signal(object)
-    """tuple[Finding]: the findings of the blueprint that is shown now."""
+    """tuple[Finding]: the findings of the blueprint that is shown now. It comes a second time if
+    the properties take longer than the rules."""
     started = Signal()
-    """The blueprint changed, so the former findings may no longer hold."""
+    """The blueprint changed, so the former findings and verdicts may no longer hold."""
+    proved = Signal()
+    """``proof`` is there: the verdicts about the blueprint that is shown now."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -38,12 +62,19 @@ class Inspector(QObject):
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._inspect)
+        self._patience = QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.timeout.connect(self._tell)
         self._wanted: Blueprint | None = None
         self.findings: tuple[Finding, ...] = ()
-        self._known: dict[int, tuple[Blueprint, tuple[Finding, ...]]] = {}
-        """The last inspected blueprints with their findings, by the id of the blueprint."""
+        self._known: dict[int, _Known] = {}
+        """What is known of the last inspected blueprints, by the id of the blueprint."""
         self.current = False
         """Whether ``findings`` belong to the blueprint that is shown."""
+        self.proof: Proof | None = None
+        """The verdicts about the blueprint that is shown; None as long as they are not known."""
+        self.stopped = False
+        """Whether a person has stopped the search for verdicts about this blueprint."""
         session.opened.connect(self._known.clear)
         session.blueprint_changed.connect(lambda *_: self._changed())
         self._changed()
@@ -53,29 +84,90 @@ class Inspector(QObject):
         """The number of rules that are checked."""
         return len(ALL)
 
+    @property
+    def proving(self) -> bool:
+        """Whether ``findings`` do not have those of hazards and properties yet."""
+        return self.current and self.proof is None
+
     def stop(self) -> None:
         """End all work, because the window closes."""
         self._timer.stop()
+        self._patience.stop()
         self._wanted = None
         self._beside.stop()
 
-    def _changed(self) -> None:
-        self.current = False
+    def stop_looking(self) -> None:
+        """Call off the search for verdicts. The findings of the rules stay."""
+        if self._wanted is not None and self.proof is None:
+            self._beside.drop()
+            self.stopped = True
+            self._tell()
+
+    def look_again(self) -> None:
+        """Inspect the same blueprint once more."""
+        self._known.pop(id(self._session.blueprint), None)
+        self._changed(0)
+
+    def _changed(self, wait: int = WAIT) -> None:
+        self.current, self.proof, self.stopped = False, None, False
+        self._patience.stop()
+        self._beside.drop()
+        self._wanted = None
         self.started.emit()
-        self._timer.start(0 if id(self._session.blueprint) in self._known else WAIT)
+        known = self._known.get(id(self._session.blueprint))
+        self._timer.start(0 if known is not None and known.proof is not None else wait)
 
     def _inspect(self) -> None:
         blueprint = self._wanted = self._session.blueprint
         self._beside.drop()
-        if id(blueprint) in self._known:
-            self._arrived(*self._known[id(blueprint)])
-            return
-        self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
+        known = self._known.get(id(blueprint))
+        if known is not None:
+            self._arrived(blueprint, known.findings)
+        else:
+            self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
 
     def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
-        if blueprint is self._session.blueprint and blueprint is self._wanted:
-            self.findings, self.current = findings, True
-            self._known[id(blueprint)] = blueprint, findings
-            while len(self._known) > KEPT:
-                del self._known[next(iter(self._known))]
-            self.found.emit(findings)
+        if not self._is_wanted(blueprint):
+            return
+        known = self._known.get(id(blueprint)) or _Known(blueprint, findings)
+        self._keep(known)
+        self.findings = known.findings
+        if known.proof is not None:
+            self._answered(blueprint, known.proof)
+            return
+        self._patience.start(PATIENCE)
+        self._beside.do(partial(_proof_of, blueprint), partial(self._answered, blueprint))
+
+    def _answered(self, blueprint: Blueprint, proof: Proof) -> None:
+        if not self._is_wanted(blueprint):
+            return
+        known = self._known.get(id(blueprint)) or _Known(blueprint, self.findings)
+        self._keep(_Known(blueprint, known.findings, proof))
+        every = (*known.findings, *proof.findings)
+        if proof.findings:
+            every = tuple(sorted(every, key=partial(order, blueprint)))
+        self.findings, self.proof = every, proof
+        self._tell()
+        self.proved.emit()
+
+    def _is_wanted(self, blueprint: Blueprint) -> bool:
+        return blueprint is self._session.blueprint and blueprint is self._wanted
+
+    def _keep(self, known: _Known) -> None:
+        self._known[id(known.blueprint)] = known
+        while len(self._known) > KEPT:
+            del self._known[next(iter(self._known))]
+
+    def _tell(self) -> None:
+        self._patience.stop()
+        self.current = True
+        self.found.emit(self.findings)
+
+
+def _proof_of(blueprint: Blueprint) -> Proof:
+    """Answer the hazards and properties of a blueprint. It is called in the worker thread."""
+    from smsl_studio.front.proof import Proof, prove
+
+    if not any(key in one.values for one in blueprint.documents for key in CLAIMS):
+        return Proof((), ())
+    return prove(blueprint, LIMIT)

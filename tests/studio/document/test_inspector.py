@@ -3,17 +3,24 @@ count."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from threading import Event
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.front.proof import Proof, prove
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.stop import Stopped, heed
 from smsl_studio.studio.document import inspector as room
 from smsl_studio.studio.document.files.fresh import empty_blueprint
 from smsl_studio.studio.document.inspector import Inspector
@@ -128,3 +135,114 @@ def test_only_the_findings_of_the_last_blueprints_are_kept(
         session.history.undo()
         qtbot.waitUntil(lambda: inspector.current)
     assert len(seen) == 2
+
+
+BRANCH = {
+    "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2},
+    "State_00": {"on": "State_10", "skip": "State_01"},
+    "State_10": {"end": "State_11"},
+    "State_01": {"end": "State_11"},
+    "State_11": {"again": "State_00"},
+}
+HAZARD = {"name": "Blind cut", "facts": {"SB/0": "0", "SB/1": "1"}}
+SKIP = Address("SB", "State_00", "skip")
+
+
+def guarded() -> Blueprint:
+    """A blueprint with a hazard that its operation ``skip`` leads to."""
+    text = json.dumps({"_hazards": [HAZARD], "SB": BRANCH}, indent=1)
+    return read_blueprint(parse_json(text, "guarded.json"))
+
+
+def without_skip(blueprint: Blueprint) -> Blueprint:
+    return editing.delete(blueprint, [SKIP])
+
+
+def test_hazards_are_answered_after_every_change(
+    session: Session, inspector: Inspector, qtbot: QtBot
+) -> None:
+    session.open(guarded())
+    assert inspector.proof is None
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert inspector.proof is not None
+    assert [one.verdict for one in inspector.proof.verdicts] == ["fails"]
+    (finding,) = [one for one in inspector.findings if one.rule == "R19"]
+    assert str(finding.address) == "_hazards/Blind cut"
+    assert list(inspector.findings) == sorted(inspector.findings, key=lambda one: one.place)
+
+    session.edit("Delete", without_skip)
+    assert inspector.proof is None, "what was shown before is not shown now"
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert [one.verdict for one in inspector.proof.verdicts] == ["holds"]
+    assert "R19" not in {one.rule for one in inspector.findings}
+
+    session.history.undo()
+    assert inspector.proof is None
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert [one.verdict for one in inspector.proof.verdicts] == ["fails"]
+
+
+class Slow:
+    """An answer that takes until ``ends`` is set, and heeds that it is called off."""
+
+    def __init__(self) -> None:
+        self.begun, self.ends, self.called_off = Event(), Event(), Event()
+
+    def __call__(self, blueprint: Blueprint) -> Proof:
+        self.begun.set()
+        try:
+            while not self.ends.wait(0.01):
+                heed()
+        except Stopped:
+            self.called_off.set()
+            raise
+        return prove(blueprint)
+
+
+def test_the_rules_do_not_wait_for_slow_properties(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = Slow()
+    monkeypatch.setattr(room, "_proof_of", slow)
+    session.open(guarded())
+    qtbot.waitUntil(lambda: inspector.current)
+    assert inspector.proving
+    assert inspector.proof is None
+    assert inspector.findings == inspect(session.blueprint)
+    slow.ends.set()
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert not inspector.proving
+    assert len(inspector.findings) > len(inspect(session.blueprint))
+
+
+def test_an_edit_calls_the_search_off(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = Slow()
+    monkeypatch.setattr(room, "_proof_of", slow)
+    session.open(guarded())
+    qtbot.waitUntil(slow.begun.is_set)
+    session.edit("Delete", without_skip)
+    qtbot.waitUntil(slow.called_off.is_set)
+    slow.ends.set()
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert inspector.proof is not None
+    assert [one.verdict for one in inspector.proof.verdicts] == ["holds"]
+
+
+def test_a_person_stops_the_search_and_lets_it_begin_again(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = Slow()
+    monkeypatch.setattr(room, "_proof_of", slow)
+    session.open(guarded())
+    qtbot.waitUntil(slow.begun.is_set)
+    inspector.stop_looking()
+    qtbot.waitUntil(slow.called_off.is_set)
+    assert inspector.stopped
+    assert inspector.current
+    assert inspector.proof is None
+    slow.ends.set()
+    inspector.look_again()
+    assert not inspector.stopped
+    qtbot.waitUntil(lambda: inspector.proof is not None)

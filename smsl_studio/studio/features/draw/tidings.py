@@ -128,6 +128,7 @@ class Tidings(QObject):
             # A new blueprint has no states yet; that is no mistake of the person.
             findings = tuple(finding for finding in findings if finding.rule != EMPTY)
         self._findings.draft = self._is_draft
+        self._findings.proving = self._inspector.proving
         if self._is_draft:
             findings = quiet(findings)
         for part in (self._findings, *self._marked):

@@ -16,6 +16,7 @@ from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.broken import Broken, faults_of
+from smsl_studio.studio.document.inspector import CLAIMS
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
@@ -25,6 +26,7 @@ from smsl_studio.studio.features.draw.panels.unfinished import sum_of, to_finish
 MOST = 6
 """The panel lists this many faults of a broken text; the source marks all of them."""
 
+PROVING = "Hazards and properties are not answered yet"
 NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
 
@@ -32,6 +34,8 @@ class Findings(Panel):
     """The list of findings. ``tools`` stands at the right of its tab: the summary and “Fix all”."""
 
     count_changed = Signal(int)
+    claim_wanted = Signal(object)
+    """Address: the finding is about this hazard or property, which stands on no canvas."""
     check_wanted = Signal()
     """Show what is missing in an unfinished drawing as mistakes."""
 
@@ -44,6 +48,8 @@ class Findings(Panel):
         self._broken: Broken | None = None
         self.draft = False
         """Whether the drawing is unfinished, so that nothing speaks of approval."""
+        self.proving = False
+        """Whether the findings of hazards and properties are still missing."""
         self.summary = Elided("Not checked yet")
         self.summary.setProperty("role", "small")
         self.fix_all_button = QPushButton("Fix all")
@@ -146,9 +152,11 @@ class Findings(Panel):
         self.summary.setText(
             sum_of(findings) if self.draft and findings else
             f"{counted(errors, 'error blocks', 'errors block')} approval" if errors else
+            PROVING if self.proving else
             f"Checked, {rules}" if drawn else "Nothing to check"
         )  # fmt: skip
-        self.empty.setText(f"No findings. {rules} checked." if drawn else NOTHING)
+        said = f"No findings. {rules} checked."
+        self.empty.setText(f"{said} {PROVING}." if self.proving else said if drawn else NOTHING)
         self._pages.setCurrentWidget(self.list if findings else self._told)
         self._offer_fixes()
         self.count_changed.emit(len(self._findings))
@@ -240,7 +248,10 @@ class Findings(Panel):
 
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
-        self._session.jump(finding.address)
+        if finding.address.branch in CLAIMS:
+            self.claim_wanted.emit(finding.address)
+        else:
+            self._session.jump(finding.address)
 
 
 class _Progress(QObject):
