@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from smsl_studio.legible import markup
 from smsl_studio.picture.arrowhead import HEAD, arrowhead
-from smsl_studio.picture.bundles import CHIP, chip_size, line_width
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.returns import CHIP_SIDES, HOUSE, TEXT, house, lane_words, stub_of
 from smsl_studio.picture.strokes import box, polygon, polyline, text
 from smsl_studio.stop import heed
 
@@ -19,12 +19,12 @@ def draw_bundle(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
     """
     heed()
     picture, shape = figure.picture, figure.geometry.shape(edge)
-    count, back = picture.bundles.count(edge), picture.leads_back(edge)
+    back = picture.leads_back(edge)
     colour, head = colours["edge"], HEAD + 1.0
     yield f"<g><title>{markup(_words(figure, edge))}</title>"
     first = head - 2.0 if back else 0.0
     body = shape.cut(first, max(shape.length - head + 2.0, first))
-    yield polyline(body, colour, line_width(count))
+    yield polyline(body, colour, picture.bundles.width(edge))
     yield polygon(arrowhead(shape, head), colour)
     if back:
         yield polygon(arrowhead(shape.reversed, head), colour)
@@ -34,14 +34,30 @@ def draw_bundle(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
 def draw_count(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
     """Yield the chip of a bundle, in its place or in the middle of its line."""
     place = figure.geometry.label(edge) or figure.geometry.fallback(edge)
-    count = figure.picture.bundles.count(edge)
-    wide, high = chip_size(count)
+    bundles = figure.picture.bundles
+    count, lane = bundles.count(edge), bundles.first[edge] == bundles.lane
+    wide, high = figure.picture.chip_size(edge)
     x, y = (place[0] + place[2]) / 2, (place[1] + place[3]) / 2
     yield f"<g><title>{markup(_words(figure, edge))}</title>"
     area = (x - wide / 2, y - high / 2, wide, high)
-    yield box(area, CHIP / 2, colours["canvas"], colours["edge"])
-    yield text((x, y + 4.0), str(count), 11.0, colours["tx"], 600)
+    yield box(area, high / 2, colours["canvas"], colours["edge"])
+    if lane:
+        left = x - wide / 2 + CHIP_SIDES / 2
+        yield polygon(house(left - 1.0, y), "none", colours["acc"])
+        words, at = lane_words(count), (left + HOUSE / 2 + 3.0, y + 4.0)
+        yield text(at, words, TEXT, colours["tx"], 500, "start")
+    else:
+        yield text((x, y + 4.0), str(count), TEXT, colours["tx"], 600)
     yield "</g>"
+
+
+def draw_stubs(figure: Figure, colours: Colours) -> Iterator[str]:
+    """Yield the marks of the states from which operations lead back to the start by the lane."""
+    for state in figure.picture.stubs if figure.shows_nodes else ():
+        line = stub_of(figure.geometry.box(state), 1.0)
+        x, y = line[-1]
+        yield polyline(line, colours["slate"], 1.5)
+        yield polyline([(x + 4.0, y - 4.0), (x, y), (x + 4.0, y + 4.0)], colours["slate"], 1.5)
 
 
 def _words(figure: Figure, edge: int) -> str:

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 CHIP = 18.0
 """The height of the chip with the count, and the width of a chip with up to two digits (pixels of a
 mark)."""
+LANE_WIDTH = 5.0
+"""The width of the lane back to the start (pixels of a mark)."""
 DIGIT = 7.0
 """How much wider each further digit makes a chip (pixels of a mark)."""
 
@@ -25,6 +27,15 @@ class Bundles:
     """
 
     members: Mapping[int, tuple[int, ...]] = field(default_factory=lambda: MappingProxyType({}))
+    back: tuple[int, ...] = ()
+    """The operations that lead far back to the initial state. They share a lane, which is one of
+    the bundles; those that are drawn alone follow it."""
+
+    @cached_property
+    def lane(self) -> int:
+        """The first operation of the lane back to the start, -1 without a lane."""
+        back = set(self.back)
+        return next((first for first in self.members if first in back), -1)
 
     @cached_property
     def first(self) -> dict[int, int]:
@@ -35,6 +46,11 @@ class Bundles:
     def hidden(self) -> frozenset[int]:
         """The operations without a line of their own."""
         return frozenset(self.first.keys() - self.members.keys())
+
+    def width(self, edge: int) -> float:
+        """Return the width of the line of an edge's bundle (pixels of a mark)."""
+        first = self.first[edge]
+        return LANE_WIDTH if first == self.lane else line_width(len(self.members[first]))
 
     def count(self, edge: int) -> int:
         """Return how many operations share the line of this one in a bundle; 0 for no bundle."""
@@ -50,7 +66,7 @@ class Bundles:
             rest = tuple(edge for edge in self.members[first] if edge not in edges)
             if len(rest) > 1:
                 found[rest[0]] = rest
-        return Bundles(found)
+        return Bundles(found, self.back)
 
 
 NO_BUNDLES = Bundles()
@@ -68,6 +84,15 @@ def bundles_of(source: NDArray[np.int32], target: NDArray[np.int32]) -> Bundles:
     groups: Iterable[NDArray[np.intp]] = np.split(edges[order], starts[1:]) if len(edges) else ()
     several = (tuple(group.tolist()) for group in groups if len(group) > 1)
     return Bundles({group[0]: group for group in sorted(several)})
+
+
+def with_lane(bundles: Bundles, back: tuple[int, ...]) -> Bundles:
+    """Return bundles in which some operations share a lane back to the start. They are in no other
+    bundle then.
+    """
+    if not back:
+        return bundles
+    return Bundles({back[0]: back} | dict(bundles.without(back).members), back)
 
 
 def chip_size(count: int) -> tuple[float, float]:

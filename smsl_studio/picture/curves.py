@@ -226,10 +226,11 @@ def _bent(
     }
 
 
-def stub(box: NodeBox, rank: float, unit: float) -> EdgeShape:
+def stub(box: NodeBox, own: Sequence[int], edge: int, unit: float) -> EdgeShape:
     """Return the line of an edge whose target is missing: a short arrow down.
 
-    ``rank`` is its place among such edges of the node, counted from the middle one.
+    ``own`` has all such edges of the node.
     """
+    rank = own.index(edge) - (len(own) - 1) / 2
     x, y = box.x + rank * 18.0 * unit, box.y + box.h
     return EdgeShape(np.array([[x, y + unit], [x, y + 40.0 * unit]]), "stub", 1)

@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture.bundles import chip_size
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
@@ -153,9 +152,8 @@ class Figure:
         if not self.shows_labels:
             return 0.0, 0.0
         picture = self.picture
-        count = picture.bundles.count(edge)
-        if count:
-            return chip_size(count)
+        if picture.bundles.count(edge):
+            return picture.chip_size(edge)
         signs = bool(picture.kind(edge)) + bool(picture.guards(edge)) + (edge in self.signed)
         return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 

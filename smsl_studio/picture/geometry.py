@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture import bends, initial_mark, labels, loops
+from smsl_studio.picture import bends, initial_mark, labels, loops, start_lane
 from smsl_studio.picture.clear_pairs import ClearPairs
 from smsl_studio.picture.curves import (
     Between,
@@ -22,11 +22,11 @@ from smsl_studio.picture.curves import (
     strands_of,
     stub,
 )
-from smsl_studio.picture.drawn_parts import DrawnParts
 from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.readable import readable_of
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 from smsl_studio.picture.strands import Strand
 
@@ -81,17 +81,14 @@ class Geometry:
         edge = self.picture.line_of(edge)
         found = self._shapes.get(edge)
         if found is None:
-            self._route(edge)
+            self._route_each([edge])
             found = self._shapes[edge]
         return found
 
     def prepare(self, edges: Iterable[int]) -> None:
         """Route all of these edges that are not routed yet, together."""
         edges = list(dict.fromkeys(map(self.picture.line_of, edges)))
-        for edge in edges:
-            if edge not in self._shapes and edge not in self._strands:
-                self._plan(edge)
-        self._draw()
+        self._route_each(edges)
         if anew := [edge for edge in edges if edge not in self._labels]:
             self._choice = self._choice_of(anew)
 
@@ -149,8 +146,11 @@ class Geometry:
 
     # One edge at a time
 
-    def _route(self, edge: int) -> None:
-        self._plan(edge)
+    def _route_each(self, edges: Iterable[int]) -> None:
+        """Route those of these edges that are not routed yet, together."""
+        for edge in edges:
+            if edge not in self._shapes and edge not in self._strands:
+                self._plan(edge)
         self._draw()
 
     def _plan(self, edge: int) -> None:
@@ -159,10 +159,13 @@ class Geometry:
         """
         a, b = int(self.picture.source[edge]), int(self.picture.target[edge])
         by_hand = self._by_hand(edge) if edge in self._drawn else None
+        back = by_hand is None and self.small and edge in self.picture.bundles.back
         if by_hand is not None:
             self._shapes[edge] = by_hand
+        elif back and (ways := self._ways_back([edge])):
+            self._shapes |= ways
         elif b < 0:
-            self._shapes[edge] = self._stub(a, edge)
+            self._shapes[edge] = stub(self.box(a), self.picture.dangling(a), edge, self.style.unit)
         elif a == b:
             self._route_loops(a)
         else:
@@ -220,17 +223,12 @@ class Geometry:
         """Return whether the lines of a pair need no detour. A very large picture has none."""
         return not self.picture.careful or self._clears.holds(pair, self._former)
 
-    def _stub(self, state: int, edge: int) -> EdgeShape:
-        """Return the line of an edge whose target is missing: a short arrow down."""
-        own = [e for e in self.picture.edges_of(state) if self.picture.target[e] < 0]
-        return stub(self.box(state), own.index(edge) - (len(own) - 1) / 2, self.style.unit)
-
     # All edges of a small picture
 
     def _route_small(self, former: Routing | None) -> None:
         drawn = dict(self._drawn)
         work = self._work = Routing(self.picture, self.boxes, self.style, drawn)
-        work.readable = self._readable()
+        work.readable = readable_of(self.picture, self.boxes, self.style, self.box)
         if former is not None:
             held = FormerLines(former, work)
             self._former = held if held.fits else None
@@ -251,7 +249,7 @@ class Geometry:
             self._clears.look([self._pair(a, b) for a, b in self.picture.pairs()])
         passing: list[Passing] = []
         looping: dict[int, None] = {}
-        hidden = self.picture.bundles.hidden
+        back, hidden = self.picture.bundles.back, self.picture.bundles.hidden
         for edge, (a, b) in enumerate(
             zip(self.picture.source.tolist(), self.picture.target.tolist(), strict=True)
         ):
@@ -261,16 +259,18 @@ class Geometry:
                 self._shapes[edge] = by_hand
             elif a == b:
                 looping[a] = None
+            elif edge in back:
+                continue
             elif b >= 0 and in_row(self.box(a), self.box(b)) and not self._clear(self._pair(a, b)):
                 passing.append(Passing(edge, a, b))
             else:
                 self._plan(edge)
         boxes = list(map(self.box, range(len(self.picture))))
         self._shapes |= in_lanes(passing, boxes, self.style.unit, self._obstacles)
-        for one in passing:
-            if one.edge not in self._shapes and one.edge not in self._strands:
-                self._plan(one.edge)
-        self._draw()
+        self._route_each(one.edge for one in passing)
+        own = [edge for edge in back if edge not in hidden and edge not in self._drawn]
+        self._shapes |= self._ways_back(own)
+        self._route_each(own)
         if self._former is not None:
             same = self._former.shape
             self._shapes = {edge: same(edge, shape) for edge, shape in self._shapes.items()}
@@ -297,16 +297,21 @@ class Geometry:
         old = former is not None and former.has_label(edge, self._shapes[edge], size)
         return old or edge in self._labels
 
+    def _ways_back(self, edges: Sequence[int]) -> dict[int, EdgeShape]:
+        """Return the lines of edges that lead back to the start by the lane."""
+        lane = start_lane.LaneNodes(self.boxes, self.box, self._obstacles, self.style.unit)
+        return start_lane.ways_back(self.picture, edges, lane, self._shapes)
+
     def _mark_initial(self, work: Routing, places: labels.LabelPlaces) -> None:
         """Find the place of the initial state's mark. No label may cover it."""
-        state, unit = self.picture.index.get(self.picture.branch.initial, -1), self.style.unit
+        state = self.picture.index.get(self.picture.branch.initial, -1)
         if state < 0:
             return
-        self.mark_shift = initial_mark.free_shift(self.box(state), self._lines, unit)
-        rect = work.mark = initial_mark.rect_of(self.box(state), self.mark_shift, unit)
-        places.take(rect)
+        found = initial_mark.placed(self.box(state), self._lines, self.style.unit)
+        self.mark_shift, work.mark = found
+        places.take(work.mark)
         if self._former is not None:
-            self._former.mark_known(rect)
+            self._former.mark_known(work.mark)
 
     def _place(self, edge: int) -> None:
         if edge in self._labels:
@@ -318,9 +323,7 @@ class Geometry:
         if edge in self._labels or size[0] <= 0.0:
             self._labels.setdefault(edge, None)
             return
-        places = self.places
-        if places is None:
-            places = self.places = self._fresh_places()
+        places = self.places = self.places or self._fresh_places()
         former = self._former
         at = self._drawn[edge].label if edge in self._drawn else None
         if at is not None:
@@ -351,16 +354,12 @@ class Geometry:
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
-        for rect in (*self._readable(), *self._labels.values()):
+        readable = readable_of(self.picture, self.boxes, self.style, self.box)
+        for rect in (*readable, *self._labels.values()):
             if rect is not None:
                 places.take(rect)
         bends.keep_clear(self._drawn.values(), places)
         return places
-
-    def _readable(self) -> list[labels.Rect]:
-        """Return the rectangles of notes and of the titles of groups, which no label may cover."""
-        drawn = DrawnParts(self.picture.branch, self.picture.index)
-        return drawn.readable(self.boxes, self.style.unit, self.style.scale)
 
     def _route_loops(self, state: int) -> None:
         """Draw the loops of a state at the corner where they and their labels cover least."""

@@ -17,6 +17,12 @@ def rect_of(box: NodeBox, shift: float, unit: float) -> Rect:
     return right - (FAR - NEAR) * unit, y - half, right, y + half
 
 
+def placed(box: NodeBox, lines: LinePieces, unit: float) -> tuple[float, Rect]:
+    """Return how far below the middle of its node the mark stands, and its rectangle."""
+    shift = free_shift(box, lines, unit)
+    return shift, rect_of(box, shift, unit)
+
+
 def free_shift(box: NodeBox, lines: LinePieces, unit: float) -> float:
     """Return the distance below the middle of the node at which the mark covers the fewest lines.
 

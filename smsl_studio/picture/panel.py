@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from smsl_studio.picture.bundle_svg import draw_stubs
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.drawn_svg import draw_groups, draw_notes, draw_titles
 from smsl_studio.picture.figure import Figure
@@ -54,6 +55,7 @@ def panel_of(
     notes, groups = figure.drawn_with(None)
     parts.extend(draw_groups(figure, groups, colours))
     parts.extend(draw_lines(figure, edges, colours, operations))
+    parts.extend(draw_stubs(figure, colours))
     parts.extend(draw_titles(figure, groups, colours))
     parts.extend(draw_notes(figure, notes, colours))
     for state in range(len(figure.picture)):
@@ -97,6 +99,8 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
         words.append(("bar", f"expanded by a sub-SB: {elided(subs, NOTE, LEAST)}"))
     if figure.shows_nodes and picture.bundles.members:
         words.append(("", "A number on a line: so many operations between these two states."))
+    if figure.shows_nodes and picture.stubs:
+        words.append(("", "↵ below a state: an operation leads from there back to the start."))
     if figure.shows_labels:
         named = [e for e in range(len(picture.operations)) if e not in picture.bundles.first]
         kinds = {picture.kind(edge) for edge in named}

@@ -17,11 +17,12 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
-from smsl_studio.picture.bundles import NO_BUNDLES, Bundles, bundles_of
+from smsl_studio.picture.bundles import NO_BUNDLES, Bundles, bundles_of, chip_size, with_lane
 from smsl_studio.picture.chip_kinds import chip_kind
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
+from smsl_studio.picture.returns import lane_chip_size, returns_of
 from smsl_studio.picture.sub_marks import sub_mark
 
 Ints = NDArray[np.int32]
@@ -112,8 +113,12 @@ class Picture:
 
     @cached_property
     def all_bundles(self) -> Bundles:
-        """The bundles of all operations that can be in one."""
-        return bundles_of(self.source, self.target)
+        """The bundles of all operations that can be in one. In a small picture one of them may be
+        the lane back to the start."""
+        found = bundles_of(self.source, self.target)
+        back = returns_of(self.source, self.target, self.index.get(self.branch.initial, -1))
+        laned = with_lane(found, back)
+        return laned if back and self.bundled(laned).small else found
 
     def collapse(self) -> Picture:
         """Return the same picture, collapsed. A line that is drawn by hand stays by itself."""
@@ -131,6 +136,18 @@ class Picture:
     def line_count(self) -> int:
         """How many lines are drawn."""
         return len(self.operations) - len(self.bundles.hidden)
+
+    def chip_size(self, edge: int) -> tuple[float, float]:
+        """Return the width and height of the chip of an edge's bundle (pixels of a mark)."""
+        count = self.bundles.count(edge)
+        lane = self.line_of(edge) == self.bundles.lane
+        return lane_chip_size(count) if lane else chip_size(count)
+
+    @property
+    def stubs(self) -> list[int]:
+        """The states from which an operation leads back to the start by the lane."""
+        lane = self.bundles.members.get(self.bundles.lane, ())
+        return list(dict.fromkeys(self.source[list(lane)].tolist()))
 
     def leads_back(self, edge: int) -> bool:
         """Return whether an operation in the bundle of this edge leads the other way."""
@@ -166,6 +183,10 @@ class Picture:
         """Return the numbers of the edges that leave or enter a state and have a line."""
         starts, edges = self.incident
         return self._drawn(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
+
+    def dangling(self, state: int) -> list[int]:
+        """Return the edges that leave a state and have no target."""
+        return [edge for edge in self.edges_of(state) if self.target[edge] < 0]
 
     def _drawn(self, edges: Iterable[int]) -> list[int]:
         """Return those of the edges that have a line of their own."""

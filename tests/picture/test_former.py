@@ -23,16 +23,30 @@ Places = dict[str, tuple[float, float]]
 
 
 def geometry_of(
-    blueprint: Blueprint, branch: str, places: Places, style: LineStyle, former: Routing | None
+    blueprint: Blueprint,
+    branch: str,
+    places: Places,
+    style: LineStyle,
+    former: Routing | None,
+    alone: set[int] | None = None,
 ) -> Geometry:
-    """The geometry of an SB; its nodes are as wide as their names, its labels as well."""
+    """The geometry of an SB; its nodes are as wide as their names, its labels as well.
+
+    With ``alone`` it is collapsed, except these operations.
+    """
     picture = Picture(blueprint, branch)
+    if alone is not None:
+        collapsed = picture.collapse()
+        picture = collapsed.bundled(collapsed.bundles.without(alone))
     at = np.array([places[name] for name in picture.names]).reshape(-1, 2)
     size = (46.0, 24.0) if style.compact else (108.0, 54.0)
     wide = [max(size[0], 7.0 * len(name)) for name in picture.names]
     half = np.column_stack([wide, np.full(len(wide), size[1])]) / 2 * style.unit
 
     def label_size(edge: int) -> tuple[float, float]:
+        if picture.bundles.count(edge):
+            wide, high = picture.chip_size(edge)
+            return wide * style.unit, high * style.unit
         return (len(picture.label(edge)) * 6.0 + 8.0) * style.unit, 15.0 * style.unit
 
     boxes, drawn = np.hstack([at, half.reshape(-1, 2)]), picture.edge_layouts()

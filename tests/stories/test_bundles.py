@@ -6,8 +6,9 @@ import json
 from itertools import permutations
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.base.canvas.bundle_card import BundleCard
 from smsl_studio.studio.base.overlays.dense_legend import DenseLegend
@@ -113,6 +114,10 @@ def test_the_card_goes_with_the_pointer_unless_a_click_pins_it(sit: Sit) -> None
     assert person.selected() == []
     person.move_to(FAR)
     assert card(person).edge >= 0
+    assert not card(person).leaving
+    person.move_to(at)
+    QApplication.sendEvent(card(person), QEvent(QEvent.Type.Leave))
+    assert not card(person).leaving
     # A drag of the view takes it along; Escape and a click elsewhere close it.
     before = card(person).pos()
     person.window.canvas.camera.pan(40.0, 30.0)
@@ -131,10 +136,10 @@ def test_the_card_goes_with_the_pointer_unless_a_click_pins_it(sit: Sit) -> None
 def test_a_selected_state_opens_its_bundles_and_closes_them_again(sit: Sit) -> None:
     person = collapsed(sit)
     far = chip(person, "State_0000", "State_0010")
-    person.select(f"{SB}/State_1110")
+    person.select(f"{SB}/State_1010")
     sheet = person.window.canvas.sheet
     assert sheet is not None
-    own = sheet.picture.edges_of(sheet.picture.index["State_1110"])
+    own = sheet.picture.edges_of(sheet.picture.index["State_1010"])
     assert not any(sheet.picture.bundles.count(edge) for edge in own)
     assert "open" in legend(person).bundles.text()
     assert chip(person, "State_0000", "State_0010") == far, "other bundles stay as they are"
@@ -187,3 +192,43 @@ def test_a_crowded_drawing_is_collapsed_by_itself_until_somebody_chooses(
     open_again(person, FILE)
     open_again(person, path)
     assert lines(person) == 112, "the choice is kept for the file"
+
+
+def resets(folder: Path) -> Path:
+    """A file in which every state can be reset."""
+    table = {f"State_{at}": {"Op_Next": f"State_{at + 1}"} for at in range(7)} | {"State_7": {}}
+    for at in range(1, 8):
+        table[f"State_{at}"]["Op_Reset"] = "State_0"
+    path = folder / "resets.json"
+    path.write_text(json.dumps({"SB": table}), encoding="utf-8")
+    return path
+
+
+def test_ways_back_to_the_start_share_a_lane_that_lists_them(sit: Sit, tmp_path: Path) -> None:
+    person = sit(resets(tmp_path))
+    person.window.actions_table["bundle"].trigger()
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    assert (lines(person), len(sheet.picture.stubs)) == (8, 6)
+    assert legend(person).back.text() == "Back to start 6"
+    person.click(legend(person).back)
+    assert card(person).pinned
+    assert card(person).title.text().startswith("6 to start")
+    assert [row.line.address.state for row in card(person).rows] == [
+        f"State_{at}" for at in range(2, 8)
+    ]
+    row = card(person).rows[3]
+    person.click(row)
+    assert person.selected() == ["SB/State_5/Op_Reset"]
+    picture = sheet.picture
+    lane, own = picture.bundles.lane, picture.edge(row.line.address)
+    assert picture.bundles.count(lane) == 5
+    assert sheet.geometry.shape(own).way == "lane", "its full way is drawn"
+    # The whole lane is drawn from the farthest state, also while one operation is alone.
+    before = sheet.geometry.shape(lane).bounds
+    person.click_canvas(FAR)
+    assert sheet.geometry.shape(sheet.picture.bundles.lane).bounds == before
+    middle = sheet.geometry.label(sheet.picture.bundles.lane)
+    assert middle is not None
+    person.move_to(person.on_canvas(((middle[0] + middle[2]) / 2, (middle[1] + middle[3]) / 2)))
+    assert card(person).isVisible()

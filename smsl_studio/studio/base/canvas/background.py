@@ -23,13 +23,20 @@ from smsl_studio.studio.base.canvas.bundle_layer import (
     lines_alone,
     paint_bundles,
     paint_counts,
+    paint_stubs,
 )
 from smsl_studio.studio.base.canvas.edge_reaches import Numbers
 from smsl_studio.studio.base.canvas.hidden_marks import NameMarks
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint import batch
-from smsl_studio.studio.base.paint.edge_paint import EdgeShapes, LineInk, paint_label, paint_plain
+from smsl_studio.studio.base.paint.edge_paint import (
+    EdgeShapes,
+    LineInk,
+    paint_label,
+    paint_plain,
+    polyline,
+)
 
 MANY_EDGES = 700
 """With more edges than this in view they are painted in a batch."""
@@ -72,11 +79,13 @@ class EdgePainter:
         """Paint the exposed edges: one by one if near and few, else in one batch."""
         edges = sheet.edges_in(*_sides(exposed))
         if self._near:
-            self._paint_near(painter, sheet, edges.tolist())
+            self._paint_near(painter, sheet, edges.tolist(), exposed)
         elif len(edges):
             self._paint_far(painter, sheet, edges)
 
-    def _paint_near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
+    def _paint_near(
+        self, painter: QPainter, sheet: Sheet, edges: list[int], exposed: QRectF
+    ) -> None:
         geometry, looks = sheet.geometry, sheet.looks
         geometry.prepare(edges)
         rest = [e for e in lines_alone(sheet, edges) if not looks.is_lit(e)]
@@ -85,6 +94,8 @@ class EdgePainter:
         shapes, look = [geometry.shape(e) for e in rest], looks.plain
         paint_plain(painter, shapes, look, ink, self._drawn)
         paint_bundles(painter, sheet, bundles_among(sheet, edges))
+        room = 12.0 * sheet.unit
+        paint_stubs(painter, sheet, _sides(exposed.adjusted(-room, -room, room, room)))
 
     def paint_names(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         """Paint the names of the exposed edges, if these are painted one by one."""
@@ -121,6 +132,9 @@ class EdgePainter:
         Opposite edges share one line at the level of dots.
         """
         tokens = sheet.ink.tokens
+        back = sheet.picture.bundles.back
+        edges = edges[~np.isin(edges, back)] if back else edges
+        self._paint_lane(painter, sheet)
         source, target = sheet.picture.source[edges], sheet.picture.target[edges]
         bends = {e: layout.bends for e, layout in sheet.lines.items() if layout.bends}
         keep = (target >= 0) & (source != target)
@@ -161,6 +175,15 @@ class EdgePainter:
                 ]
             ),
         )
+
+    @staticmethod
+    def _paint_lane(painter: QPainter, sheet: Sheet) -> None:
+        """Paint the lane back to the start, without a head."""
+        lane = sheet.picture.bundles.lane
+        if lane >= 0:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(_cosmetic(QPen(sheet.ink.tokens.edge, 2.0)))
+            painter.drawPolyline(polyline(sheet.geometry.shape(lane).points))
 
 
 def _first_pieces(edges: Numbers, starts: Floats, bends: Mapping[int, Sequence[Point]]) -> Floats:

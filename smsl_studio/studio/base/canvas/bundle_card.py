@@ -7,6 +7,7 @@ row selects the operation, which then has a line of its own.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QRect, QRectF, Qt, QTimer
 from PySide6.QtGui import QEnterEvent, QKeyEvent
@@ -68,6 +69,11 @@ class BundleCard(Card):
         """The first edge of the bundle that is shown; -1 while the card is hidden."""
         sheet = self._canvas.sheet
         return sheet.looks.shown_bundle if sheet is not None and not self.isHidden() else -1
+
+    @property
+    def leaving(self) -> bool:
+        """Whether the card will hide soon, because the pointer is elsewhere."""
+        return self._hide.isActive()
 
     def hover(self, edge: int) -> None:
         """Take the bundle under the pointer (-1 for none): show the card, or hide it soon."""
@@ -231,6 +237,13 @@ def card_lines(picture: Picture, edge: int) -> tuple[str, list[BundleLine]]:
         )
         for one in own
     ]
+    if picture.bundles.first[edge] == picture.bundles.lane:
+        starts = (picture.face(int(source[one])).short for one in own)
+        back = [
+            replace(line, name=f"{line.name} from {start}", back=True)
+            for line, start in zip(lines, starts, strict=True)
+        ]
+        return f"{len(own)} to start {ends[1]}", back
     return f" {'↔' if both else '→'} ".join(ends), lines
 
 

@@ -6,8 +6,15 @@ from collections.abc import Iterable
 
 from PySide6.QtGui import QPainter
 
+from smsl_studio.picture.labels import Rect
 from smsl_studio.studio.base.canvas.sheet import Sheet
-from smsl_studio.studio.base.paint.bundle_paint import bundle_colour, paint_bundle, paint_count
+from smsl_studio.studio.base.paint.bundle_paint import (
+    bundle_colour,
+    paint_bundle,
+    paint_count,
+    paint_lane_chip,
+    paint_stub,
+)
 from smsl_studio.studio.base.paint.edge_paint import LineInk
 
 
@@ -37,8 +44,18 @@ def paint_bundles(
     ink = LineInk(sheet.ink, sheet.unit, sheet.compact)
     colour = bundle_colour(sheet.ink.tokens, chosen, sheet.looks.plain.dimmed)
     for first in bundles:
-        count, back = picture.bundles.count(first), picture.leads_back(first)
-        paint_bundle(painter, geometry.shape(first), count, back, colour, ink)
+        wide, back = picture.bundles.width(first), picture.leads_back(first)
+        paint_bundle(painter, geometry.shape(first), wide, back, colour, ink)
+
+
+def paint_stubs(painter: QPainter, sheet: Sheet, view: Rect) -> None:
+    """Paint the marks of the states from which operations lead back to the start (scene units)."""
+    stubs = sheet.picture.stubs
+    if stubs:
+        seen, colour = set(sheet.states_in(*view)), sheet.ink.tokens.slate
+        for state in stubs:
+            if state in seen:
+                paint_stub(painter, sheet.geometry.box(state), colour, sheet.unit)
 
 
 def paint_counts(
@@ -49,4 +66,6 @@ def paint_counts(
     for first in bundles:
         left, top, right, bottom = geometry.label(first) or geometry.fallback(first)
         at = (left + right) / 2 / unit, (top + bottom) / 2 / unit
-        paint_count(painter, at, sheet.picture.bundles.count(first), sheet.ink, chosen)
+        count, lane = sheet.picture.bundles.count(first), first == sheet.picture.bundles.lane
+        paint = paint_lane_chip if lane else paint_count
+        paint(painter, at, count, sheet.ink, chosen)

@@ -62,6 +62,7 @@ class Overlays:
         self._hush.timeout.connect(self.hush)
         self.breadcrumb.clicked.connect(self._crumb)
         self.dense.collapse_wanted.connect(canvas.collapse_wanted)
+        self.dense.lane_wanted.connect(self._list_lane)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Give all floating widgets the colours of another theme."""
@@ -114,9 +115,19 @@ class Overlays:
             self.dense.show_counts(False, 0, 0)
         else:
             every, now = sheet.picture.all_bundles.members, sheet.picture.bundles
-            whole = sum(own == now.members.get(first) for first, own in every.items())
-            self.dense.show_counts(sheet.picture.collapsed, len(every), len(every) - whole)
+            lane = sheet.picture.all_bundles.lane
+            pairs = {first: own for first, own in every.items() if first != lane}
+            whole = sum(own == now.members.get(first) for first, own in pairs.items())
+            opened, back = len(pairs) - whole, len(sheet.picture.all_bundles.back)
+            self.dense.show_counts(sheet.picture.collapsed, len(pairs), opened, back)
         return before != (self.dense.empty, self.dense.size())
+
+    def _list_lane(self) -> None:
+        """Open the card of the lane back to the start."""
+        sheet = self._canvas.sheet
+        lane = sheet.picture.bundles.lane if sheet is not None else -1
+        if lane >= 0:
+            self.bundle.open(lane)
 
     def show_zoom(self, zoom: float) -> None:
         """Show the zoom; 1.0 is 100 %."""

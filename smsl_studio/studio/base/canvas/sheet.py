@@ -16,10 +16,10 @@ import numpy as np
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture.bundles import chip_size
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.former import Routing
 from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.labels import meet
 from smsl_studio.picture.levels import (
     BOX_SIZE,
     COMPACT_SIZE,
@@ -306,9 +306,8 @@ class Sheet:
     def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
         text = self.text(edge)
         w, h = label_size(text, self.ink)
-        count = self.picture.bundles.count(edge)
-        if count:
-            w, h = chip_size(count)
+        if self.picture.bundles.count(edge):
+            w, h = self.picture.chip_size(edge)
         elif self.looks.edge(edge).finding:
             w, h = boxed_width(text, self.ink), 18.0
         return w * unit, h * unit
@@ -321,7 +320,18 @@ class Sheet:
             self._reaches.compute(self.version, self.at, self.lines)
         # Parallel lanes, self loops and labels with a leader leave the line between two states.
         room = (170.0 if self.picture.careful else 60.0) * self.unit
-        return self._reaches.touching((left, top, right, bottom), room)
+        found = self._reaches.touching((left, top, right, bottom), room)
+        if not self.picture.bundles.back or self.level < Level.COMPACT:
+            return found
+        ways = self._ways_in(left, top, right, bottom)
+        return np.union1d(found, np.array(ways, dtype=np.intp))
+
+    def _ways_in(self, left: float, top: float, right: float, bottom: float) -> list[int]:
+        """The edges that lead back to the start by the lane and through a rectangle."""
+        pad, bundles = 12.0 * self.unit, self.picture.bundles
+        own = [edge for edge in bundles.back if edge not in bundles.hidden]
+        box = left - pad, top - pad, right + pad, bottom + pad
+        return [edge for edge in own if meet(self.geometry.shape(edge).bounds, box)]
 
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
         """The edge whose label or line is at a scene point, -1 for none; ``reach`` is in pixels."""

@@ -22,6 +22,8 @@ class DenseLegend(Card):
 
     collapse_wanted = Signal(bool)
     """Whether operations shall be collapsed."""
+    lane_wanted = Signal()
+    """List the operations that lead back to the start."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
@@ -29,6 +31,8 @@ class DenseLegend(Card):
         self._collapsed, self.empty = False, True
         self.bundles = Label("", self)
         self.bundles.setFont(text_font(12, 500))
+        self.back = IconButton(self, tokens, "", "Back to start")
+        self.back.clicked.connect(self.lane_wanted)
         self.all = IconButton(self, tokens, "", "Show all")
         self.all.accent = True
         self.all.clicked.connect(lambda: self.collapse_wanted.emit(not self._collapsed))
@@ -36,16 +40,22 @@ class DenseLegend(Card):
         row.setContentsMargins(12, 1, 3, 1)
         row.setSpacing(8)
         row.addWidget(self.bundles)
+        row.addWidget(self.back)
         row.addWidget(self.all)
         self.set_tokens(tokens)
         self.hide()
 
-    def show_counts(self, collapsed: bool, bundles: int, opened: int) -> None:
-        """Tell how many bundles there can be, and how many of them are open now.
+    def show_counts(self, collapsed: bool, bundles: int, opened: int, back: int = 0) -> None:
+        """Tell how many bundles there can be, how many of them are open now, and how many
+        operations lead ``back`` to the start by the lane.
 
-        Without bundles the legend is empty.
+        With nothing to collapse the legend is empty.
         """
-        self._collapsed, self.empty = collapsed, not bundles
+        self._collapsed, self.empty = collapsed, not bundles and not back
+        words = f"Back to start {back:,}"
+        self._say(self.back, words, "List the operations that lead back to the start")
+        self.back.setVisible(bool(back))
+        self.back.setEnabled(collapsed)
         words = f"Bundles {bundles:,}"
         if collapsed and opened:
             words += f", {opened:,} open"
@@ -53,17 +63,22 @@ class DenseLegend(Card):
         button = "Show all" if collapsed else "Collapse"
         tip = "Draw every operation by itself" if collapsed else (
             "Draw operations between the same two states as one line")  # fmt: skip
-        self.all.setText(button)
-        self.all.setAccessibleName(button)
-        self.all.setToolTip(tip_text(tip))
-        self.all.setFixedSize(round(self._type.width(button)) + ROOM, 30)
+        self._say(self.all, button, tip)
         self.setAccessibleName(plain_text(words))
         self.resize(self.sizeHint())
         self.update()
 
+    def _say(self, button: IconButton, words: str, tip: str) -> None:
+        """Give a button its words and the room that they need."""
+        button.setText(words)
+        button.setAccessibleName(plain_text(words))
+        button.setToolTip(tip_text(tip))
+        button.setFixedSize(round(self._type.width(words)) + ROOM, 30)
+
     def sizeHint(self) -> QSize:
         """As wide as its words, 32 high."""
-        wide = self.bundles.sizeHint().width() + self.all.width()
+        back = 0 if self.back.isHidden() else self.back.width() + 8
+        wide = self.bundles.sizeHint().width() + back + self.all.width()
         return QSize(wide + 23, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -76,6 +91,7 @@ class DenseLegend(Card):
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QPen(self.tokens.line, 1.0))
-        x = self.all.x() - 4
-        painter.drawLine(x, 8, x, self.height() - 9)
+        for button in (self.back, self.all):
+            if not button.isHidden():
+                painter.drawLine(button.x() - 4, 8, button.x() - 4, self.height() - 9)
         painter.end()
