@@ -33,6 +33,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="N",
         help="store at most N configurations to show properties (default 1,000,000)",
     )
+    parser.add_argument(
+        "--with-failures",
+        action="store_true",
+        help="properties begin also where one SB has failed, wherever that can happen",
+    )
     add_world(parser, required=False)
     add_format(parser, "sarif")
 
@@ -55,7 +60,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
             from smsl_studio.front.proof import prove
 
-            proof = prove(blueprint, options.limit) if options.limit else prove(blueprint)
+            limit = {"limit": options.limit} if options.limit else {}
+            proof = prove(blueprint, **limit, with_failures=options.with_failures)
             verdicts = proof.verdicts
             shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
             findings = tuple(sorted((*findings, *shown), key=partial(order, blueprint)))

@@ -12,7 +12,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.inspection.proof.claims import Claim, claims_of
-from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute
+from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute, Scope
 from smsl_studio.inspection.proof.prove import prove as proved
 from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, UNKNOWN, PropertyVerdict
 from smsl_studio.inspection.rules.finding import Finding, Remark, Severity
@@ -29,16 +29,18 @@ class Proof:
     findings: tuple[Finding, ...]
 
 
-def prove(blueprint: Blueprint, limit: int = LIMIT) -> Proof:
+def prove(blueprint: Blueprint, limit: int = LIMIT, with_failures: bool = False) -> Proof:
     """Return whether the hazards and properties of a blueprint hold (paper, Inspection).
 
     It is shown for the blueprint as written, if every operation does what its edge says. ``limit``
     is the largest number of configurations that are stored; beyond it a verdict may be ``unknown``.
+    ``with_failures`` begins also in each configuration that can be reached, with the state of one
+    SB replaced by a failure state of it.
 
     >>> prove(read("hanoi-corrected.json")).verdicts
     ()
     """
-    verdicts = proved(blueprint, _Routes(blueprint).planned, limit)
+    verdicts = proved(blueprint, _Routes(blueprint).planned, Scope(limit, with_failures))
     if not verdicts:
         return Proof((), ())
     claims = {(one.path[0], one.name): one for one in claims_of(blueprint)}

@@ -109,3 +109,31 @@ def test_what_holds_is_no_finding(shell: Shell, tmp_path: Path) -> None:
     assert status == 0
     assert [one["verdict"] for one in found["properties"]] == ["holds"]
     assert report(shell, sample("hfsm"))[1]["properties"] == []
+
+
+def test_with_failures_begins_also_where_one_sb_has_failed(shell: Shell, tmp_path: Path) -> None:
+    branch = {
+        "HEADER": {"NUM_FACTS": 2, "INITIAL": "State_00", "ACTIVATING": "State_10"},
+        "_facts": {"1": {"name": "grip", "values": ["0", "x"], "failure": ["x"]}},
+        "State_00": {"go": "State_10"},
+        "State_10": {"back": "State_00"},
+        "State_1x": {"mend": "State_10"},
+        "State_0x": {"go": "State_1x"},
+    }
+    properties = [
+        {"name": "whole", "never": "SB/1 = x"},
+        {"name": "mended", "way_back": {"from": "SB/1 = x", "to": "SB/1 = 0", "within": 1}},
+    ]
+    file = tmp_path / "failing.json"
+    file.write_text(json.dumps({"_properties": properties, "SB": branch}))
+    _, calm = report(shell, str(file))
+    assert [one["verdict"] for one in calm["properties"]] == ["holds", "holds"]
+    status, found = report(shell, str(file), "--with-failures")
+    assert status == 1
+    assert [one["verdict"] for one in found["properties"]] == ["fails", "fails"]
+    failed = [one for one in found["findings"] if "counterexample" in one]
+    runs = {one["address"]: one["counterexample"] for one in failed}
+    assert runs["_properties/mended"] == {
+        "start": {"SB": "State_0x"}, "path": [], "end": {"SB": "State_0x"},
+    }  # fmt: skip
+    assert runs["_properties/whole"]["path"] == []

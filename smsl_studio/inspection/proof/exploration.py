@@ -1,8 +1,4 @@
-"""Explores all configurations that can be reached, breadth first, and keeps the shortest ways.
-
-Of equally short ways the one with the least addresses counts, compared step by step. So the answer
-is the same on every machine.
-"""
+"""Explores all configurations that can be reached, breadth first."""
 
 from __future__ import annotations
 
@@ -11,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import PlanningError
-from smsl_studio.inspection.proof.space import Key, Passed, Space, Test
+from smsl_studio.inspection.proof.space import Key, Space, Test
 from smsl_studio.stop import heed
 
 NOWHERE = -1
@@ -20,11 +16,14 @@ NOWHERE = -1
 class Exploration:
     """The configurations that can be reached, numbered in the order of their discovery.
 
-    ``bound`` says in words why some are missing; it is empty if there are all. ``watched`` are
-    conditions for which the first passed configuration that meets each is kept.
+    ``bound`` says in words why some are missing; it is empty if there are all. ``starts`` are
+    those that the search begins with, the start of a run if none are given. ``watched`` are
+    conditions for which the first passed configurations that meet each are kept.
     """
 
-    def __init__(self, space: Space, limit: int, watched: Sequence[Test] = ()) -> None:
+    def __init__(
+        self, space: Space, limit: int, watched: Sequence[Test] = (), starts: Sequence[Key] = ()
+    ) -> None:
         self.space = space
         self.keys: list[Key] = []
         self.bound = ""
@@ -36,9 +35,12 @@ class Exploration:
         self._known: dict[Address, int] = {}
         self._depth = array("q")
         self._watched = list(watched)
-        self.met: list[tuple[int, int, Passed] | None] = [None] * len(self._watched)
-        """For each watched condition: the configuration before the step, the number of the step's
-        operation, and what it passes."""
+        self.met: list[list[tuple[int, int]]] = [[] for _ in self._watched]
+        """For each watched condition: the configurations out of which a step passes one that meets
+        it, and the operation of that step. Only the nearest ones are kept."""
+        for start in starts or (space.start(),):
+            self._seen(start, NOWHERE, NOWHERE, limit)
+        self.starts = range(len(self.keys))
         self._explore(limit)
 
     def __len__(self) -> int:
@@ -55,7 +57,7 @@ class Exploration:
             yield from self._targets[self._first[node] : self._first[node + 1]]
 
     def steps(self, node: int) -> Iterator[tuple[int, int]]:
-        """Yield the number of the operation and of the target of each step."""
+        """Yield the number of the operation and of the target of each step, by address."""
         if node < self.expanded:
             for at in range(self._first[node], self._first[node + 1]):
                 yield self._labels[at], self._targets[at]
@@ -64,9 +66,9 @@ class Exploration:
         """Return the operation with a number."""
         return self._names[label]
 
-    def depth(self, node: int) -> int:
-        """Return the number of steps from the start."""
-        return self._depth[node]
+    def number(self, key: Key) -> int:
+        """Return the number of a configuration, ``NOWHERE`` if it was not reached."""
+        return self._number.get(key, NOWHERE)
 
     def origin(self, node: int) -> tuple[int, Address] | None:
         """Return the configuration before one on the shortest way, and the operation between
@@ -74,47 +76,48 @@ class Exploration:
         before = self._origin[node]
         return None if before == NOWHERE else (before, self._names[self._label[node]])
 
-    def path(self, node: int) -> tuple[Address, ...]:
-        """Return the shortest way from the start."""
-        found = []
-        while self._origin[node] != NOWHERE:
-            found.append(self._names[self._label[node]])
-            node = self._origin[node]
-        return tuple(reversed(found))
+    def depth(self, node: int) -> int:
+        """Return the number of steps from the nearest start."""
+        return self._depth[node]
 
     def first(self, test: Test) -> int:
         """Return the first configuration that meets a condition, ``NOWHERE`` if none does."""
         return next((node for node, key in enumerate(self.keys) if test(key)), NOWHERE)
 
     def _explore(self, limit: int) -> None:
-        self._add(self.space.start(), NOWHERE, NOWHERE)
         node = 0
-        while node < len(self.keys):
+        while node < len(self.keys) and not self.bound:
             heed()
             try:
                 steps = self.space.steps(self.keys[node])
             except PlanningError as error:
                 self.bound = error.sentence
                 return
+            depth = self._depth[node]
             for step in steps:
                 label = self._label_of(step.address)
                 for at, test in enumerate(self._watched):
-                    if self.met[at] is None:
-                        hit = next((one for one in step.passed if test(one.key)), None)
-                        if hit is not None:
-                            self.met[at] = node, label, hit
-                target = self._number.get(step.to, NOWHERE)
+                    met = self.met[at]
+                    if (not met or self._depth[met[0][0]] == depth) and any(
+                        test(one.key) for one in step.passed
+                    ):
+                        met.append((node, label))
+                target = self._seen(step.to, node, label, limit)
                 if target == NOWHERE:
-                    if len(self.keys) >= limit:
-                        self.bound = f"{limit:,} configurations"
-                        return
-                    target = self._add(step.to, node, label)
+                    return
                 self._targets.append(target)
                 self._labels.append(label)
             self._first.append(len(self._targets))
             node += 1
 
-    def _add(self, key: Key, origin: int, label: int) -> int:
+    def _seen(self, key: Key, origin: int, label: int, limit: int) -> int:
+        """Return the number of a configuration, ``NOWHERE`` if it is one too many."""
+        number = self._number.get(key)
+        if number is not None:
+            return number
+        if len(self.keys) >= limit:
+            self.bound = f"{limit:,} configurations"
+            return NOWHERE
         number = self._number[key] = len(self.keys)
         self.keys.append(key)
         self._origin.append(origin)

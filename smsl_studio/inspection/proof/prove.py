@@ -1,7 +1,7 @@
 """Shows for each hazard and property of a blueprint whether it holds.
 
-The space is explored once for all claims about what can happen, and once for those that go only
-where a route may go.
+A small space is explored once for all claims about what can happen, and once for those that go only
+where a route may go. Of a large one only the cone of a question is explored.
 """
 
 from __future__ import annotations
@@ -9,16 +9,22 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fnmatch import translate
 from functools import cached_property
+from math import prod
 from re import compile as compiled
 from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.properties.meaning import Meaning
+from smsl_studio.blueprint.properties.meaning import Meaning, branches_in, holds
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.inspection.proof import kinds
 from smsl_studio.inspection.proof.claims import Claim, claims_of
+from smsl_studio.inspection.proof.cone import Cone, cone_of
 from smsl_studio.inspection.proof.exploration import Exploration
+from smsl_studio.inspection.proof.failed_starts import failed_starts
 from smsl_studio.inspection.proof.kinds import Answer
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, UNKNOWN, PropertyVerdict
@@ -26,6 +32,21 @@ from smsl_studio.inspection.proof.verdict import Counterexample as Run
 
 LIMIT = 1_000_000
 """The largest number of configurations that are stored."""
+
+SMALL = 2_000
+"""A product of state counts up to which everything is looked at for all questions together."""
+
+
+class Scope(NamedTuple):
+    """How much is looked at. ``limit`` is the largest number of configurations that are stored.
+
+    With ``failures`` each configuration in which one SB has failed is a start too. ``small`` is the
+    product of state counts up to which no SB is left out.
+    """
+
+    limit: int = LIMIT
+    failures: bool = False
+    small: int = SMALL
 
 
 class PlannedRoute(NamedTuple):
@@ -38,16 +59,22 @@ class PlannedRoute(NamedTuple):
     cost: float
 
 
+WATCHED = (HAZARD, "never")
+"""The kinds that look also at what a step passes on its way."""
+
+ROUTED = ("after", "way_back")
+"""The kinds that go only where a route may go."""
+
 Planned = Callable[[Sequence[Address]], PlannedRoute | None]
 """Plans the cheapest route from the start to goals. PlanningError if it meets its bound."""
 
 
 def prove(
-    blueprint: Blueprint, planned: Planned, limit: int = LIMIT
+    blueprint: Blueprint, planned: Planned, scope: Scope | None = None
 ) -> tuple[PropertyVerdict, ...]:
     """Return a verdict for each hazard and property, in the order of the file."""
     claims = list(claims_of(blueprint))
-    return _Prover(blueprint, claims, planned, limit).verdicts() if claims else ()
+    return _Prover(blueprint, claims, planned, scope or Scope()).verdicts() if claims else ()
 
 
 class _Found(NamedTuple):
@@ -62,11 +89,12 @@ class _Prover:
     """Answers all claims of one blueprint."""
 
     def __init__(
-        self, blueprint: Blueprint, claims: list[Claim], planned: Planned, limit: int
+        self, blueprint: Blueprint, claims: list[Claim], planned: Planned, scope: Scope
     ) -> None:
         self._blueprint, self._claims = blueprint, claims
-        self._planned, self._limit = planned, limit
-        self._watched = [one for one in claims if one.kind in (HAZARD, "never") and one.meanings]
+        self._planned, self._scope = planned, scope
+        self._cones: dict[tuple[str, ...], Cone] = {}
+        self._explored: dict[tuple[bool, Cone], Exploration] = {}
 
     def verdicts(self) -> tuple[PropertyVerdict, ...]:
         """Return all verdicts."""
@@ -88,10 +116,11 @@ class _Prover:
         return PropertyVerdict(one.name, one.kind, one.severity, verdict, count, limit, run)
 
     def _of_configurations(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
-        found = self._routed if one.kind in ("after", "way_back") else self._free
+        found = self._exploration(one)
         first, *others = (found.space.test(meaning) for meaning in meanings)
-        if one.kind in (HAZARD, "never"):
-            answer = kinds.never(found, first, self._watched.index(one))
+        if one.kind in WATCHED:
+            mates = self._watched(found.space.cone)
+            answer = kinds.never(found, first, mates.index(one))
         elif one.kind == "reachable":
             answer = kinds.reachable(found, first)
         elif one.kind == "before":
@@ -101,17 +130,81 @@ class _Prover:
         else:
             within = one.written.within if one.written else None
             answer = kinds.way_back(found, first, others[0], within)
-        return _Found(answer, found.bound or None, len(found))
+        count = len(found) if found.space.is_whole or found.bound else None
+        return _Found(answer, found.bound or None, count)
+
+    # what is looked at
+
+    def _exploration(self, one: Claim) -> Exploration:
+        """Return what can be reached, as far as it can change the answer of a claim."""
+        routed, cone = one.kind in ROUTED, self._cone(one)
+        found = self._explored.get((routed, cone))
+        if found is None:
+            hazards = self._near_hazards(cone) if routed else ()
+            space = Space(self._blueprint, routed, hazards, cone)
+            tests = [space.test(one.meanings[0]) for one in self._watched(cone) if one.meanings]
+            limit, watched = self._scope.limit, () if routed else tests
+            found = Exploration(space, limit, watched)
+            if self._scope.failures and not found.bound:
+                starts = (space.start(), *failed_starts(space, found.keys))
+                found = Exploration(space, limit, watched, starts)
+            self._explored[routed, cone] = found
+        return found
+
+    def _watched(self, cone: Cone) -> list[Claim]:
+        """Return the claims about what must never be that have this cone."""
+        return [
+            one
+            for one in self._claims
+            if one.kind in WATCHED and one.meanings and self._cone(one) == cone
+        ]
+
+    def _cone(self, one: Claim) -> Cone:
+        if self._is_small:
+            return Cone(frozenset(self._hierarchy.order))
+        routed = one.kind in ROUTED
+        wanted = {name for meaning in one.meanings or () for name in branches_in(meaning)}
+        if one.kind == "after":
+            wanted.update(self._hierarchy.roots)
+        key = (str(routed), *sorted(wanted))
+        found = self._cones.get(key)
+        if found is None:
+            found = self._cones[key] = self._cone_of(wanted, routed)
+        return found
+
+    def _cone_of(self, wanted: set[str], routed: bool) -> Cone:
+        stepper = Stepper(self._hierarchy, Terms() if routed else Terms(failing=None))
+        cone = cone_of(stepper, wanted, routed)
+        while routed:
+            # A hazard hinders the steps of all its SBs.
+            hazards = self._near_hazards(cone)
+            more = {name for hazard in hazards for name in branches_in(hazard)}
+            if more <= cone.kept:
+                break
+            cone = cone_of(stepper, cone.kept | more, routed)
+        return cone
+
+    def _near_hazards(self, cone: Cone) -> tuple[Meaning, ...]:
+        """Return the hazards that can hinder a route. One that is met at the start hinders all."""
+        return tuple(
+            hazard
+            for hazard in self._hazards
+            if self._starts_hazardous
+            or not (cone.kept | cone.quiet).isdisjoint(branches_in(hazard))
+        )
 
     @cached_property
-    def _free(self) -> Exploration:
-        space = Space(self._blueprint)
-        tests = [space.test(one.meanings[0]) for one in self._watched if one.meanings]
-        return Exploration(space, self._limit, tests)
+    def _starts_hazardous(self) -> bool:
+        start = start_configuration(self._hierarchy, {})
+        return self._scope.failures or any(holds(one, start) for one in self._hazards)
 
     @cached_property
-    def _routed(self) -> Exploration:
-        return Exploration(Space(self._blueprint, True, self._hazards), self._limit)
+    def _is_small(self) -> bool:
+        return prod(len(one.table) or 1 for one in self._blueprint) <= self._scope.small
+
+    @cached_property
+    def _hierarchy(self) -> Hierarchy:
+        return Hierarchy(self._blueprint)
 
     @cached_property
     def _hazards(self) -> tuple[Meaning, ...]:
@@ -129,8 +222,8 @@ class _Prover:
             goals = [Address(name, blueprint[name].activating) for name in blueprint.roots]
         route = self._planned(goals)
         if route is None:
-            space = Space(blueprint)
-            start = space.configuration(space.start())
+            begun = start_configuration(self._hierarchy, {})
+            start = {name: begun[name] for name in blueprint.branches}
             return _Found(Answer(FAILS, Run(start, (), start)))
         if one.kind == "cost":
             good = route.cost <= one.written.limit

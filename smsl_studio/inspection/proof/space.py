@@ -1,22 +1,24 @@
-"""The space of a blueprint: its configurations, and the steps between them.
+"""The space of a question: its configurations, and the steps between them.
 
 A step is one operation that may be asked, with everything that it takes along. A configuration is
-a tuple with the active state of each SB, in the order of ``Space.order``.
+a tuple with the active state of each SB of the question's cone, in the order of ``Space.order``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.allowance import Allowance
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
+from smsl_studio.inspection.proof.cone import Cone
 
 Key = tuple[str, ...]
 Test = Callable[[Key], bool]
@@ -38,43 +40,86 @@ class Step(NamedTuple):
     passed: tuple[Passed, ...]
 
 
+_KEPT_STEPS = 20_000
+"""The stepper keeps all steps that it was asked for. After so many it is made anew."""
+
+
 class Space:
-    """The steps of a blueprint. RunRefused if its SBs go round in a circle.
+    """The steps of a blueprint. RunRefused if it has no start.
 
     With ``routed`` only the steps that a route may take count: none leads into a failure state, and
-    none meets one of ``hazards``.
+    none meets one of ``hazards``. Without a ``cone`` all SBs are looked at.
     """
 
     def __init__(
-        self, blueprint: Blueprint, routed: bool = False, hazards: Sequence[Meaning] = ()
+        self,
+        blueprint: Blueprint,
+        routed: bool = False,
+        hazards: Sequence[Meaning] = (),
+        cone: Cone | None = None,
     ) -> None:
         self.hierarchy = Hierarchy(blueprint)
-        self.order = self.hierarchy.order
+        self.cone = cone or Cone(frozenset(self.hierarchy.order))
+        self.order = tuple(name for name in self.hierarchy.order if name in self.cone.kept)
+        self._quiet = tuple(name for name in self.hierarchy.order if name in self.cone.quiet)
         self._at = {name: index for index, name in enumerate(self.order)}
-        self._blueprint = blueprint
-        self._stepper = Stepper(self.hierarchy, Terms() if routed else Terms(failing=None))
+        self.blueprint = blueprint
+        self._terms = Terms() if routed else Terms(failing=None)
+        self._start = start_configuration(self.hierarchy, {})
         self._shut = [self.test(one) for one in hazards] if routed else []
+        self._renew()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether no SB of the blueprint is left out."""
+        return len(self.order) == len(self.hierarchy.order)
+
+    def _renew(self) -> None:
+        self._stepper, self._made = Stepper(self.hierarchy, self._terms), 0
 
     def start(self) -> Key:
-        """Return the configuration in which a run starts. RunRefused if there is none."""
-        return self._stepper.key(start_configuration(self.hierarchy, {}))
+        """Return the configuration in which a run starts."""
+        return self.key(self._start)
+
+    def key(self, configuration: Mapping[str, str]) -> Key:
+        """Return the part of a configuration that is looked at."""
+        return tuple(configuration[name] for name in self.order)
 
     def steps(self, key: Key) -> list[Step]:
         """Return the steps out of a configuration, by address in the order of code points.
 
         PlanningError if one of them is too large to be worked out.
         """
-        here = dict(zip(self.order, key, strict=True))
+        here = self.whole(key)
         found = []
-        for name, state in here.items():
-            for edge in self._stepper.edges.out(name, state):
-                self._stepper.allowance = Allowance(self.hierarchy)
-                step = self._stepper.written(here, edge)
-                if isinstance(step, JointStep):
+        for name in self.order:
+            for edge in self._stepper.edges.out(name, here[name]):
+                step = self._written(here, edge)
+                if step is not None:
                     one = Step(edge.address, self._after(key, step.after), self._passed(key, step))
                     if not self._meets(one):
                         found.append(one)
+        if self._made > _KEPT_STEPS:
+            self._renew()
         return sorted(found, key=lambda step: str(step.address))
+
+    def crossings(self, configuration: Mapping[str, str]) -> Iterator[Edge]:
+        """Yield the edges of quiet SBs that would enter or leave ACTIVATING."""
+        for name in self._quiet:
+            for edge in self._stepper.edges.out(name, configuration[name]):
+                if edge.crossing:
+                    yield edge
+
+    def joint_step(self, configuration: Mapping[str, str], address: Address) -> JointStep | None:
+        """Return the step of an operation from a configuration of all SBs, None if there is
+        none."""
+        edge = self._stepper.edges.get(address)
+        step = None if edge is None else self._written(configuration, edge)
+        if step is None:
+            return None
+        key = self.key(configuration)
+        one = Step(address, self._after(key, step.after), self._passed(key, step))
+        return None if self._meets(one) else step
 
     def test(self, meaning: Meaning) -> Test:
         """Return a condition as a function of a configuration."""
@@ -89,19 +134,35 @@ class Space:
     @property
     def at_goal(self) -> Test:
         """The condition that every root is in ACTIVATING."""
-        ends = [(self._at[root], self._blueprint[root].activating) for root in self.hierarchy.roots]
+        ends = [(self._at[root], self.blueprint[root].activating) for root in self.hierarchy.roots]
         return lambda key: all(key[at] == state for at, state in ends)
 
-    def configuration(self, key: Key) -> dict[str, str]:
-        """Return a configuration with the names of its SBs, in the order of the file."""
-        here = dict(zip(self.order, key, strict=True))
-        return {name: here[name] for name in self._blueprint.branches}
+    def whole(self, key: Key) -> dict[str, str]:
+        """Return a configuration of all SBs. Quiet SBs stand as at a start, others stand still."""
+        here = {**self._start, **dict(zip(self.order, key, strict=True))}
+        for name in self._quiet:
+            ((base, digit),) = self.hierarchy.bases[name]
+            branch = self.blueprint[name]
+            on = self.blueprint[base].is_on(here[base], digit)
+            here[name] = branch.activating if on else branch.initial
+        return here
 
-    def _after(self, key: Key, moved: object) -> Key:
-        assert isinstance(moved, dict)
+    def in_order(self, configuration: Mapping[str, str]) -> dict[str, str]:
+        """Return a configuration with its SBs in the order of the file."""
+        return {name: configuration[name] for name in self.blueprint.branches}
+
+    def _written(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | None:
+        self._stepper.allowance = Allowance(self.hierarchy)
+        self._made += 1
+        step = self._stepper.written(configuration, edge)
+        return step if isinstance(step, JointStep) else None
+
+    def _after(self, key: Key, moved: Mapping[str, str]) -> Key:
         found = list(key)
         for name, state in moved.items():
-            found[self._at[name]] = state
+            at = self._at.get(name)
+            if at is not None:
+                found[at] = state
         return tuple(found)
 
     def _passed(self, key: Key, step: JointStep) -> tuple[Passed, ...]:
@@ -110,7 +171,7 @@ class Space:
         """
         found, now = [], key
         for action, following in zip(step.actions, step.actions[1:], strict=False):
-            now = self._after(now, dict(action.moved))
+            now = self._after(now, action.moved)
             found.append(Passed(following.edge.address, now))
         return tuple(found)
 
