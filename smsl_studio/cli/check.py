@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
@@ -17,6 +17,7 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
 
 if TYPE_CHECKING:
+    from smsl_studio.front.recovery import Recovery
     from smsl_studio.inspection.proof.verdict import PropertyVerdict
 
 
@@ -38,6 +39,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="properties begin also where one SB has failed, wherever that can happen",
     )
+    parser.add_argument(
+        "--recoverability",
+        action="store_true",
+        help="tell how the procedure recovers from each failure state",
+    )
     add_world(parser, required=False)
     add_format(parser, "sarif")
 
@@ -47,38 +53,61 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.world is not None:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)
-    inspected: list[tuple[Blueprint, tuple[Finding, ...]]] = []
-    proved: list[tuple[PropertyVerdict, ...]] = []
+    checked: list[_Checked] = []
     unread: list[ReadError] = []
     worst = 0
     for blueprint in read_each(options.files, "smsl-studio check"):
         if isinstance(blueprint, ReadError):
             unread.append(blueprint)
             continue
-        findings = inspect(blueprint, options.rule)
-        verdicts: tuple[PropertyVerdict, ...] = ()
-        if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
-            from smsl_studio.front.proof import prove
-
-            limit = {"limit": options.limit} if options.limit else {}
-            proof = prove(blueprint, **limit, with_failures=options.with_failures)
-            verdicts = proof.verdicts
-            shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
-            findings = tuple(sorted((*findings, *shown), key=partial(order, blueprint)))
-        worst = max(worst, int(any(found.severity is Severity.ERROR for found in findings)))
+        one = _checked(blueprint, options)
+        worst = max(worst, one.status)
         if options.format == "text":
-            _print(blueprint, findings, out)
+            _print(blueprint, one.findings, out)
+            _print_recoveries(one, out)
         else:
-            inspected.append((blueprint, findings))
-            proved.append(verdicts)
+            checked.append(one)
     if options.format == "json":
-        pairs = zip(inspected, proved, strict=True)
-        out.json({"files": [_as_json(*one, verdicts) for one, verdicts in pairs]})
+        out.json({"files": [_as_json(one) for one in checked]})
     elif options.format == "sarif":
         from smsl_studio.cli.sarif import sarif
 
-        out.json(sarif(inspected, unread))
+        out.json(sarif([(one.blueprint, one.findings) for one in checked], unread))
     return 2 if unread else worst
+
+
+class _Checked(NamedTuple):
+    """What was found out about one file. ``recoveries`` is None if it was not asked for."""
+
+    blueprint: Blueprint
+    findings: tuple[Finding, ...]
+    verdicts: tuple[PropertyVerdict, ...] = ()
+    recoveries: tuple[Recovery, ...] | None = None
+
+    @property
+    def status(self) -> int:
+        """The exit status for this file."""
+        if not all(one.is_complete for one in self.recoveries or ()):
+            return 1
+        return int(any(found.severity is Severity.ERROR for found in self.findings))
+
+
+def _checked(blueprint: Blueprint, options: argparse.Namespace) -> _Checked:
+    """Inspect one file, and show its properties and recoveries as far as they are asked for."""
+    one = _Checked(blueprint, inspect(blueprint, options.rule))
+    limit = {"limit": options.limit} if options.limit else {}
+    if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
+        from smsl_studio.front.proof import prove
+
+        proof = prove(blueprint, **limit, with_failures=options.with_failures)
+        shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
+        findings = tuple(sorted((*one.findings, *shown), key=partial(order, blueprint)))
+        one = one._replace(findings=findings, verdicts=proof.verdicts)
+    if options.recoverability:
+        from smsl_studio.front.recovery import recoverability
+
+        one = one._replace(recoveries=recoverability(blueprint, **limit))
+    return one
 
 
 def _nothing() -> Blueprint:
@@ -108,9 +137,8 @@ def _has_properties(blueprint: Blueprint) -> bool:
     return any(one.values.get(key) for one in blueprint.documents for key in keys)
 
 
-def _as_json(
-    blueprint: Blueprint, findings: tuple[Finding, ...], verdicts: tuple[PropertyVerdict, ...]
-) -> dict[str, Any]:
+def _as_json(checked: _Checked) -> dict[str, Any]:
+    blueprint, findings, verdicts, recoveries = checked
     runs = {one.address: one.counterexample for one in verdicts if one.counterexample}
     told = []
     for finding in findings:
@@ -118,13 +146,16 @@ def _as_json(
         if finding.rule in PROVED and finding.address in runs:
             said["counterexample"] = runs[finding.address].as_json()
         told.append(said)
-    return {
+    found = {
         "file": blueprint.file,
         "states": blueprint.state_count,
         "operations": blueprint.operation_count,
         "findings": told,
         "properties": [verdict.as_json() for verdict in verdicts],
     }
+    if recoveries is not None:
+        found["recoverability"] = [one.as_json() for one in recoveries]
+    return found
 
 
 def _finding(blueprint: Blueprint, finding: Finding) -> dict[str, Any]:
@@ -150,3 +181,17 @@ def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> 
         f"{one_line(blueprint.file)}: {blueprint.state_count} states, "
         f"{blueprint.operation_count} operations: {said}"
     )
+
+
+def _print_recoveries(checked: _Checked, out: Output) -> None:
+    """Print a line for each failure state: the way out of it, and the cost of the goals."""
+    for one in checked.recoveries or ():
+        if one.path is None:
+            said = one.bound or "no way leads to where nothing has failed"
+        else:
+            many = len(one.path)
+            by = ", ".join(str(address) for address in one.path)
+            said = f"without failure after {many} operation{'' if many == 1 else 's'}"
+            said += f" by {by}" if many else ""
+        goal = "no route to the goal" if one.cost is None else f"the goal costs {one.cost:g}"
+        out.line(one_line(f"{checked.blueprint.file}: {one.state}: {said}; {goal}"))

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         render,
     )
     from smsl_studio.front.proof import prove
+    from smsl_studio.front.recovery import recoverability
     from smsl_studio.front.request import RunRequest
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
@@ -56,6 +57,7 @@ __all__ = [
     "prove",
     "read",
     "read_script",
+    "recoverability",
     "refusals",
     "render",
     "replay",
@@ -77,7 +79,7 @@ class Verb(NamedTuple):
 
 
 VERBS = {
-    "check": Verb("inspect blueprints: every finding with its place", ("inspect", "prove")),
+    "check": Verb("inspect blueprints: every finding with its place", ("inspect", "prove", "recoverability")),
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
     "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
@@ -104,6 +106,7 @@ _HOMES = {
     "read_script": "script.lines",
     "inspect": "inputs",
     "prove": "proof",
+    "recoverability": "recovery",
     "refusals": "inputs",
     "plan_route": "routes",
     "explore": "exploration",

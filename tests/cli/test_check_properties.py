@@ -137,3 +137,42 @@ def test_with_failures_begins_also_where_one_sb_has_failed(shell: Shell, tmp_pat
         "start": {"SB": "State_0x"}, "path": [], "end": {"SB": "State_0x"},
     }  # fmt: skip
     assert runs["_properties/whole"]["path"] == []
+
+
+def test_recoverability_names_the_way_out_of_each_failure_state(
+    shell: Shell, tmp_path: Path
+) -> None:
+    branch: dict[str, Any] = {
+        "HEADER": {"NUM_FACTS": 1},
+        "_facts": {"0": {"failure": ["x", "y"]}},
+        "State_0": {"go": "State_1"},
+        "State_x": {"mend": "State_0"},
+        "State_y": {"fall": "State_x"},
+        "State_1": {},
+    }
+    file = tmp_path / "failing.json"
+    file.write_text(json.dumps({"SB": branch}))
+    status, found = report(shell, str(file), "--recoverability", "--rule", "R15")
+    assert (status, found["recoverability"]) == (
+        0,
+        [
+            {"state": "SB/State_x", "failure_free": 1, "goal": 2.0, "path": ["SB/State_x/mend"]},
+            {
+                "state": "SB/State_y",
+                "failure_free": 2,
+                "goal": 3.0,
+                "path": ["SB/State_y/fall", "SB/State_x/mend"],
+            },
+        ],
+    )
+    words = shell("check", str(file), "--recoverability", "--rule", "R15").out
+    said = "SB/State_x: without failure after 1 operation by SB/State_x/mend; the goal costs 2"
+    assert said in words
+    branch["State_y"] = {}
+    file.write_text(json.dumps({"SB": branch}))
+    status, found = report(shell, str(file), "--recoverability", "--rule", "R15")
+    assert status == 1
+    lost = {"state": "SB/State_y", "failure_free": None, "goal": None, "path": []}
+    assert found["recoverability"][1] == lost
+    _, found = report(shell, str(file))
+    assert "recoverability" not in found

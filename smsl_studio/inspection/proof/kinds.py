@@ -69,7 +69,7 @@ def after(found: Exploration, first: Test, second: Test, goal: Test) -> Answer:
 
 def way_back(found: Exploration, first: Test, second: Test, within: int | None) -> Answer:
     """Answer ``way_back``: from each configuration with F one with G can be reached."""
-    far = _steps_to(found, second)
+    far = steps_to(found, second)
 
     def lost(number: int) -> bool:
         """Return whether a configuration with F has no way that is short enough."""
@@ -90,7 +90,7 @@ def _no_hit(found: Exploration) -> Answer:
     return Answer(UNKNOWN if found.bound else HOLDS)
 
 
-def _steps_to(found: Exploration, test: Test) -> dict[int, int]:
+def steps_to(found: Exploration, test: Test) -> dict[int, int]:
     """Return for each configuration the number of steps to one that meets a condition."""
     back: dict[int, list[int]] = {}
     for node in range(found.expanded):

@@ -48,7 +48,8 @@ class Space:
     """The steps of a blueprint. RunRefused if it has no start.
 
     With ``routed`` only the steps that a route may take count: none leads into a failure state, and
-    none meets one of ``hazards``. Without a ``cone`` all SBs are looked at.
+    none meets one of ``hazards``. Without a ``cone`` all SBs are looked at. ``start``
+    is another configuration to start in.
     """
 
     def __init__(
@@ -57,6 +58,7 @@ class Space:
         routed: bool = False,
         hazards: Sequence[Meaning] = (),
         cone: Cone | None = None,
+        start: Mapping[str, str] | None = None,
     ) -> None:
         self.hierarchy = Hierarchy(blueprint)
         self.cone = cone or Cone(frozenset(self.hierarchy.order))
@@ -65,7 +67,7 @@ class Space:
         self._at = {name: index for index, name in enumerate(self.order)}
         self.blueprint = blueprint
         self._terms = Terms() if routed else Terms(failing=None)
-        self._start = start_configuration(self.hierarchy, {})
+        self._start = start or start_configuration(self.hierarchy, {})
         self._shut = [self.test(one) for one in hazards] if routed else []
         self._renew()
 
