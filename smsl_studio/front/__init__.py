@@ -79,7 +79,10 @@ class Verb(NamedTuple):
 
 
 VERBS = {
-    "check": Verb("inspect blueprints: every finding with its place", ("inspect", "prove", "recoverability")),
+    "check": Verb(
+        "inspect blueprints: every finding with its place",
+        ("inspect", "prove", "recoverability"),
+    ),
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
     "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),

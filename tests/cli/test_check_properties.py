@@ -172,7 +172,7 @@ def test_recoverability_names_the_way_out_of_each_failure_state(
     file.write_text(json.dumps({"SB": branch}))
     status, found = report(shell, str(file), "--recoverability", "--rule", "R15")
     assert status == 1
-    lost = {"state": "SB/State_y", "failure_free": None, "goal": None, "path": []}
+    lost: dict[str, Any] = {"state": "SB/State_y", "failure_free": None, "goal": None, "path": []}
     assert found["recoverability"][1] == lost
     _, found = report(shell, str(file))
     assert "recoverability" not in found
