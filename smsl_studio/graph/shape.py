@@ -79,6 +79,21 @@ def connected(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ..
     return tuple(found)
 
 
+def bottom_groups(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+    """Return the strongly connected groups of ``states`` that no operation leaves towards another
+    of them.
+    """
+    graph = graph_of(branch)
+    wanted = sorted(graph.number(state) for state in states)
+    place = {state: index for index, state in enumerate(wanted)}
+    near = [[place[t] for t in graph.successors[s] if t in place] for s in wanted]
+    found = []
+    for group in strong(near):
+        if set(group).issuperset(target for state in group for target in near[state]):
+            found.append(tuple(graph.names[wanted[index]] for index in sorted(group)))
+    return tuple(found)
+
+
 def flood(near: list[list[int]], starts: Iterable[int]) -> set[int]:
     """Return the numbers of all states that ``near`` leads to from ``starts``."""
     seen = set(starts)

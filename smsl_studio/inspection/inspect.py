@@ -12,7 +12,17 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.inspection.rules import effects, header, levels, look_alikes, reach, reverses
+from smsl_studio.inspection.rules import (
+    bottleneck,
+    effects,
+    header,
+    levels,
+    look_alikes,
+    loop,
+    reach,
+    recovery,
+    reverses,
+)
 from smsl_studio.inspection.rules import text as writing
 from smsl_studio.inspection.rules.finding import Finding, Remark
 from smsl_studio.inspection.selection import listed
@@ -47,6 +57,10 @@ ALL = (
     Rule("R16", "a conditional effect", effects.r16_conditional),
     Rule("R17", "a self loop not marked as repeatable", effects.r17_self_loops),
     Rule("R18", "parallel operations without costs", effects.r18_parallel),
+    Rule("R20", "a way back that is missing", recovery.r20_no_way_back),
+    Rule("R21", "a failure without recovery", recovery.r21_no_recovery),
+    Rule("R22", "a single point of failure", bottleneck.r22_single_points),
+    Rule("R23", "a loop without a bound", loop.r23_unbounded_loop),
     Rule("R28", "an operation without its reverse", reverses.r28_missing_reverse),
     Rule("R29", "an annotation not understood", writing.r29_annotations),
 )
@@ -57,7 +71,7 @@ PROVED = {
 }
 """The rules about hazards and properties. ``proof`` finds what they report."""
 RULES: Mapping[str, str] = MappingProxyType(
-    dict(sorted([*((rule.id, rule.words) for rule in ALL), *PROVED.items()]))
+    dict(sorted({**{rule.id: rule.words for rule in ALL}, **PROVED}.items()))
 )
 """The number of each rule and a few words about it."""
 

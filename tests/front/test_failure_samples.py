@@ -87,7 +87,7 @@ def test_every_failure_state_of_hanoi_leads_to_the_goal() -> None:
 @pytest.mark.parametrize("name", ["hanoi-failures", "registration-failures"])
 def test_inspection_only_says_that_failures_come_from_outside(name: str) -> None:
     blueprint = _sample(name)
-    found = list(smsl.inspect(blueprint))
+    found = [one for one in smsl.inspect(blueprint) if one.severity is not Severity.NOTE]
     assert {(one.rule, one.severity) for one in found} == {("R10", Severity.WARNING)}
     assert all("entered from outside" in one.message for one in found)
 

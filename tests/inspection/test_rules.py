@@ -161,6 +161,31 @@ PLANTED = [
   "State_0": {"a": "State_1", ^"b": "State_0"}, "State_1": {"b": "State_1", "c": "State_0"}}}"""),
     ("R18", "I", "SB/State_0/a", "a and b lead to State_1 in parallel", """{"SB": {
   "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
+    ("R20", "W", "SB/State_1", "to a state that is declared safe", """{"SB": {
+  "_states": {"State_0": {"safe": true}},
+  "State_0": {"a": "State_1"}, ^"State_1": {"b": "State_2"}, "State_2": {"c": "State_1"}}}"""),
+    ("R20", "W", "SB/State_x", "to a state that is without failure", """{"SB": {
+  "_facts": {"0": {"failure": ["x"]}}, "HEADER": {"ACTIVATING": "State_1"},
+  "State_0": {"a": "State_1", "b": "State_x"}, "State_1": {}, ^"State_x": {"c": "State_x"}}}"""),
+    ("R21", "E", "SB/State_x1", "fact 1 has the failure value x here", """{"SB": {
+  "_facts": {"0": {"failure": ["x", "y"]}}, "HEADER": {"ACTIVATING": "State_01"},
+  "State_00": {"a": "State_01"}, "State_01": {}, ^"State_x1": {"b": "State_x0"},
+  "State_x0": {}, "State_y0": {"c": "State_00"}}}"""),
+    ("R21", "E", "SB", "no state has y, a failure value of Clamp", """{"SB": {
+  "_facts": {"0": {"name": "Clamp", ^"failure": ["x", "y"]}}, "HEADER": {"ACTIVATING": "State_1"},
+  "State_0": {"a": "State_1"}, "State_1": {}, "State_x": {"b": "State_0"}}}"""),
+    ("R22", "W", "SB/State_0/a", "its risk is high, and every way", """{"SB": {
+  "_operations": {"a": {"risk": "high"}},
+  "State_0": {^"a": "State_1"}, "State_1": {"b": "State_2"}, "State_2": {}}}"""),
+    ("R22", "I", "SB/State_2/c", "1 operation (c in State_2) and 1 state (", """{"SB": {
+  "State_0": {"a": "State_1", "b": "State_2"}, "State_1": {"b": "State_2"},
+  "State_2": {^"c": "State_3"}, "State_3": {}}}"""),
+    ("R23", "I", "SB/State_x/b", "leads back to State_0, where the f", """{"SB": {
+  "_facts": {"0": {"failure": ["x"]}}, "HEADER": {"ACTIVATING": "State_1"},
+  "State_0": {"a": "State_1"}, "State_1": {}, "State_x": {^"b": "State_0"}}}"""),
+    ("R23", "W", "SB/State_x/b", "with an operation of high risk or", """{"SB": {
+  "_facts": {"0": {"failure": ["x"], "critical": true}}, "HEADER": {"ACTIVATING": "State_1"},
+  "State_0": {"a": "State_1"}, "State_1": {}, "State_x": {^"b": "State_0"}}}"""),
     ("R28", "W", "SB/State_01/b", "nothing leads back from State_11, although all 4 other", """{
   "SB": {"State_00": {"a": "State_10", "c": "State_01"}, "State_01": {^"b": "State_11"},
   "State_10": {"d": "State_00", "a2": "State_20"}, "State_20": {"d2": "State_10"},
@@ -236,13 +261,13 @@ def test_a_fix_takes_the_finding_away_and_brings_no_new_error() -> None:
         assert (finding.rule, finding.address, finding.message) not in left
         assert errors(fixed) <= errors(blueprint), fix.words
         fixed_rules.add(finding.rule)
-    assert fixed_rules == {"R01", "R02", "R03", "R04", "R05", "R07", "R08", "R10", "R17", "R28"}
+    expected = "R01 R02 R03 R04 R05 R07 R08 R10 R17 R20 R21 R23 R28"
+    assert fixed_rules == set(expected.split())
 
 
 def test_every_rule_has_a_planted_fault() -> None:
     assert {rule.id for rule in ALL} - {rule for rule, *_ in PLANTED} == {"R15"}
-    assert list(RULES) == sorted([*(rule.id for rule in ALL), *PROVED])
-    assert len(RULES) == len(ALL) + len(PROVED)
+    assert list(RULES) == sorted({*(rule.id for rule in ALL), *PROVED})
 
 
 # The samples

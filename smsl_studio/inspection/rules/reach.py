@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.shape import connected, dead_ends, reachable, traps
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
@@ -25,11 +26,11 @@ def r10_unreachable(blueprint: Blueprint) -> Iterator[Remark]:
     for branch in blueprint:
         if branch.initial not in branch.table:
             continue
-        inside = reachable(branch, branch.initial)
+        inside, failing = reachable(branch, branch.initial), failing_states(branch)
         outside = [state for state in branch.table if state not in inside]
         words = f"no operations lead here from INITIAL, {branch.initial}"
         for part in connected(branch, outside):
-            failed = [state for state in part if _is_failure(branch, state)]
+            failed = [state for state in part if state in failing]
             if failed:
                 why = f"{words}; it holds a failure value, so it is entered from outside"
                 first, more = _addresses(branch, failed)
@@ -48,14 +49,6 @@ def _addresses(branch: StateBranch, states: Sequence[str]) -> tuple[Address, lis
     """Return the address of the first state, and the addresses of the others."""
     first, *others = (Address(branch.name, state) for state in states)
     return first, others
-
-
-def _is_failure(branch: StateBranch, state: str) -> bool:
-    return any(
-        value in note.failure
-        for digit, value in enumerate(branch.facts(state))
-        if (note := branch.fact_note(digit)) is not None
-    )
 
 
 def _deletion(branch: StateBranch, states: Sequence[str]) -> Fix:
@@ -84,10 +77,11 @@ def r11_traps(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def r12_dead_ends(blueprint: Blueprint) -> Iterator[Remark]:
-    """R12: a state without operations that is not ACTIVATING."""
+    """R12: a state without operations that is not ACTIVATING. R21 reports failure states."""
     for branch in blueprint:
+        told = failing_states(branch) if branch.activating in branch.table else ()
         for state in dead_ends(branch):
-            if state != branch.activating:
+            if state != branch.activating and state not in told:
                 yield Remark(
                     "R12",
                     ERROR,

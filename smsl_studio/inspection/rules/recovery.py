@@ -1,0 +1,171 @@
+"""Rules about the way back after something went wrong (R20, R21; paper, Failure Mode Handling).
+
+They look at each SB by itself. A failure is entered from outside, so a failure state counts whether
+operations lead to it or not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.facts import changed_digits
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.names import FreeNames
+from smsl_studio.graph.build import graph_of
+from smsl_studio.graph.shape import bottom_groups, can_reach, connected, flood, reachable
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.words import fact_words, some
+
+ERROR, WARNING = Severity.ERROR, Severity.WARNING
+
+
+def r20_no_way_back(blueprint: Blueprint) -> Iterator[Remark]:
+    """R20: reachable states from which nothing leads to a declared safe or failure-free state.
+
+    SBs in which no state is declared safe and no value a failure are passed over.
+    """
+    for branch in blueprint:
+        good = _good_states(branch)
+        if good is None or branch.initial not in branch.table:
+            continue
+        graph = graph_of(branch)
+        back = flood(graph.predecessors, map(graph.number, good))
+        inside = reachable(branch, branch.initial)
+        lost = [name for name in branch.table if name in inside and graph.index[name] not in back]
+        for part in connected(branch, lost):
+            first, *others = (Address(branch.name, state) for state in part)
+            yield Remark(
+                "R20",
+                WARNING,
+                first,
+                f"nothing leads from here to a state that is {_kinds(branch)}",
+                "add an operation that leads back",
+                others=others,
+                remedy=partial(_way_back, branch, part, good),
+            )
+
+
+def _good_states(branch: StateBranch) -> list[str] | None:
+    """Return the states that are declared safe or have no failure. None if nothing is declared."""
+    said = {name: note.safe for name, note in branch.notes.states.items()}
+    failing = failing_states(branch)
+    if not failing and True not in said.values():
+        return None
+    return [
+        name
+        for name in branch.table
+        if said.get(name) is True or (failing and name not in failing and said.get(name) is None)
+    ]
+
+
+def _kinds(branch: StateBranch) -> str:
+    """Return the words for the states of ``_good_states``."""
+    safe = any(note.safe for note in branch.notes.states.values())
+    kinds = ["declared safe"] * safe + ["without failure"] * bool(failing_states(branch))
+    return " or ".join(kinds)
+
+
+def _way_back(
+    branch: StateBranch, part: Sequence[str], good: Sequence[str]
+) -> tuple[str, Fix | None]:
+    """Return the advice and the fix: an edge from each group that nothing leaves."""
+    if not good:
+        return "add such a state, and operations that lead to it", None
+    ends = [group[0] for group in bottom_groups(branch, part)]
+    return _recovery(branch, {state: _nearest(branch, state, good) for state in ends})
+
+
+def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
+    """R21: a declared failure value in a state from which no operations lead to ACTIVATING, or a
+    failure value that no state has. One finding for each value."""
+    for branch in blueprint:
+        failing = failing_states(branch)
+        yield from _without_state(blueprint, branch)
+        if not failing or branch.activating not in branch.table:
+            continue
+        saved = can_reach(branch, branch.activating)
+        good = [name for name in branch.table if name in saved and name not in failing]
+        stuck: dict[tuple[int, str], list[str]] = {}
+        for state in failing:
+            if state not in saved:
+                stuck.setdefault(_failure(branch, state), []).append(state)
+        for (digit, value), states in stuck.items():
+            first, *others = (Address(branch.name, state) for state in states)
+            yield Remark(
+                "R21",
+                ERROR,
+                first,
+                f"{fact_words(branch, digit)} has the failure value {value} here, and no "
+                f"operations lead from here to the goal, {branch.activating}",
+                others=others,
+                remedy=partial(_recoveries, branch, states, good),
+            )
+
+
+def _without_state(blueprint: Blueprint, branch: StateBranch) -> Iterator[Remark]:
+    if "_facts" not in branch.fields:
+        return
+    for digit, note in sorted(branch.notes.facts.items()):
+        known = branch.alphabet[digit] if digit < len(branch.alphabet) else note.failure
+        for value in note.failure:
+            if value not in known:
+                path = (branch.name, "_facts", str(digit), "failure")
+                yield Remark(
+                    "R21",
+                    ERROR,
+                    branch.address,
+                    f"no state has {value}, a failure value of {fact_words(branch, digit)}, so no "
+                    "operation clears it",
+                    "add such a state with an operation that leads back, or do not declare it",
+                    spot=(blueprint.home(branch.name), path),
+                )
+
+
+def _recoveries(
+    branch: StateBranch, states: Sequence[str], good: Sequence[str]
+) -> tuple[str, Fix | None]:
+    if not good:
+        return "add operations that lead to the goal", None
+    return _recovery(branch, {state: _nearest(branch, state, good) for state in states})
+
+
+def _failure(branch: StateBranch, state: str) -> tuple[int, str]:
+    """Return the first digit of a failure state that has a failure value, and this value."""
+    return next((digit, value) for digit, value in failures_of(branch, state))
+
+
+def failures_of(branch: StateBranch, state: str) -> Iterator[tuple[int, str]]:
+    """Yield the digits of a state that have a failure value, each with this value."""
+    for digit, value in enumerate(branch.facts(state)):
+        note = branch.fact_note(digit)
+        if note is not None and value in note.failure:
+            yield digit, value
+
+
+def _nearest(branch: StateBranch, state: str, good: Sequence[str]) -> str:
+    """Return the good state in which the fewest facts differ, the first of several."""
+    facts = branch.facts(state)
+    return min(good, key=lambda other: len(changed_digits(facts, branch.facts(other))))
+
+
+def _recovery(branch: StateBranch, ends: dict[str, str]) -> tuple[str, Fix]:
+    """Return the advice and the fix that add an operation from each state to another one."""
+    words = f"Recover from {next(iter(ends))}"
+    if len(ends) > 1:
+        words = f"{words} and {len(ends) - 1:,} more"
+    targets = some(dict.fromkeys(ends.values()))
+    fix = Fix(words, partial(_add_recoveries, branch=branch.name, ends=ends))
+    return f"add an operation that leads back, such as to {targets}", fix
+
+
+def _add_recoveries(blueprint: Blueprint, branch: str, ends: dict[str, str]) -> Blueprint:
+    names = blueprint[branch].operation_names
+    prefix = "Op_" if names and all(name.startswith("Op_") for name in names) else ""
+    name = FreeNames(names).take(f"{prefix}Recover")
+    for state, target in ends.items():
+        blueprint = editing.add_operation(blueprint, branch, state, name, target)
+    return blueprint
