@@ -296,6 +296,20 @@ class Picture:
         """Whether any operation of this SB requires a fact."""
         return has_guards(self.branch)
 
+    @cached_property
+    def mixed(self) -> frozenset[int]:
+        """The edges that change a sub-SB's fact together with others, or that load a sub-SB."""
+        if not self.branch.subs:
+            return frozenset()
+        note, names = self.branch.operation_note, self.names
+        return frozenset(
+            edge
+            for edge, (state, operation) in enumerate(
+                zip(self.source.tolist(), self.operations, strict=True)
+            )
+            if self.kind(edge) == "mixed" or note(names[state], operation).subs == "load"
+        )
+
     def _kind_of(self, edge: int) -> str:
         if not self.branch.subs or self.target[edge] < 0:
             return ""

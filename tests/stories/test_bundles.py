@@ -232,3 +232,60 @@ def test_ways_back_to_the_start_share_a_lane_that_lists_them(sit: Sit, tmp_path:
     assert middle is not None
     person.move_to(person.on_canvas(((middle[0] + middle[2]) / 2, (middle[1] + middle[3]) / 2)))
     assert card(person).isVisible()
+
+
+def looks_of(person: Person, state: str) -> dict[str, bool]:
+    """For each other state whether it is dimmed."""
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    return {name: sheet.node_look(at).dimmed for at, name in enumerate(sheet.picture.names)}
+
+
+def test_what_does_not_touch_the_selected_state_dims_in_a_collapsed_drawing(sit: Sit) -> None:
+    person = collapsed(sit)
+    sheet, table = person.window.canvas.sheet, person.blueprint[SB].table
+    assert sheet is not None
+    person.select(f"{SB}/State_0000")
+    joined = {a for a, row in table.items() for b in row.values() if "State_0000" in (a, b)}
+    joined |= set(table["State_0000"].values())
+    assert {name for name, dim in looks_of(person, "State_0000").items() if not dim} == joined
+    for edge, name in enumerate(sheet.picture.operations):
+        ends = sheet.picture.names[sheet.picture.source[edge]], name
+        touches = "State_0000" in (ends[0], table[ends[0]][name])
+        look = sheet.edge_look(edge)
+        assert (look.joined, look.dimmed and not look.lit) == (touches, not touches)
+    person.click_canvas(FAR)
+    assert not any(looks_of(person, "State_0000").values())
+    person.click(legend(person).all)
+    person.select(f"{SB}/State_0000")
+    assert not any(looks_of(person, "State_0000").values()), "only a collapsed drawing dims"
+
+
+def test_mixed_operations_dim_by_choice_and_stay_so_in_the_next_file(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-digitization.json")
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    branch, count = sheet.picture.branch, len(sheet.picture.operations)
+    addresses = [sheet.picture.address(edge) for edge in range(count)]
+    loads = {
+        edge
+        for edge, at in enumerate(addresses)
+        if branch.operation_note(at.state, at.operation).subs == "load"
+    }
+    mixed = {edge for edge in range(count) if sheet.picture.kind(edge) == "mixed"}
+    assert mixed - loads
+    assert loads - mixed
+    mixed |= loads
+    at = person.place(str(addresses[min(mixed)]))
+    plain = person.window.canvas.viewport().grab().toImage()
+    person.window.actions_table["dim_mixed"].trigger()
+    assert {edge for edge in range(count) if sheet.edge_look(edge).dimmed} == mixed
+    assert colours(person.window.canvas.viewport().grab().toImage(), at) != colours(plain, at)
+    person.window.actions_table["bundle"].trigger()
+    assert legend(person).mixed.text() == f"Load and mixed {len(mixed)}, dimmed"
+    person.click(legend(person).mixed)
+    assert legend(person).mixed.text() == f"Load and mixed {len(mixed)}"
+    person.click(legend(person).mixed)
+    open_again(person, SAMPLES / "three-levels.json")
+    assert person.window.canvas.quiet
+    assert person.steps() == []

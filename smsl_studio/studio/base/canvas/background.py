@@ -91,8 +91,10 @@ class EdgePainter:
         rest = [e for e in lines_alone(sheet, edges) if not looks.is_lit(e)]
         ink = LineInk(sheet.ink, sheet.unit, sheet.compact)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        shapes, look = [geometry.shape(e) for e in rest], looks.plain
-        paint_plain(painter, shapes, look, ink, self._drawn)
+        quiet = [e for e in rest if e in looks.quiet] if looks.quiet else []
+        for some, look in ((quiet, looks.dim), (_without(rest, quiet), looks.plain)):
+            if some or look is looks.plain:
+                paint_plain(painter, [geometry.shape(e) for e in some], look, ink, self._drawn)
         paint_bundles(painter, sheet, bundles_among(sheet, edges))
         room = 12.0 * sheet.unit
         paint_stubs(painter, sheet, _sides(exposed.adjusted(-room, -room, room, room)))
@@ -104,14 +106,13 @@ class EdgePainter:
             return
         edges = sheet.edges_in(*_sides(exposed)).tolist()
         rest = [edge for edge in lines_alone(sheet, edges) if not looks.is_lit(edge)]
-        look = looks.plain
         painter.save()
         painter.scale(unit, unit)
         names = self.names(sheet, rest)
         self._marks.paint(painter, sheet, names)
         for edge, rect in names.items():
             centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
-            paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
+            paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
         self._marks.paint_hidden(painter, sheet, edges)
         paint_counts(painter, sheet, bundles_among(sheet, edges))
         painter.restore()
@@ -184,6 +185,12 @@ class EdgePainter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(_cosmetic(QPen(sheet.ink.tokens.edge, 2.0)))
             painter.drawPolyline(polyline(sheet.geometry.shape(lane).points))
+
+
+def _without(edges: list[int], others: list[int]) -> list[int]:
+    """These edges without the others."""
+    left_out = set(others)
+    return [edge for edge in edges if edge not in left_out] if others else edges
 
 
 def _first_pieces(edges: Numbers, starts: Floats, bends: Mapping[int, Sequence[Point]]) -> Floats:

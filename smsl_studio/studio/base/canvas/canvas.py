@@ -50,7 +50,7 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
-        self._fitted = self._words = self._collapsed = self._judged = False
+        self._fitted = self._words = self._collapsed = self._judged = self._quiet = False
         self.collapse_choice: Callable[[], bool | None] = lambda: False
         """Whether the person wants SBs collapsed; None if nobody said so: then crowded ones are."""
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
@@ -89,6 +89,7 @@ class Canvas(BranchView):
                 self._judge(picture, positions)
             shown = picture.collapse() if self._collapsed else picture
             sheet = Sheet(shown, positions, self.ink, self.marks, former)
+            sheet.looks.quiet = picture.mixed if self._quiet else frozenset()
         self.show_sheet(sheet)
         if not keep_view:
             self.look_at_opening()
@@ -124,6 +125,19 @@ class Canvas(BranchView):
             if sheet is not None:
                 name, places = sheet.picture.branch.name, self.positions
                 self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
+
+    @property
+    def quiet(self) -> bool:
+        """Whether operations that change several facts at once, or load a sub-SB, are dimmed."""
+        return self._quiet
+
+    def set_quiet(self, on: bool) -> None:
+        """Dim operations that change several facts at once or load a sub-SB, or show all alike."""
+        self._quiet = on
+        if self.sheet is not None:
+            self.sheet.looks.quiet = self.sheet.picture.mixed if on else frozenset()
+            self.overlays.show_dense()
+            self.update_edges(self.sheet.picture.mixed)
 
     @property
     def words(self) -> bool:

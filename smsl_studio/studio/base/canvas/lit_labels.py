@@ -84,6 +84,7 @@ def by_weight(sheet: Sheet) -> list[int]:
 def _weight(look: EdgeLook) -> int:
     order = (
         look.possible,
+        look.joined,
         look.out,
         look.pruned,
         look.held_back,

@@ -80,6 +80,10 @@ class LitLayer(QGraphicsItem):
         painter.restore()
         painter.save()
         painter.scale(unit, unit)
+        # A way along the lane lies on its chip.
+        lane = sheet.picture.bundles.lane
+        crossed = [lane] if lane >= 0 and lane not in chosen and looks.own_lines else []
+        paint_counts(painter, sheet, crossed if sheet.level >= Level.COMPACT else [])
         paint_counts(painter, sheet, chosen, chosen=True)
         for edge in order:
             look, shape = looks.edge(edge), geometry.shape(edge)

@@ -15,12 +15,5 @@ def opened(picture: Picture, looks: Looks) -> Picture:
     if not picture.collapsed:
         return picture
     alone = looks.own_lines | picture.edge_layouts().keys()
-    selection = looks.marks.selection
-    state = picture.node(selection[0]) if len(selection) == 1 else -1
-    if state >= 0:
-        starts, edges = picture.incident
-        own = set(edges[starts[state] : starts[state + 1]].tolist())
-        # The initial state does not open the whole lane that leads to it.
-        alone |= {e for e in own if picture.source[e] == state or e not in picture.bundles.back}
     bundles = picture.all_bundles.without(alone)
     return picture if bundles == picture.bundles else picture.bundled(bundles)

@@ -120,6 +120,8 @@ class Overlays:
             whole = sum(own == now.members.get(first) for first, own in pairs.items())
             opened, back = len(pairs) - whole, len(sheet.picture.all_bundles.back)
             self.dense.show_counts(sheet.picture.collapsed, len(pairs), opened, back)
+            quiet = sheet.looks.quiet
+            self.dense.show_mixed(len(sheet.picture.mixed), bool(quiet))
         return before != (self.dense.empty, self.dense.size())
 
     def _list_lane(self) -> None:

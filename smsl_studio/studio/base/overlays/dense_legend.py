@@ -33,6 +33,8 @@ class DenseLegend(Card):
         self.bundles.setFont(text_font(12, 500))
         self.back = IconButton(self, tokens, "", "Back to start")
         self.back.clicked.connect(self.lane_wanted)
+        self.mixed = IconButton(self, tokens, "", "Load and mixed")
+        self.mixed.hide()
         self.all = IconButton(self, tokens, "", "Show all")
         self.all.accent = True
         self.all.clicked.connect(lambda: self.collapse_wanted.emit(not self._collapsed))
@@ -41,6 +43,7 @@ class DenseLegend(Card):
         row.setSpacing(8)
         row.addWidget(self.bundles)
         row.addWidget(self.back)
+        row.addWidget(self.mixed)
         row.addWidget(self.all)
         self.set_tokens(tokens)
         self.hide()
@@ -68,6 +71,16 @@ class DenseLegend(Card):
         self.resize(self.sizeHint())
         self.update()
 
+    def show_mixed(self, count: int, dimmed: bool) -> None:
+        """Tell how many operations change several facts at once or load a sub-SB, and whether they
+        are dimmed. Its button is hidden if there are none."""
+        words = f"Load and mixed {count:,}{', dimmed' if dimmed else ''}"
+        tip = "Show them as all others" if dimmed else "Dim what changes several facts at once"
+        self._say(self.mixed, words, tip)
+        self.mixed.accent = dimmed
+        self.mixed.setVisible(bool(count))
+        self.resize(self.sizeHint())
+
     def _say(self, button: IconButton, words: str, tip: str) -> None:
         """Give a button its words and the room that they need."""
         button.setText(words)
@@ -77,9 +90,9 @@ class DenseLegend(Card):
 
     def sizeHint(self) -> QSize:
         """As wide as its words, 32 high."""
-        back = 0 if self.back.isHidden() else self.back.width() + 8
-        wide = self.bundles.sizeHint().width() + back + self.all.width()
-        return QSize(wide + 23, 32)
+        shown = [one for one in (self.back, self.mixed, self.all) if not one.isHidden()]
+        wide = self.bundles.sizeHint().width() + sum(one.width() + 8 for one in shown)
+        return QSize(wide + 15, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -91,7 +104,7 @@ class DenseLegend(Card):
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QPen(self.tokens.line, 1.0))
-        for button in (self.back, self.all):
+        for button in (self.back, self.mixed, self.all):
             if not button.isHidden():
                 painter.drawLine(button.x() - 4, 8, button.x() - 4, self.height() - 9)
         painter.end()

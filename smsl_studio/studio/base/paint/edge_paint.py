@@ -50,6 +50,8 @@ class EdgeLook:
     selected: bool = False
     out: bool = False
     """Whether the edge leaves the one selected state."""
+    joined: bool = False
+    """Whether the edge leaves or enters the one selected state of a collapsed drawing."""
     running: float | None = None
     trail: bool = False
     planned: bool = False
@@ -71,18 +73,11 @@ class EdgeLook:
     def lit(self) -> bool:
         """Whether the edge is highlighted: painted above the others, with its label, at every
         level."""
-        return bool(
-            (self.selected or self.out or self.hovered or self.finding or self.possible)
-            or (self.running is not None or self.trail or self.planned)
-            or (
-                self.pruned
-                or self.held_back
-                or self.risky
-                or self.change
-                or self.hit
-                or self.conflict
-            )
-        )
+        drawn = self.selected or self.out or self.joined or self.hovered
+        run = self.running is not None or self.trail or self.planned or self.possible
+        held = self.pruned or self.held_back or self.risky
+        told = self.finding or self.change or self.hit or self.conflict
+        return bool(drawn or run or held or told)
 
     @property
     def stands_out(self) -> bool:
@@ -213,7 +208,7 @@ def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tup
         return tokens.edge, 1.6, (2.0, 4.0)
     if look.held_back:
         return tokens.edge, 1.6, (6.0, 3.0)
-    if look.selected or (look.out and not compact):
+    if look.selected or look.joined or (look.out and not compact):
         return tokens.acc, 2.0, ()
     if look.planned:
         return tokens.acc, 1.6, (4.0, 4.0)
@@ -295,6 +290,7 @@ def paint_label(
         painter.fillRect(area, tokens.accs if look.hit else tokens.canvas)
     lit = (
         look.selected
+        or look.joined
         or (look.out and not text.mono)
         or look.trail
         or look.planned

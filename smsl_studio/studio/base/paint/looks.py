@@ -20,6 +20,10 @@ class Looks:
         self.hovered_state, self.hovered_edge = -1, -1
         self.shown_bundle = -1
         """An edge of the bundle whose card is open, -1 for none."""
+        self.quiet: frozenset[int] = frozenset()
+        """The edges that are dimmed while nothing highlights them."""
+        self._spot: frozenset[int] | None = None
+        """The states that are not dimmed while one state of a collapsed drawing is selected."""
         self._nodes: dict[int, NodeLook] = {}
         self._edges: dict[int, EdgeLook] = {}
         self._guards: dict[int, str] = {}
@@ -50,12 +54,15 @@ class Looks:
 
     def node(self, state: int) -> NodeLook:
         """The look of the state with this number."""
-        found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
+        found = self._nodes.get(state)
+        if found is None:
+            aside = self._spot is not None and state not in self._spot
+            found = NodeLook(dimmed=self.marks.dimmed or aside)
         return replace(found, hovered=True) if state == self.hovered_state else found
 
     def edge(self, edge: int) -> EdgeLook:
         """The look of the edge with this number."""
-        found = self._edges.get(edge) or self.plain
+        found = self._edges.get(edge) or (self.dim if edge in self.quiet else self.plain)
         return replace(found, hovered=True) if edge == self.hovered_edge else found
 
     @property
@@ -72,11 +79,11 @@ class Looks:
 
     def change(self, marks: Marks) -> tuple[set[int], set[int]]:
         """Set other marks; returns the numbers of the states and edges whose look changed."""
-        nodes, edges, dimmed = self._nodes, self._edges, self.marks.dimmed
+        nodes, edges, before = self._nodes, self._edges, (self.marks.dimmed, self._spot)
         guards = self._guards
         self.marks = marks
         self._read(marks)
-        if dimmed != marks.dimmed:
+        if before != (marks.dimmed, self._spot):
             return set(range(len(self._picture))), set(range(len(self._picture.operations)))
         states = {
             i for i in nodes.keys() | self._nodes.keys() if nodes.get(i) != self._nodes.get(i)
@@ -88,8 +95,11 @@ class Looks:
         return states, changed | {e for e in both if guards.get(e) != self._guards.get(e)}
 
     def _read(self, marks: Marks) -> None:
-        self.plain = EdgeLook(dimmed=marks.dimmed)
+        self._spot = self._neighbours(marks)
+        self.plain = EdgeLook(dimmed=marks.dimmed or self._spot is not None)
         """The look of every edge without a highlight."""
+        self.dim = EdgeLook(dimmed=True)
+        """The look of quiet edges."""
         nodes: dict[int, dict[str, object]] = {}
         edges: dict[int, dict[str, object]] = {}
         named = ((self._picture.edge(address), how) for address, (how, _) in marks.guards.items())
@@ -99,6 +109,8 @@ class Looks:
             self._note(address, "selected", True, nodes, edges)
         if len(marks.selection) == 1 and not marks.dimmed:
             self._light_out(marks.selection[0], edges)
+        if self._spot is not None:
+            self._light_all(self._picture.node(marks.selection[0]), edges)
         for address in marks.ways:
             self._note(address, "trail", True, nodes, edges)
         if marks.hit is not None:
@@ -119,6 +131,21 @@ class Looks:
             e: EdgeLook(dimmed=marks.dimmed, **given)  # type: ignore[arg-type]
             for e, given in edges.items()
         }
+
+    def _neighbours(self, marks: Marks) -> frozenset[int] | None:
+        """The one selected state of a collapsed drawing with those that operations join with it.
+
+        None if nothing else is to be dimmed.
+        """
+        picture = self._picture
+        if not picture.collapsed or marks.dimmed or len(marks.selection) != 1:
+            return None
+        state = picture.node(marks.selection[0])
+        if state < 0:
+            return None
+        starts, edges = picture.incident
+        own = edges[starts[state] : starts[state + 1]]
+        return frozenset({state, *picture.source[own].tolist(), *picture.target[own].tolist()})
 
     def _read_run(
         self, marks: Marks, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]
@@ -160,6 +187,16 @@ class Looks:
         first = int(self._picture.first[state])
         for edge in range(first, first + len(self._picture.branch.table[address.state])):
             edges.setdefault(edge, {})["out"] = True
+
+    def _light_all(self, state: int, edges: dict[int, dict[str, object]]) -> None:
+        """Highlight all operations of the one selected state of a collapsed drawing. The lane that
+        leads back to it stays a lane.
+        """
+        picture = self._picture
+        starts, own = picture.incident
+        for edge in own[starts[state] : starts[state + 1]].tolist():
+            if picture.source[edge] == state or edge not in picture.all_bundles.back:
+                edges.setdefault(edge, {})["joined"] = True
 
     def _near(
         self, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]

@@ -54,6 +54,13 @@ def view_actions(
                 "No fact here has a name or a meaning yet. Write them in the table of facts."
             )
 
+    def dim_mixed() -> None:
+        """Dim load and mixed operations, or show them as the others; this is remembered."""
+        canvas.set_quiet(not canvas.quiet)
+        windows.settings.store_text("mixed", "dim" if canvas.quiet else "")
+
+    canvas.set_quiet(windows.settings.text_of("mixed") == "dim")
+    canvas.overlays.dense.mixed.clicked.connect(dim_mixed)
     canvas.set_words(windows.settings.text_of("words") == "shown")
 
     def enter(name: str) -> None:
@@ -87,6 +94,9 @@ def view_actions(
                lambda: canvas.collapsed, section=1,
                tip="Draw operations between the same two states as one line with their number; "
                "the file stays as it is"),
+        Action("dim_mixed", "Dim load and mixed operations", dim_mixed, "View", "mixed", (), drawn,
+               lambda: canvas.quiet, section=1,
+               tip="Show those that change several facts at once, or load a sub-SB, paler"),
         in_draw("left"), in_draw("right"), in_draw("bottom"),
         Action("fold_panel", "Fold the lower panel", docks.fold_bottom, "View", "", (),
                lambda: drawn() and docks.bottom_shown(), docks.bottom_folded, section=2,
