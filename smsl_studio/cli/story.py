@@ -35,7 +35,8 @@ def _edge(event: EdgeSwept) -> str:
     verdict = "pass" if event.passed else "FAIL"
     why = f": {event.sentence}" if event.sentence else ""
     checks = f"source {event.source}, target {event.target}"
-    return f"{verdict}  {event.address}  ({checks}, {event.t:.3f} s){why}"
+    met = f", meets the hazard {event.hazard}" if event.hazard else ""
+    return f"{verdict}  {event.address}  ({checks}, {event.t:.3f} s{met}){why}"
 
 
 def _blank(value: Any) -> bool:

@@ -99,11 +99,12 @@ class Dispatcher(Commands):
         """
         try:
             terms = self._terms
-            run, goals = begin_run(
-                self._blueprint, self.host, terms.start, terms.goals, self._levels
-            )
-            avoid = dict.fromkeys(terms.avoid, "avoided")
             hazards = guard_hazards(self._blueprint) if terms.guarded else ()
+            run, goals = begin_run(
+                self._blueprint, self.host, terms.start, terms.goals, self._levels, hazards
+            )
+            run.left_out = tuple(terms.left_out)
+            avoid = dict.fromkeys(terms.avoid, "avoided")
             course = Course(run.hierarchy, goals, run.bound, avoid, hazards)
             self._driver = Driver(run, course, self._reviewer, terms, self._someone)
             self._driver.starting.go_on()

@@ -27,3 +27,18 @@ def to_accept(blueprint: Blueprint, levels: Levels) -> str:
         return CLEAN if levels.inspection == HUMAN else ""
     more = [f"And {len(found) - SHOWN:,} more."] if len(found) > SHOWN else []
     return "\n".join((*found[:SHOWN], *more))
+
+
+def left_out(blueprint: Blueprint) -> tuple[tuple[str, str], ...]:
+    """Return the hazards and properties that cannot be read, as addresses with sentences.
+
+    They refuse no run in simulation. A run begins without them and tells so in its first lines.
+    """
+    if not any(
+        "_hazards" in one.values or "_properties" in one.values for one in blueprint.documents
+    ):
+        return ()
+    from smsl_studio.inspection.rules.conditions import odd_hazards, odd_properties
+
+    odd = (*odd_hazards(blueprint), *odd_properties(blueprint))
+    return tuple((str(one.address), one.message) for one in odd)

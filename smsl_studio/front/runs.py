@@ -15,7 +15,7 @@ from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.errors import RunRefused, SaveError, WorldError
-from smsl_studio.front.acceptance import to_accept
+from smsl_studio.front.acceptance import left_out, to_accept
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
@@ -132,6 +132,7 @@ def open_request(
         automatic=not checked.by_hand,
         attended=checked.attended,
         findings=to_accept(blueprint, chosen),
+        left_out=left_out(blueprint),
     )
     host = with_remote(checked, make_host(checked, loaded, spare))
     return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=checked.supervisor)

@@ -6,12 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene, state_check
-from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.configuration import Hierarchy, flags
+from smsl_studio.blueprint.hazards import guard_hazards, met_on_the_way
+from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.words import truth_word
 from smsl_studio.dispatch.route.effort import refuse_too_large
+from smsl_studio.dispatch.status_now import Standing
 from smsl_studio.front.hosts import make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.starts import start_for_edge
@@ -97,8 +102,28 @@ def edge_alone(
         source=source,
         target=_truth(hierarchy, at_end.scene, believed, edge.branch, target),
         sentence="" if passed else _why(events, at_end.sentence),
+        hazard=_hazard(hierarchy, start, edge, at_end),
     )
     return swept, at_end.reason == "failed"
+
+
+def _hazard(hierarchy: Hierarchy, start: Mapping[str, str], edge: Address, at_end: Standing) -> str:
+    """Return the name of the first hazard that an edge meets on its way, as it is drawn, or at its
+    end, as it is sensed. Empty if there is none.
+    """
+    hazards = guard_hazards(hierarchy.blueprint)
+    if not hazards:
+        return ""
+    stepper = Stepper(hierarchy, Terms(failing=None))
+    known = stepper.edges.get(edge)
+    step = stepper.step(start, known) if known is not None else None
+    drawn = met_on_the_way(hazards, start, step) if isinstance(step, JointStep) else ()
+    names = {one.name for one in drawn}
+    readings, facts = at_end.scene.readings, flags(hierarchy.blueprint, at_end.configuration)
+    for key, one in readings.items():
+        facts[key] = one.value or ""
+    names |= {one.name for one in hazards if all(facts[k] == value for k, value in one.facts)}
+    return next((one.name for one in hazards if one.name in names), "")
 
 
 def _truth(

@@ -25,6 +25,8 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
         run.FactChanged: SENSED,
         run.StateChecked: SENSED,
         run.Mismatch: SENSED,
+        run.HazardMet: SENSED,
+        run.LeftOut: BELIEVED,
         run.OperationStarted: DONE,
         run.OperationEnded: DONE,
         run.Disturbed: DONE,
@@ -43,6 +45,8 @@ NOBODY = "nobody has answered yet"
 """The reason of an unknown fact that only a person can tell. No sensor has reported anything."""
 
 _BAD = (
+    run.HazardMet,
+    run.LeftOut,
     run.Mismatch,
     run.OperationRisky,
     run.OperationRefused,
@@ -194,6 +198,10 @@ _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
         run.OperationPruned: lambda e: f"{e.address} was shut out: {e.reason}",
         run.OperationRestored: lambda e: f"{e.address} may be used again",
         run.Relocalised: lambda e: f"The scene was read again: {states(e.configuration)}",
+        run.HazardMet: lambda e: (
+            f"The hazard {e.name} is met: {', '.join(f'{f} is {v}' for f, v in e.facts.items())}"
+        ),
+        run.LeftOut: lambda e: f"The run begins without {e.address}: {e.sentence}",
         run.Held: lambda e: listed(f"The run holds: {e.reason}", e.details),
         run.Paused: lambda e: "The run was paused",
         run.Resumed: lambda e: "The run goes on",

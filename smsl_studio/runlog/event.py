@@ -19,6 +19,8 @@ class Event:
     """A run event. ``event`` is its word and ``t`` the simulated time (s)."""
 
     event: ClassVar[str] = ""
+    sparse: ClassVar[tuple[str, ...]] = ()
+    """The fields that are left out of the line while they are empty."""
     t: float
 
     def as_json(self) -> dict[str, Json]:
@@ -28,6 +30,8 @@ class Event:
         values: dict[str, Json] = {"event": self.event}
         for item in fields(self):
             value = getattr(self, item.name)
+            if not value and item.name in self.sparse:
+                continue
             values[item.name] = _plain(value)
         return values
 

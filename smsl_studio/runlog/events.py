@@ -39,7 +39,9 @@ __all__ = [
     "FaultInjected",
     "GivenBack",
     "GoalReached",
+    "HazardMet",
     "Held",
+    "LeftOut",
     "Mismatch",
     "OperationEnded",
     "OperationPruned",
@@ -77,6 +79,15 @@ class RunStarted(Event):
     goals: tuple[str, ...]
     behaviour: str = ""
     """SHA-256 of the blueprint's behaviour. It identifies the blueprint."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LeftOut(Event):
+    """A hazard or a property of the file cannot be read, so the run begins without it."""
+
+    event: ClassVar[str] = "left_out"
+    address: str
+    sentence: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,11 +161,18 @@ class Committed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperationRefused(Event):
-    """A guard has refused an operation. Nothing has moved."""
+    """A guard has refused an operation. Nothing has moved.
+
+    ``code`` is ``hazard`` if a hazard refuses it, and then ``hazard`` is its name. Both are left
+    out of all other refusals.
+    """
 
     event: ClassVar[str] = "operation_refused"
+    sparse: ClassVar[tuple[str, ...]] = ("code", "hazard")
     address: str
     reasons: tuple[str, ...]
+    code: str = ""
+    hazard: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -216,12 +234,22 @@ class Relocalised(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HazardMet(Event):
+    """The sensed facts of a hazard hold together: ``facts`` has each with its value."""
+
+    event: ClassVar[str] = "hazard_met"
+    name: str
+    facts: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Held(Event):
     """The run holds until somebody decides. ``reason`` says why.
 
     ``kind`` is ``no_route`` if no permitted route leads to the goal. It is ``guard_lost`` if a
     critical fact, or one that a running operation requires, is false or unknown. It is
-    ``goal_unconfirmed`` if the state check of a goal is not true, and ``held`` otherwise.
+    ``goal_unconfirmed`` if the state check of a goal is not true, ``hazard`` if a hazard is met or
+    refuses the next operation, and ``held`` otherwise.
     """
 
     event: ClassVar[str] = "held"
@@ -269,15 +297,18 @@ class RunFinished(Event):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EdgeSwept(Event):
     """One edge of a sweep was carried out. ``source`` and ``target`` are the results of their state
-    checks (``true``, ``false`` or ``unknown``).
+    checks (``true``, ``false`` or ``unknown``). ``hazard`` is the name of the first hazard that it
+    meets on its way or at its end, and left out if there is none.
     """
 
     event: ClassVar[str] = "edge_swept"
+    sparse: ClassVar[tuple[str, ...]] = ("hazard",)
     address: str
     passed: bool
     source: str
     target: str
     sentence: str = ""
+    hazard: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -666,6 +666,39 @@ def goal_of_a_run_that_holds(story: Story, random: Random) -> Story | None:
     return story
 
 
+def hazard_with_other_facts(story: Story, random: Random) -> Story | None:
+    """A hazard is met by the facts that are sensed."""
+    at = _one(random, story.at("hazard_met"))
+    if at is None:
+        return None
+    event = story.events[at]
+    sensed = {f"{e['branch']}/{e['digit']}" for e in story.events[:at] if "digit" in e}
+    known = sorted(sensed & event["facts"].keys())
+    if not known:
+        return None
+    story.events[at] = {**event, "facts": {**event["facts"], known[0]: "elsewhere"}}
+    return story
+
+
+def hazard_without_a_name(story: Story, random: Random) -> Story | None:
+    """And has a name."""
+    at = _one(random, story.at("hazard_met"))
+    if at is None:
+        return None
+    story.events[at] = {**story.events[at], "name": ""}
+    return story
+
+
+def left_out_later(story: Story, random: Random) -> Story | None:
+    """What cannot be read is told before anything else."""
+    at = _one(random, story.at("left_out"))
+    if at is None or len(story.events) < at + 8:
+        return None
+    one = story.events.pop(at)
+    story.events.insert(at + 5, {**one, "t": story.events[at + 4]["t"]})
+    return story
+
+
 def mismatch_at_the_goal(story: Story, random: Random) -> Story | None:
     """Nor one in which the scene differs from what is believed."""
     at = _one(random, story.at("goal_reached"))

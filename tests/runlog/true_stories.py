@@ -9,8 +9,9 @@ from random import Random
 from typing import Any
 
 import smsl_studio as smsl
+from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.supervision.table import COMMANDS
@@ -145,6 +146,9 @@ def _commanded(number: int, path: Path) -> None:
     name = random.choice(SAMPLES)
     own = random.random() < 0.4
     blueprint = any_run(number).blueprint if own else smsl.read(samples_dir() / f"{name}.json")
+    chance = Random(f"hazards {number}") if number % 8 == 3 else None
+    if chance is not None:
+        blueprint = _guarded(blueprint, chance)
     by_hand, levels = random.random() < 0.4, random.choice(LEVELS)
     request = RunRequest(
         blueprint, seed=number, host="local", by_hand=by_hand, levels=levels or {}, log=path,
@@ -158,6 +162,8 @@ def _commanded(number: int, path: Path) -> None:
         return
     recording.tell(dispatcher.open())
     for _ in range(random.randrange(10, 60)):
+        if chance is not None and chance.random() < 0.3:
+            _endanger(dispatcher, blueprint, chance)
         while random.random() < 0.4:
             _say(dispatcher, blueprint, random)
         for task in dispatcher.status.tasks:
@@ -168,6 +174,28 @@ def _commanded(number: int, path: Path) -> None:
         recording.tell(dispatcher.tick())
     _end(dispatcher, recording, random)
     dispatcher.close()
+
+
+def _guarded(blueprint: Blueprint, chance: Random) -> Blueprint:
+    """The same with a hazard of two facts, and one that nobody can read."""
+    facts = [(branch, d) for branch in blueprint for d in range(branch.num_facts)]
+    some = chance.sample(facts, min(2, len(facts)))
+    named = {f"{one.name}/{d}": _other_value(one, d, chance) for one, d in some}
+    odd = {"name": "Odd", "facts": {"nowhere": "1"}}
+    return edit.set_hazards(blueprint, [{"name": "Both", "facts": named}, odd])
+
+
+def _other_value(branch: StateBranch, digit: int, chance: Random) -> str:
+    """A value that the fact does not have at the start, if there is one."""
+    start = branch.facts(branch.initial)[digit]
+    others = [value for value in branch.alphabet[digit] if value != start]
+    return chance.choice(others or list(branch.alphabet[digit]))
+
+
+def _endanger(run: Dispatcher, blueprint: Blueprint, chance: Random) -> None:
+    """Let a fact of the hazard have its value behind the run's back."""
+    fact, value = chance.choice(list(blueprint.hazards[0].facts.items()))
+    run.inject("set", fact=fact, value=value, by="Ada")
 
 
 def _end(dispatcher: Dispatcher, recording: Recorder, random: Random) -> None:

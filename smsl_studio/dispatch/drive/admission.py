@@ -18,9 +18,10 @@ from smsl_studio.dispatch.drive.review import Reviewer
 from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, PAUSE, PRUNE, Verdict
 from smsl_studio.dispatch.execution.desk import Desk, no_words, who_words
 from smsl_studio.dispatch.execution.guards import refusals
+from smsl_studio.dispatch.execution.hazard_guard import HAZARD, objection
 from smsl_studio.dispatch.execution.needed import of_step
 from smsl_studio.dispatch.execution.run import LiveRun
-from smsl_studio.dispatch.execution.trouble import Hold
+from smsl_studio.dispatch.execution.trouble import HELD, Hold
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.questions import GO_ON, confirm_task, supervise_task
 from smsl_studio.dispatch.route.course import Course
@@ -84,7 +85,7 @@ class Admission:
     def _guarded(self, step: JointStep, chosen: bool) -> str:
         run = self._run
         reasons = (self._course.shut and self._barred(step)) or refusals(run, step)
-        if reasons:
+        if reasons or (run.hazards and self._endangers(step)):
             return self._refuse(step, chosen, reasons)
         if chosen:
             objection = self._reviewer.objection(run, step)
@@ -137,7 +138,7 @@ class Admission:
     def _begin(self, step: JointStep, chosen: bool) -> str:
         """Begin a step if the guards still agree."""
         reasons = self._barred(step) or refusals(self._run, step)
-        if reasons:
+        if reasons or self._endangers(step):
             return self._refuse(step, chosen, reasons)
         self._conduct.begin(step, chosen)
         return ""
@@ -149,12 +150,19 @@ class Admission:
             return ()
         return tuple(f"{one} is {shut[one.address]}" for one in step.edges if one.address in shut)
 
+    def _endangers(self, step: JointStep) -> bool:
+        return objection(self._run, step) is not None
+
     def _refuse(self, step: JointStep, chosen: bool, reasons: tuple[str, ...]) -> str:
-        run = self._run
+        """Refuse a step, for these reasons or else because of a hazard."""
+        run, hazard, kind = self._run, "", HELD
         self._course.drop_plan()
-        run.emit(OperationRefused(t=run.time, address=str(step.asked), reasons=reasons))
+        endangers = None if reasons else objection(run, step)
+        if endangers is not None:
+            hazard, reasons, kind = endangers.hazard, (endangers.sentence,), HAZARD
+        run.emit(refusal(run.time, step.asked.address, reasons, hazard))
         if not chosen:
-            self._conduct.hold(Hold(f"{step.asked} cannot begin: {reasons[0]}", reasons))
+            self._conduct.hold(Hold(f"{step.asked} cannot begin: {reasons[0]}", reasons, kind))
         return "; ".join(reasons)
 
     def _obey_people(self, step: JointStep, closed: Closed) -> None:
@@ -201,6 +209,16 @@ class Admission:
             run.emit(OperationPruned(t=run.time, address=str(address), reason=reason))
         else:
             self._course.veto(address, run.configuration)
+
+
+def refusal(
+    time: float, address: Address, reasons: tuple[str, ...], hazard: str
+) -> OperationRefused:
+    """Return the event of a refusal at a simulated time (s). ``hazard`` is the name of the hazard
+    that refuses, if one does.
+    """
+    code = HAZARD if hazard else ""
+    return OperationRefused(t=time, address=str(address), reasons=reasons, code=code, hazard=hazard)
 
 
 def confirmations(run: LiveRun, step: JointStep) -> tuple[Question, ...]:

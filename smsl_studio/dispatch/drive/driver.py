@@ -13,6 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.drive.admission import Admission
 from smsl_studio.dispatch.drive.arrival import Arrival
+from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.drive.integrity import Integrity
 from smsl_studio.dispatch.drive.loop_guard import REPEATS, LoopGuard
 from smsl_studio.dispatch.drive.review import Reviewer
@@ -64,7 +65,8 @@ class Driver:
         self.repeats = LoopGuard(REPEATS)
         self.desk = Desk(run, someone or (lambda: self.attended))
         self.starting = StartTasks(run, self.desk, self, terms.seed, course.goals, terms.findings)
-        self.integrity = Integrity(run, self.desk, trouble, self)
+        self.hazards = HazardWatch(run, self.state, trouble, self)
+        self.integrity = Integrity(run, self.desk, trouble, self, self.hazards)
         self.admission = Admission(run, course, self.desk, reviewer, loops, self)
         self.outlook = Outlook(run, course)
         self.pricing = PriceUpdates(run, course)
@@ -144,7 +146,7 @@ class Driver:
         run = self.run
         self.arrival.begin()
         self._tick()
-        if not watched or self._lost() or self.desk.keeps:
+        if self.endangered() or not watched or self._lost() or self.desk.keeps:
             return
         self.pricing.ask()
         if self.arrival.moved and not self.desk.busy and self.arrival.open:
@@ -167,6 +169,8 @@ class Driver:
 
     def _propose(self) -> None:
         if self.run.critical and self._lost():
+            return
+        if self.run.hazards and self.endangered():
             return
         if self.arrival.closing or self.arrival.open:
             self.arrival.begin()
@@ -205,6 +209,10 @@ class Driver:
         """Return whether the run has begun and now holds because a critical fact is lost."""
         return self.starting.told and self.integrity.lost()
 
+    def endangered(self) -> bool:
+        """Return whether the run has begun and now holds because a hazard is met."""
+        return bool(self.run.hazards) and self.starting.told and self.hazards.holds()
+
     def begin(self, step: JointStep, chosen: bool) -> None:
         """Carry out a step from this tick on. All guards have agreed. ``chosen`` says that a person
         asked for it.
@@ -241,7 +249,7 @@ class Driver:
             self._failed(carrier.step, carrier.failure)
         elif carrier.stage is DONE:
             self.carrier = None
-            if self.run.broken():
+            if not self.endangered() and self.run.broken():
                 self.hold(self.trouble.relocalise())
         if self.ended is not None:
             return
@@ -267,11 +275,13 @@ class Driver:
 
         def relocalise() -> None:
             """Find out where the run stands, and hold if necessary."""
+            if not failure.hazards and self.endangered():
+                return
             hold = self.trouble.after(failure)
             self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
 
         self.trouble.blame(step, failure)
-        if failure.unanswered or failure.lost:
+        if failure.unanswered or failure.lost or failure.hazards:
             relocalise()
         else:
             self.integrity.informed(relocalise)

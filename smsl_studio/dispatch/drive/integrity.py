@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from smsl_studio.dispatch.drive.conduct import Conduct
+from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.execution.desk import Desk
 from smsl_studio.dispatch.execution.needed import all_theirs, in_checks
 from smsl_studio.dispatch.execution.run import LiveRun
@@ -15,10 +16,13 @@ from smsl_studio.dispatch.execution.trouble import Trouble
 
 
 class Integrity:
-    """Holds a run that has begun if a critical fact is lost."""
+    """Holds a run that has begun if a critical fact is lost or a hazard is met."""
 
-    def __init__(self, run: LiveRun, desk: Desk, trouble: Trouble, conduct: Conduct) -> None:
+    def __init__(
+        self, run: LiveRun, desk: Desk, trouble: Trouble, conduct: Conduct, hazards: HazardWatch
+    ) -> None:
         self._run, self._desk, self._trouble, self._conduct = run, desk, trouble, conduct
+        self._hazards = hazards
 
     def informed(self, then: Callable[[], None]) -> None:
         """Call ``then`` after people were asked for the unknown facts of the active states that
@@ -31,12 +35,15 @@ class Integrity:
             then()
 
     def lost(self) -> bool:
-        """Hold if a critical fact is false or unknown. Return whether this is so.
+        """Hold if a hazard is met, or a critical fact is false or unknown. Return whether this is
+        so.
 
         The run holds at once, even while people are asked something else. Only if people may tell
         all lost facts, they are asked first, or may finish their open questions about facts.
         """
         run = self._run
+        if run.hazards and self._hazards.holds():
+            return True
         if not lost_critical(run):
             return False
         theirs = all_theirs(run, lost_terms(run))

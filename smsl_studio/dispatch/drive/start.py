@@ -7,14 +7,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from smsl_studio.blueprint.address import Address, fact_text
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.hazards import GuardHazard
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.execution.hazard_guard import met, met_words
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
 from smsl_studio.dispatch.route.goals import goals_of
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
-from smsl_studio.runlog.events import Event, FactChanged, RunStarted, StateChecked
+from smsl_studio.runlog.events import Event, FactChanged, LeftOut, RunStarted, StateChecked
 
 
 def begin_run(
@@ -23,6 +25,7 @@ def begin_run(
     start: Mapping[str, str],
     goals: Sequence[Address],
     levels: Levels | None = None,
+    hazards: Sequence[GuardHazard] = (),
 ) -> tuple[LiveRun, tuple[Address, ...]]:
     """Open the host in the start configuration. Return the run and its goals in order.
 
@@ -33,6 +36,7 @@ def begin_run(
     if not blueprint.branches:
         raise RunRefused("the blueprint has no State Branch", advice="Add one and draw its states.")
     configuration = start_configuration(hierarchy, start)
+    _refuse_hazards([one for one in hazards if one.meets(configuration)])
     ordered = goals_of(hierarchy, goals)
     opened = host.open(configuration)
     if opened.hardware:
@@ -40,7 +44,18 @@ def begin_run(
             f"{opened.world} is hardware and this blueprint has no inspection record",
             advice="Run it in a simulated world first.",
         )
-    return LiveRun(hierarchy, host, opened, configuration, levels), ordered
+    run = LiveRun(hierarchy, host, opened, configuration, levels)
+    run.guard_against(hazards)
+    return run, ordered
+
+
+def _refuse_hazards(hazards: Sequence[GuardHazard]) -> None:
+    """Raise RunRefused if there are hazards: those that the start meets."""
+    if hazards:
+        raise RunRefused(
+            f"the start meets a hazard: {'; '.join(met_words(hazards))}",
+            advice="Start where its facts do not hold together.",
+        )
 
 
 def start_events(
@@ -48,7 +63,7 @@ def start_events(
 ) -> tuple[Event, ...]:
     """Return the first events of a run. ``changes`` are the first changes of facts.
 
-    RunRefused if a state check is not true on sensed facts.
+    RunRefused if a state check is not true on sensed facts, or if they meet a hazard.
     """
     checks = run.checks(run.configuration)
     failed = [check for check in checks if check.truth is not True]
@@ -58,6 +73,7 @@ def start_events(
             said.append(f"{len(failed) - _TOLD:,} more state checks are not true")
         advice = _silent(run, checks) or "Put the world where the start has it."
         raise RunRefused("; ".join(said), advice=advice)
+    _refuse_hazards(met(run))
     started = RunStarted(
         t=run.time,
         world=run.opened.world,
@@ -66,7 +82,8 @@ def start_events(
         goals=tuple(map(str, goals)),
         behaviour=run.blueprint.behaviour,
     )
-    return (started, *changes, *_checked(run))
+    missing = [LeftOut(t=run.time, address=one, sentence=words) for one, words in run.left_out]
+    return (started, *missing, *changes, *_checked(run))
 
 
 _TOLD = 20

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.execution.desk import no_words, who_words
 from smsl_studio.dispatch.execution.effects import changed_by, touched
 from smsl_studio.dispatch.execution.guards import doubt
+from smsl_studio.dispatch.execution.hazard_guard import met_words, newly_met, objection_to, tell
 from smsl_studio.dispatch.execution.needed import in_checks
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.safeguards import Safeguards
@@ -65,6 +66,7 @@ class Carrier:
         self._by = ""
         self._rests = Safeguards(run, step) if run.guarded else None
         self._lost: tuple[str, ...] = ()
+        self._met: tuple[str, ...] = ()
 
     @property
     def bound(self) -> Bound:
@@ -117,7 +119,7 @@ class Carrier:
         elif self.stage is SETTLING:
             tick = self._tick()
             self._notice()
-            if tick.time >= self._until - HAIR:
+            if self._met or tick.time >= self._until - HAIR:
                 self._decide()
 
     def watch(self) -> None:
@@ -137,9 +139,14 @@ class Carrier:
         self._settle()
 
     def _notice(self) -> bool:
-        """Return whether the step has lost a needed fact just now, and not before."""
+        """Return whether the step has just lost a needed fact, or a hazard is met just now."""
         if self._rests is None or self._lost:
             return False
+        hazards = newly_met(self._run)
+        if hazards:
+            tell(self._run, hazards)
+            self._met, self._lost = tuple(one.name for one in hazards), met_words(hazards)
+            return True
         asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
         self._lost = self._rests.lost([fact for fact in asked if fact is not None])
         return bool(self._lost)
@@ -205,11 +212,15 @@ class Carrier:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
         if self._rests is not None:
-            self._lost = self._rests.begin(action)
+            self._notice()
+            self._lost = self._lost or self._rests.begin(action)
         if self._lost:
             self._fail(self._lost_words, risky=False, pending=bool(run.transit))
             return
         unsure = doubt(run, action.edge) if self._index else ""
+        endangers = objection_to(run, action) if self._index and not unsure else None
+        if endangers is not None:
+            self._met, unsure = (endangers.hazard,), endangers.sentence
         if unsure:
             self._fail(unsure, risky=False, pending=bool(run.transit))
             return
@@ -306,7 +317,7 @@ class Carrier:
         self.stage = SETTLING
         settle = self._run.opened.settle
         self._until = self._run.senses.time + settle
-        if settle <= 0:
+        if settle <= 0 or self._met:
             self._decide()
 
     def _decide(self) -> None:
@@ -382,5 +393,6 @@ class Carrier:
         if pending is None:
             pending = bool(self.action.transit)
         edge = self.action.edge
-        self.failure = StepFailure(edge, reason, risky, pending, unanswered, self._lost)
+        found = self._lost, self._met
+        self.failure = StepFailure(edge, reason, risky, pending, unanswered, *found)
         self.stage = FAILED

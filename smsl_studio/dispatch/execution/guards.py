@@ -30,25 +30,24 @@ def refusals(run: LiveRun, step: JointStep) -> tuple[str, ...]:
     return tuple(dict.fromkeys(reasons)) if reasons else ()
 
 
-def asked(run: LiveRun, course: Course, address: Address) -> JointStep | tuple[str, ...]:
+def asked(run: LiveRun, course: Course, address: Address) -> JointStep | Unavailable:
     """Return the joint step of an operation that a person asks for, or all reasons why there is
     none.
 
     The scene, the supervisor and people are asked after this.
     """
     if not address.operation:
-        return (f"{address} is no operation",)
+        return Unavailable(f"{address} is no operation")
     try:
         edge = course.edge(run.blueprint.resolve(address))
     except AddressError as error:
-        return (error.sentence,)
+        return Unavailable(error.sentence)
     if edge is None:
-        return (f"{address} leads to no state",)
+        return Unavailable(f"{address} leads to no state")
     active = run.configuration[edge.branch]
     if active != edge.source:
-        return (f"{edge.branch} is in {active}, not in {edge.source}",)
-    step = course.asked(run.configuration, edge)
-    return step.reasons if isinstance(step, Unavailable) else step
+        return Unavailable(f"{edge.branch} is in {active}, not in {edge.source}")
+    return course.asked(run.configuration, edge)
 
 
 def _sources(run: LiveRun, step: JointStep) -> list[str]:

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.execution.guards import needs
+from smsl_studio.dispatch.execution.hazard_guard import doubts
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.people.board import Question
 from smsl_studio.dispatch.people.questions import fact_task
@@ -40,7 +41,8 @@ def of_step(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
     required = [term for edge in step.edges for term in needs(run, edge)]
     if any(term.truth is False for term in required):
         return ()
-    terms = (*(term for check in checks for term in check.unknown), *required)
+    endangers = doubts(run, step) if run.hazards else ()
+    terms = (*(term for check in checks for term in check.unknown), *required, *endangers)
     return _questions(run, (term for term in terms if term.truth is None))
 
 

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.guards import needs, refusals
+from smsl_studio.dispatch.execution.hazard_guard import objection
 from smsl_studio.dispatch.execution.needed import of_step
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.status import Possible
@@ -164,4 +165,6 @@ class Outlook:
     def _refusals(self, step: JointStep) -> tuple[str, ...]:
         """Return why a step may not begin. A fact that people will be asked for is no reason."""
         reasons = refusals(self._run, step)
+        endangers = None if reasons else objection(self._run, step)
+        reasons = reasons if endangers is None else (endangers.sentence,)
         return () if reasons and of_step(self._run, step) else reasons

@@ -18,6 +18,7 @@ from smsl_studio.blueprint.check import (
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.hazards import GuardHazard
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.senses import Senses
@@ -39,7 +40,9 @@ class LiveRun:
     edge. ``people_act`` are the SBs in which people carry out or confirm operations. ``people_say``
     says whether people may tell any fact. ``critical`` has the critical digits of each SB that has
     any. ``guarded`` says whether there are any, or an operation requires facts. ``history`` has the
-    results of edges, for cost functions.
+    results of edges, for cost functions. ``hazards`` are those that guard the run, and
+    ``told_hazards`` the names of those that are met and were told. ``left_out`` are annotations
+    that cannot be read, as addresses with sentences.
     """
 
     def __init__(
@@ -69,12 +72,20 @@ class LiveRun:
         self.guarded = bool(self.critical) or any(
             note.requires for branch in self.blueprint for note in branch.notes.operations.values()
         )
+        self.hazards: tuple[GuardHazard, ...] = ()
+        self.told_hazards: set[str] = set()
+        self.left_out: tuple[tuple[str, str], ...] = ()
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []
         self.events: list[Event] = []
         self.tell: Callable[[Event], None] = self.events.append
         """Add one event that waits to be told. It is ``emit`` without a call of Python."""
+
+    def guard_against(self, hazards: Collection[GuardHazard]) -> None:
+        """Let hazards guard the run."""
+        self.hazards = tuple(hazards)
+        self.guarded = self.guarded or bool(hazards)
 
     @property
     def time(self) -> float:

@@ -38,7 +38,8 @@ class StepFailure:
 
     ``risky`` says that the operation itself is to blame. ``pending`` says that it failed during a
     crossing. ``unanswered`` says that people did not answer a question. ``lost`` has sentences
-    about the needed facts that were false or unknown meanwhile.
+    about the needed facts that were false or unknown meanwhile. ``hazards`` are the names of the
+    hazards that were met, or that refused the next function.
     """
 
     edge: Edge
@@ -47,6 +48,7 @@ class StepFailure:
     pending: bool
     unanswered: bool = False
     lost: tuple[str, ...] = ()
+    hazards: tuple[str, ...] = ()
 
 
 def fault_words(edge: Edge, tick: Tick) -> str:

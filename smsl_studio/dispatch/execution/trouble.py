@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.hazards import GuardHazard, named
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.execution.hazard_guard import HAZARD, met, met_words
 from smsl_studio.dispatch.execution.recovery import candidates, stands, sub_relocalised
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.stage import StepFailure
@@ -82,6 +83,8 @@ class Trouble:
         adopted. If the step has lost needed facts, the run holds whatever the scene shows.
         """
         run = self._run
+        if failure.hazards:
+            return self.lost(failure.lost, failure.reason, HAZARD)
         if failure.lost:
             return self.lost(failure.lost, failure.reason)
         if not failure.pending and not stands(run, run.configuration):
@@ -91,11 +94,20 @@ class Trouble:
                 return None
         return self.relocalise(failure.reason)
 
-    def lost(self, facts: Sequence[str], cause: str = "") -> Hold:
+    def lost(self, facts: Sequence[str], cause: str = "", kind: str = GUARD_LOST) -> Hold:
         """Return a hold for needed facts that are false or unknown. Nothing is adopted."""
         found = self.relocalise(adopts=False)
         details = dict.fromkeys((*facts, *(found.details if found else ())))
-        return Hold(cause or "; ".join(facts), tuple(details), GUARD_LOST)
+        return Hold(cause or "; ".join(facts), tuple(details), kind)
+
+    def endangered(self, hazards: Sequence[GuardHazard], observes: bool) -> Hold:
+        """Return a hold for hazards that are met. Nothing is adopted. A run that only ``observes``
+        is not located either.
+        """
+        facts = met_words(hazards)
+        if observes:
+            return Hold("; ".join(facts), facts, HAZARD)
+        return self.lost(facts, kind=HAZARD)
 
     def unconfirmed(self, goals: Sequence[Address]) -> Hold | None:
         """Return a hold if the scene does not confirm the goals at which the run believes to be."""
@@ -127,6 +139,7 @@ class Trouble:
         if (
             adopts
             and self._adopts
+            and not met(run)
             and len(self.candidates) == 1
             and stands(run, self.candidates[0])
         ):

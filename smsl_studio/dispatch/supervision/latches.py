@@ -145,6 +145,7 @@ def accept(driver: Driver, *, by: str = PERSON) -> str:
     driver.loops.forget()
     run.emit(GivenBack(t=run.time, by=by, configuration=dict(offered)))
     driver.trouble.adopt(offered)
+    driver.endangered()
     return ""
 
 
@@ -163,6 +164,7 @@ def adopt(driver: Driver, *, by: str = PERSON) -> str:
     driver.release()
     driver.loops.forget()
     driver.trouble.adopt(found[0])
+    driver.endangered()
     return ""
 
 

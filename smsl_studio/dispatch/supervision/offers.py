@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from smsl_studio.blueprint.hazards import named
+from smsl_studio.dispatch.execution.hazard_guard import met
 from smsl_studio.dispatch.execution.status import Offer
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.phase import NO_ROUTE
@@ -46,9 +48,13 @@ def _held(driver: Driver) -> Iterator[Offer]:
     for address in held.blocking:
         if address in course.closed:
             yield _offer("restore", str(address), why=course.closed[address])
+    hazards = met(driver.run)
     for one in driver.outlook.known()[0]:
         if one.risky and one.permitted:
             yield _offer("ask", str(one.address), why=course.risky[one.address])
+        elif hazards and one.permitted:
+            words = f"Carry out {one.address}. It leaves {named(hazards)}."
+            yield Offer("ask", str(one.address), words)
     yield _offer("resume")
     yield _offer("take_over")
     yield _offer("end")

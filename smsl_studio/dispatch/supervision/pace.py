@@ -21,11 +21,12 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
     ``every_time`` says that a script asks for it every time the run comes here, so the number is
     limited.
     """
+    from smsl_studio.blueprint.along import Unavailable
     from smsl_studio.blueprint.joint import JointStep
+    from smsl_studio.dispatch.drive.admission import refusal
     from smsl_studio.dispatch.execution.guards import asked
-    from smsl_studio.runlog.events import OperationRefused
 
-    run = driver.run
+    run, hazard = driver.run, ""
     reasons: tuple[str, ...]
     if driver.carrier is not None:
         reasons = (f"{driver.carrier.step.asked} is being carried out",)
@@ -42,15 +43,15 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
         if isinstance(answer, JointStep) and every_time:
             circling = driver.repeats.why_not(run.configuration, answer.asked)
             driver.repeats.count(run.configuration, answer.asked)
-            answer = (circling,) if circling else answer
+            answer = Unavailable(circling) if circling else answer
         if isinstance(answer, JointStep):
             refused = driver.admission.admit(answer, chosen=True)
             # A question that a pause has frozen is no longer what the run waits for.
             if not refused:
                 driver.state.thaw()
             return refused
-        reasons = answer
-    run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
+        reasons, hazard = answer.reasons, answer.hazard
+    run.emit(refusal(run.time, address, reasons, hazard))
     return "; ".join(reasons)
 
 

@@ -28,9 +28,11 @@ def recheck(driver: Driver) -> None:
         driver.loops.forget()
         driver.course.lift_vetoes(held.skipped)
         driver.release()
-        driver.integrity.informed(lambda: driver.hold(driver.trouble.relocalise()))
+        driver.integrity.informed(lambda: _locate(driver))
         return
     run.look()
+    if driver.endangered():
+        return
     if not stands(run, run.configuration):
         driver.integrity.informed(lambda: _read_again(driver))
 
@@ -48,6 +50,13 @@ def _recheck_others(driver: Driver, carrier: Carrier) -> None:
         carrier.abort("hold", f"while it was held, {'; '.join(words)}")
 
 
+def _locate(driver: Driver) -> None:
+    if not driver.endangered():
+        driver.hold(driver.trouble.relocalise())
+
+
 def _read_again(driver: Driver) -> None:
+    if driver.endangered():
+        return
     if not stands(driver.run, driver.run.configuration):
         driver.hold(driver.trouble.relocalise())

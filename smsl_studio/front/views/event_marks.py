@@ -21,6 +21,8 @@ def kind_of(event: Event) -> str:
             return COMMIT if event.reason == "goal_reached" else HELD
         case run.Mismatch() | run.OperationRisky() | run.FaultInjected() | run.Disturbed():
             return FAULT
+        case run.HazardMet():
+            return FAULT
         case run.OperationEnded() if event.outcome != "returned":
             return FAULT
         case run.Commanded() | run.TaskOpened() | run.TaskClosed():

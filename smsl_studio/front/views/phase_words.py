@@ -25,6 +25,7 @@ PHASES: dict[str, tuple[str, str]] = {
 HOLDS: dict[str, str] = {
     "guard_lost": "Guarded fact lost",
     "goal_unconfirmed": "Goal not confirmed",
+    "hazard": "Hazard",
 }
 """The headings of special kinds of holds."""
 

@@ -40,6 +40,7 @@ class EventRow(NamedTuple):
 TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
     {
         run.RunStarted: EventRow(bounds.run_started),
+        run.LeftOut: EventRow(bounds.left_out, before=False, starting=True),
         run.FactChanged: EventRow(scene.fact_changed, starting=True),
         run.StateChecked: EventRow(operations.state_checked, before=False, starting=True),
         run.RoutePlanned: EventRow(operations.route_planned, before=False),
@@ -55,6 +56,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.Mismatch: EventRow(scene.mismatch),
         run.Relocalised: EventRow(scene.relocalised),
         run.GoalReached: EventRow(scene.goal_reached, before=False),
+        run.HazardMet: EventRow(scene.hazard_met, before=False),
         run.Held: EventRow(scene.held),
         run.Commanded: EventRow(regulation.commanded),
         run.Paused: EventRow(regulation.paused),

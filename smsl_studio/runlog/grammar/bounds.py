@@ -36,6 +36,14 @@ def run_started(memory: Memory, event: run.RunStarted) -> Iterator[str]:
     yield from _unlike_header(memory, event)
 
 
+def left_out(memory: Memory, event: run.LeftOut) -> Iterator[str]:
+    """Check that what cannot be read is told at the beginning, with an address and a sentence."""
+    if not isinstance(memory.last, run.RunStarted | run.LeftOut):
+        yield f"{event.address} is left out after the beginning of the run"
+    if not event.address or not event.sentence:
+        yield "something is left out, without a place or a reason"
+
+
 def _unlike_header(memory: Memory, event: run.RunStarted) -> Iterator[str]:
     """Yield the differences from the header, which was written before the run."""
     header, located = memory.header, bool(memory.fold.configuration)
@@ -111,6 +119,8 @@ def _held(memory: Memory, event: run.RunFinished) -> Iterator[str]:
     held, phase = memory.fold.held, memory.fold.phase
     if _was_asked(memory, event) and event.sentence.startswith(WAITING):
         return
+    if memory.fold.taken_over and event.sentence in _LEFT["taken_over"]:
+        return  # a hazard may hold it besides
     if held is not None and (held.kind == "no_route" or held.reason != event.sentence):
         yield f"the run held for another reason: {held.reason}"
     elif held is None and phase not in _LEFT:

@@ -94,7 +94,7 @@ class Memory:
     the digits that sub-SBs expand. ``busy`` is the time of the last event that is not a fact, a
     cost or a goal. ``goal_of`` has the goal of each SB and its state, and ``standing`` are the SBs
     that are there. ``reached`` are the goals that were told, in order, and ``away`` the SBs that
-    have left such a goal since.
+    have left such a goal since. ``endangered`` says that a hazard was met since the last hold.
     """
 
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
@@ -124,7 +124,7 @@ class Memory:
         self.busy = -1.0
         self.chosen = False
         self.standing: set[str] = set()
-        self.wanted_pause = self.blames = self.let_go = False
+        self.wanted_pause = self.blames = self.let_go = self.endangered = False
         self.goal_of: dict[str, tuple[str, str]] = {}
         self.reached: dict[str, None] = {}
         self.away: set[str] = set()

@@ -114,11 +114,18 @@ def _ends_step(memory: Memory, event: Event) -> None:
 
 
 def _held(memory: Memory, event: run.Held) -> None:
-    again = memory.fold.held is not None and not memory.let_go
+    endangered = event.kind == "hazard" and memory.endangered
+    again = memory.fold.held is not None and not memory.let_go and not endangered
     risky = isinstance(memory.last, run.OperationRisky)
-    memory.doomed = memory.acting or memory.fold.phase in LATCHED or again or risky
-    memory.let_go = False
+    # A hazard holds a run that somebody has taken over, too.
+    latched = memory.fold.phase in LATCHED and not (endangered and memory.fold.taken_over)
+    memory.doomed = memory.acting or latched or again or risky
+    memory.let_go = memory.endangered = False
     memory.end_step()
+
+
+def _hazard_met(memory: Memory, event: run.HazardMet) -> None:
+    memory.endangered = True
 
 
 def _latched(memory: Memory, event: Event) -> None:
@@ -197,6 +204,7 @@ _CHANGES: Mapping[type[Event], Callable[[Memory, Any], None]] = MappingProxyType
         run.Relocalised: _relocalised,
         run.Mismatch: _ends_step,
         run.Held: _held,
+        run.HazardMet: _hazard_met,
         run.Paused: _paused,
         run.OperationRisky: _risky,
         run.RunStopped: _latched,

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from smsl_studio.blueprint.address import split_fact
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.grammar.memory import Memory, parts
 
-HOLDS = ("held", "no_route", "guard_lost", "goal_unconfirmed")
+HOLDS = ("held", "no_route", "guard_lost", "goal_unconfirmed", "hazard")
 
 
 def fact_changed(memory: Memory, event: run.FactChanged) -> Iterator[str]:
@@ -89,6 +90,20 @@ _BEGINS = {
     "goal_unconfirmed": "The goal is not confirmed: ",
 }
 """The first words of the reason for these kinds. No other kind may use them."""
+
+
+def hazard_met(memory: Memory, event: run.HazardMet) -> Iterator[str]:
+    """Check that a hazard has a name and facts, and that the logged facts are those."""
+    if not event.name:
+        yield "a hazard without a name is met"
+    for text, value in event.facts.items():
+        fact = split_fact(text)
+        if fact is None or not memory.knows(fact[0]):
+            yield f"the hazard {event.name} is met, and {text} is no fact of this run"
+            continue
+        sensed = memory.fold.facts.get(fact)
+        if sensed is not None and sensed.value != value:
+            yield f"the hazard {event.name} is met, and {text} is not {value}"
 
 
 def goal_reached(memory: Memory, event: run.GoalReached) -> Iterator[str]:
