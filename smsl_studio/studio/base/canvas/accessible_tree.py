@@ -138,15 +138,17 @@ class CanvasAccessible(QAccessibleInterface):
         return self.child(sheet.state_at(at.x(), at.y()))
 
     def focusChild(self) -> Any:
-        """The state that was selected last, or the selected note or group."""
+        """The state or operation that was selected last, or the selected note or group."""
         sheet = self.sheet
         chosen = self.canvas.drawn.chosen
-        if sheet is not None and chosen in sheet.drawn.listed():
+        if sheet is None:
+            return None
+        if chosen in sheet.drawn.listed():
             return self.child(self.states + sheet.drawn.listed().index(chosen))
         for address in reversed(self.canvas.marks.selection):
-            state = sheet.picture.node(address) if sheet is not None else -1
-            if state >= 0:
-                return self.child(state)
+            state, edge = sheet.picture.node(address), sheet.picture.edge(address)
+            if state >= 0 or edge >= 0:
+                return self.child(state) if state >= 0 else self.operation(edge)
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
@@ -272,6 +274,7 @@ class StateAccessible(PartAccessible):
         if sheet is not None and self.isValid():
             found.invisible = not self.canvas.isVisible()
             found.selected = sheet.looks.node(self.index).selected
+            _focus(found, self.canvas, sheet.address_of_state(self.index))
         return found
 
 
@@ -329,7 +332,14 @@ class OperationAccessible(LeafAccessible):
         if sheet is not None:
             found.invisible = not self.canvas.isVisible()
             found.selected = sheet.looks.edge(sheet.picture.edge(self.address)).selected
+            _focus(found, self.canvas, self.address)
         return found
+
+
+def _focus(found: QAccessible.State, canvas: Canvas, address: Address) -> None:
+    """The element that was selected last has the keyboard focus of the canvas."""
+    found.focusable = True
+    found.focused = canvas.hasFocus() and canvas.marks.selection[-1:] == (address,)
 
 
 def _on_screen(canvas: Canvas, address: Address) -> QRect:

@@ -241,7 +241,7 @@ class Canvas(BranchView):
         drawn = self.drawn.chosen
         if drawn is not None and drawn in sheet.drawn.listed():
             self.setAccessibleDescription(plain_text(f"{sheet.drawn.words(drawn)}, selected"))
-            self._tell_focus(len(sheet.picture) + sheet.drawn.listed().index(drawn))
+            self._tell_focus()
             return
         words = f"{sheet.picture.branch.name}, {len(sheet.picture)} states"
         chosen = [a for a in self.marks.selection if a.branch == sheet.picture.branch.name]
@@ -251,14 +251,15 @@ class Canvas(BranchView):
             words += f", {len(chosen)} selected"
         self.setAccessibleDescription(plain_text(words))
         if chosen:
-            self._tell_focus(sheet.picture.node(chosen[-1]))
+            self._tell_focus()
 
-    def _tell_focus(self, child: int) -> None:
-        """Tell assistive tools that this child of the canvas has the focus."""
-        if QAccessible.isActive():
-            event = QAccessibleEvent(self, QAccessible.Event.Focus)
-            event.setChild(child)
-            QAccessible.updateAccessibility(event)
+    def _tell_focus(self) -> None:
+        """Tell assistive tools that what is chosen has the focus, if the canvas has it."""
+        if QAccessible.isActive() and self.hasFocus():
+            chosen = QAccessible.queryAccessibleInterface(self).focusChild()
+            if chosen is not None:
+                event = QAccessibleEvent(chosen, QAccessible.Event.Focus)
+                QAccessible.updateAccessibility(event)
 
     def describe(self, address: Address) -> str:
         """The words for a state or operation, such as "State_1100, active, 7 operations out"."""
