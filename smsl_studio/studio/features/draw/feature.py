@@ -331,7 +331,7 @@ class DrawFeature(Feature):
         context_menu(session, self.editor, actions, self.clipping, address).popup(at)
 
     def _open_drawn_menu(self, key: DrawnKey, at: QPoint) -> None:
-        menu = passing_menu(self._parts.window)
+        menu = passing_menu(self._parts.window, "Menu of the note or group")
         fill_drawn(self._actions, key, menu)
         menu.popup(at)
 
@@ -346,20 +346,20 @@ class DrawFeature(Feature):
 
     def _choose_sub_sb(self) -> None:
         """Open the menu of facts, with the SBs that could expand each of them."""
-        menu = passing_menu(self._parts.window)
+        menu = passing_menu(self._parts.window, "Facts that a sub-SB can expand")
         fill_sub_sbs(self._parts.session, self.drawing, menu)
         menu.popup(self._shell.corner_below("sub_sb"))
 
     def _choose_align(self) -> None:
         """Open the menu of all ways to arrange the selected states."""
-        menu = passing_menu(self._parts.window)
+        menu = passing_menu(self._parts.window, "Align")
         fill_align(self._actions, menu)
         menu.popup(self._shell.corner_below("align"))
 
     def _offer_samples(self) -> None:
         """Open the menu of the samples. No sample is opened at once, because the hint also stands
         in an empty SB of a drawing, and the sample would replace that drawing."""
-        files, menu = self._parts.files, passing_menu(self._parts.window)
+        files, menu = self._parts.files, passing_menu(self._parts.window, "Samples")
         drawn = any(branch.table for branch in self._parts.session.blueprint)
         here = files.is_draft and not drawn
         fill_samples(files.open_copy if here else self._shell.copy_beside, menu)

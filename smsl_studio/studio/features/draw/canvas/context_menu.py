@@ -31,7 +31,8 @@ def context_menu(
     address: Address | None,
 ) -> QMenu:
     """The menu for an element, which gets selected, or for the empty canvas (None)."""
-    menu = passing_menu(_window(editor))
+    name = address.path[-1] if address is not None else "the drawing"
+    menu = passing_menu(_window(editor), f"Menu of {name}")
     if address is None:
         at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
         add = menu.addAction("Add a state here", partial(editor.add_state_at, at))

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QApplication, QMenu
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.chips import values_of
 from smsl_studio.studio.base.paint.node_paint import chip_places
@@ -111,8 +110,7 @@ class ValueMenu(QObject):
             self.open(digit)
 
     def _new(self, name: str) -> QMenu:
-        menu = passing_menu(self._canvas.window())
-        menu.setAccessibleName(plain_text(name))
+        menu = passing_menu(self._canvas.window(), name)
         menu.setToolTipsVisible(True)
         return menu
 

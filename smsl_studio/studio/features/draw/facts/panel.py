@@ -22,7 +22,6 @@ from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.editing.fact_table import table_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
-from smsl_studio.legible import plain_text
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.overlays.change_card import AskedValue, ChangeCard
@@ -271,8 +270,7 @@ class Facts(Panel):
             self._open_value_menu(branch, digit, value, at)
 
     def _open_value_menu(self, branch: StateBranch, digit: int, value: str, at: QPoint) -> None:
-        menu = passing_menu(self.window())
-        menu.setAccessibleName(plain_text(f"Value {value} of digit {digit}"))
+        menu = passing_menu(self.window(), f"Value {value} of digit {digit}")
         note, on = branch.fact_note(digit) or PLAIN, branch.on_value(digit) == value
         default = branch.default_on_value(digit) == value
         chosen = None if note.on == value or default else value
@@ -312,8 +310,7 @@ class Facts(Panel):
         if branch is None:
             return
         name, last = branch.fact_name(digit), count_of(branch) - 1
-        menu = passing_menu(self.window())
-        menu.setAccessibleName(plain_text(f"Digit {digit}"))
+        menu = passing_menu(self.window(), f"Digit {digit}")
         form = menu.addAction(as_it_is(f"Form of {name}"))
         form.triggered.connect(lambda: self.fact_wanted.emit(branch.name, digit))
         critical = menu.addAction("Critical")

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_errors
 from smsl_studio.inspection.rules.finding import Finding, Severity
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
@@ -252,6 +253,8 @@ class Findings(Panel):
             self.claim_wanted.emit(finding.address)
         else:
             self._session.jump(finding.address)
+        # The keys are on the drawing now, so the finding itself is read out.
+        announce(self, index.data(Qt.ItemDataRole.AccessibleTextRole))
 
 
 class _Progress(QObject):
