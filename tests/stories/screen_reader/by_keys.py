@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import sys
+from functools import partial
 
 from tests.stories.screen_reader import steps
 from tests.stories.screen_reader.reader import Reader
@@ -20,17 +21,18 @@ def take(reader: Reader, *group: steps.Step) -> None:
         reader.heard.clear()
         reader.press(step.key)
         if step.heard:
-            wanted = step.heard
-            reader.until(
-                lambda wanted=wanted: any(wanted in one for one in reader.heard),
-                f"{wanted!r} after {step.key}",
-            )
+            hears = partial(_has_heard, reader, step.heard)
+            reader.until(hears, f"{step.heard!r} after {step.key}")
         else:
             reader.pump(0.3)
         print(f"{step.key:14} {' | '.join(reader.heard[:3])}", flush=True)
         if step.text:
             reader.type(step.text)
             reader.pump(0.2)
+
+
+def _has_heard(reader: Reader, wanted: str) -> bool:
+    return any(wanted in one for one in reader.heard)
 
 
 def main() -> None:
