@@ -1,4 +1,5 @@
-"""``diff``: compares the meaning of two files. The exit status is 1 if they differ.
+"""``diff``: compares the meaning of two files, or what they do. The exit status is 1 if they
+differ.
 
 git can call it as an external diff driver, with seven arguments (nine for a renamed file, one for
 an unmerged file). Then it must always end with 0.
@@ -11,7 +12,7 @@ import os
 
 from smsl_studio.blueprint.comparison import Change, Difference
 from smsl_studio.blueprint.comparison.signs import ADDED, REMOVED, sign_of
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_picture
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit, add_picture
 from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.git_driver import by_git, show_for_git
 from smsl_studio.cli.output import Output
@@ -26,6 +27,12 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
     )
+    parser.add_argument(
+        "--behaviour",
+        action="store_true",
+        help="compare what they do from their starts, not how they are written",
+    )
+    add_limit(parser, "with --behaviour: store at most N configurations (default 1,000,000)")
     add_picture(parser, required=False)
     add_format(parser)
 
@@ -43,6 +50,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         )
     if files == ["-", "-"]:
         raise UsageError("standard input cannot be both files", advice="Name one of them.")
+    if options.behaviour:
+        return _compare_behaviour(options, out)
     if options.output:
         picture_form(options.output)
     difference = diff(read_argument(files[0]), read_argument(files[1]))
@@ -53,6 +62,26 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     else:
         print_difference(difference, out)
     return 1 if difference.changes else 0
+
+
+def _compare_behaviour(options: argparse.Namespace, out: Output) -> int:
+    """Print whether two blueprints behave alike. 0: they do; 1: they do not, or it is unknown."""
+    from smsl_studio.front.shapes import LIMIT, diff_behaviour
+
+    if options.output:
+        raise UsageError("--behaviour draws no picture", advice="Leave out -o.")
+    before, after = map(read_argument, options.files)
+    found = diff_behaviour(before, after, options.limit or LIMIT)
+    if options.format == "json":
+        out.json(found.as_json())
+        return 0 if found.equal else 1
+    counts = " and ".join(f"{count:,}" for count in found.configurations)
+    verdict = {True: "Same behaviour", False: "They differ", None: "Unknown"}[found.equal]
+    out.line(one_line(": ".join(filter(None, (verdict, found.reason)))))
+    if found.path:
+        out.line(one_line(f"Run: {', '.join(found.path)}"))
+    out.line(f"Looked at {counts} configurations.")
+    return 0 if found.equal else 1
 
 
 def print_difference(difference: Difference, out: Output) -> None:

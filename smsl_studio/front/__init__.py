@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
+    from smsl_studio.front.shapes import diff_behaviour, flatten
     from smsl_studio.front.single_edge import try_edge
     from smsl_studio.front.suitable_worlds import worlds_for
     from smsl_studio.front.sweeps import sweep
@@ -43,8 +44,10 @@ __all__ = [
     "convert",
     "converted",
     "diff",
+    "diff_behaviour",
     "digest",
     "explore",
+    "flatten",
     "fmt",
     "forbid_plugin",
     "git_setup",
@@ -85,7 +88,8 @@ VERBS = {
     ),
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
     "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
-    "diff": Verb("compare two blueprints by what they mean; layout apart", ("diff",)),
+    "diff": Verb("compare two blueprints by what they mean; layout apart",
+                 ("diff", "diff_behaviour")),
     "merge": Verb("merge two versions of a blueprint by what they mean", ("merge",)),
     "git-setup": Verb("let git compare and merge blueprints by what they mean", ("git_setup",)),
     "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
@@ -93,6 +97,7 @@ VERBS = {
     "route": Verb("plan the cheapest route between two states", ("plan_route",)),
     "explore": Verb("all configurations of all SBs together: disagreements and traps",
                     ("explore",)),
+    "flatten": Verb("write a blueprint as one SB that behaves alike", ("flatten",)),
     "run": Verb("run a blueprint in a world, headless", ("run",)),
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -113,6 +118,8 @@ _HOMES = {
     "refusals": "inputs",
     "plan_route": "routes",
     "explore": "exploration",
+    "diff_behaviour": "shapes",
+    "flatten": "shapes",
     "Run": "runs",
     "RunRequest": "request",
     "open_request": "runs",

@@ -177,3 +177,20 @@ def test_an_earlier_version_that_cannot_be_read_ends_nothing(repository: Reposit
     assert "the later version cannot be read: plan.json:" in story
     assert '-{"S": {"A": \n+{"S": {"A": {}}}' in story
     assert story.count("smsl plan.json") == 3
+
+
+def test_behaviours_are_compared(shell: Shell, tmp_path: Path) -> None:
+    flat = str(tmp_path / "flat.smsl")
+    assert shell("flatten", sample("hfsm"), "-o", flat).status == 0
+    same = shell("diff", sample("hfsm"), flat, "--behaviour", "--format", "json")
+    assert same.status == 0
+    assert same.json == {"equal": True, "path": [], "reason": "", "configurations": [4, 4]}
+    files = sample("hanoi"), sample("hanoi-corrected")
+    other = shell("diff", *files, "--behaviour", "--format", "json")
+    assert other.status == 1
+    assert other.json["path"] == ["Op_1c", "Op_2b", "Op_1b", "Op_3c", "Op_1c", "Op_2a"]
+    text = shell("diff", *files, "--behaviour").out
+    assert text.startswith("They differ: after 6 operations ")
+    unknown = shell("diff", *files, "--behaviour", "--limit", "3", "--format", "json")
+    assert (unknown.status, unknown.json["equal"]) == (1, None)
+    assert shell("diff", *files, "--behaviour", "-o", "x.svg").status == 2

@@ -1,0 +1,234 @@
+"""Sameness against a plain bisimulation, and flat blueprints that are the same as their origin."""
+
+from __future__ import annotations
+
+import json
+from copy import deepcopy
+from random import Random
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import EditRefused, PlanningError, RunRefused
+from smsl_studio.front.inputs import read
+from smsl_studio.front.shapes import diff_behaviour, flatten
+from smsl_studio.inspection.equivalence.refinement import Refinement
+from smsl_studio.smsl.json_form import parse_json
+from tests.dispatch.generated import blueprint_values
+from tests.inspection.proof.brute import Brute
+from tests.stories.person import SAMPLES
+
+Rows = list[list[tuple[str, int]]]
+System = tuple[list[Any], Rows]
+"""The facts of each node, and its labels with where they lead. Node 0 is the start."""
+
+
+def blueprint(values: dict[str, Any]) -> Blueprint:
+    return read_blueprint(parse_json(json.dumps(values, indent=1), "file.json"))
+
+
+def naive_system(plain: dict[str, Any], start: dict[str, str]) -> System:
+    """The transition system of a blueprint, by steps that share no code with the program."""
+    brute = Brute(plain, start)
+    number = {brute.key(one): at for at, one in enumerate(brute.configs)}
+    facts, rows = [], []
+    for here in brute.configs:
+        facts.append(tuple((sb, here[sb][1:]) for sb in sorted(plain)))
+        row = []
+        for sb in plain:
+            for name, _ in brute.naive.edges(sb, here[sb]):
+                carried = brute.naive.carry(here, sb, name, {})
+                if carried is not None:
+                    label = f"{sb}.{name}" if len(plain) > 1 else name
+                    row.append((label, number[brute.key(carried[0])]))
+        rows.append(row)
+    return facts, rows
+
+
+def bisimilar(one: System, other: System) -> bool:
+    """The greatest bisimulation, by taking out pairs until nothing changes."""
+    pairs = {
+        (a, b)
+        for a, facts in enumerate(one[0])
+        for b, others in enumerate(other[0])
+        if facts == others
+    }
+
+    def fits(a: int, b: int) -> bool:
+        return all(
+            any(label == name and (x, y) in pairs for name, y in other[1][b])
+            for label, x in one[1][a]
+        ) and all(
+            any(label == name and (x, y) in pairs for name, x in one[1][a])
+            for label, y in other[1][b]
+        )
+
+    while wrong := {pair for pair in pairs if not fits(*pair)}:
+        pairs -= wrong
+    return (0, 0) in pairs
+
+
+def after(system: System, path: tuple[str, ...]) -> set[int]:
+    """Where a run leads."""
+    here = {0}
+    for label in path:
+        here = {target for node in here for name, target in system[1][node] if name == label}
+    return here
+
+
+def told_apart(one: System, other: System, path: tuple[str, ...]) -> bool:
+    """Whether two deterministic systems differ at the end of a run, and not before."""
+    for end in range(len(path)):
+        if not (after(one, path[:end]) and after(other, path[:end])):
+            return False
+    ends = after(one, path), after(other, path)
+    if not (ends[0] and ends[1]):
+        return bool(ends[0] or ends[1])
+    ((a,), (b,)) = ends
+    return bool(one[0][a] != other[0][b])
+
+
+def changed(plain: dict[str, Any], chance: Random) -> dict[str, Any]:
+    """A blueprint with one operation deleted or retargeted, or as it was with other costs."""
+    found = deepcopy(plain)
+    sb = chance.choice(list(found))
+    state = chance.choice([name for name in found[sb] if name.startswith("S")])
+    if not found[sb][state]:
+        return found
+    name = chance.choice(list(found[sb][state]))
+    kind = chance.randrange(3)
+    if kind == 0:
+        del found[sb][state][name]
+    elif kind == 1:
+        states = [one for one in found[sb] if one.startswith("S")]
+        found[sb][state][name] = chance.choice(states)
+    else:
+        for note in found[sb]["_operations"].values():
+            note["cost"] = 7
+    return found
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_plain_bisimulation_says_the_same(seed: int) -> None:
+    chance = Random(seed)
+    plain = blueprint_values(seed)
+    other = changed(plain, chance)
+    sides = blueprint(plain), blueprint(other)
+    try:
+        starts = [start_configuration(Hierarchy(side), {}) for side in sides]
+    except RunRefused:
+        with pytest.raises(RunRefused):
+            diff_behaviour(*sides)
+        return
+    systems = naive_system(plain, starts[0]), naive_system(other, starts[1])
+    found = diff_behaviour(*sides)
+    assert found.configurations == (len(systems[0][0]), len(systems[1][0]))
+    assert found.equal is bisimilar(*systems)
+    assert found.equal or told_apart(*systems, found.path)
+    assert diff_behaviour(*reversed(sides)).path == found.path
+
+
+def test_both_verdicts_come_up() -> None:
+    verdicts = set()
+    for seed in range(20):
+        plain = blueprint_values(seed)
+        other = changed(plain, Random(seed))
+        try:
+            verdicts.add(diff_behaviour(blueprint(plain), blueprint(other)).equal)
+        except RunRefused:
+            continue
+    assert verdicts == {True, False}
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_label_that_leads_to_several_configurations(seed: int) -> None:
+    chance = Random(seed)
+    sizes = chance.randint(2, 5), chance.randint(2, 5)
+    one, other = (
+        (
+            [chance.choice("ab") if chance.random() < 0.3 else "a" for _ in range(size)],
+            [
+                sorted(
+                    {
+                        (chance.choice("xy"), chance.randrange(size))
+                        for _ in range(chance.randint(0, 3))
+                    }
+                )
+                for _ in range(size)
+            ],
+        )
+        for size in sizes
+    )
+    shift = sizes[0]
+    moved = [[(label, at + shift) for label, at in row] for row in other[1]]
+    found = Refinement([*one[0], *other[0]], [*one[1], *moved])
+    assert found.alike(0, shift) is bisimilar(one, other)
+    if not found.alike(0, shift):
+        path = found.run(0, shift)
+        assert len(path) <= found.round_of(0, shift)
+        assert after(one, path) or after(other, path)
+
+
+@pytest.mark.parametrize("sample", sorted(SAMPLES.glob("*.json")), ids=lambda path: path.stem)
+def test_a_flat_sample_behaves_as_its_origin(sample: Any) -> None:
+    whole = read(sample)
+    flat = flatten(whole)
+    assert len(flat.branches) == 1
+    found = diff_behaviour(whole, flat)
+    assert (found.equal, found.reason) == (True, "")
+    assert found.configurations[0] == found.configurations[1]
+
+
+@pytest.mark.parametrize("seed", range(100, 160))
+def test_a_flat_random_blueprint_behaves_as_its_origin(seed: int) -> None:
+    whole = blueprint(blueprint_values(seed))
+    try:
+        flat = flatten(whole)
+    except RunRefused:
+        return
+    assert diff_behaviour(whole, flat).equal is True
+
+
+def test_one_sb_and_what_is_below_it_are_flattened_alone() -> None:
+    whole = read(SAMPLES / "three-levels.json")
+    middle = next(name for name in whole.branches if whole.bases.get(name) and whole[name].subs)
+    flat = flatten(whole, middle)
+    below = {sub for _, sub in Hierarchy(whole).subs[middle]}
+    assert list(flat.branches) == [middle]
+    keys = [note.name for note in flat[middle].notes.facts.values()]
+    assert {key.partition(".")[0] for key in keys} == {middle, *below}
+
+
+def test_what_requires_a_fact_elsewhere_is_not_flattened_alone() -> None:
+    values: dict[str, Any] = {name: {"S0": {"go": "S1"}, "S1": {}} for name in ("A", "B")}
+    values["A"]["_operations"] = {"go": {"requires": {"B/0": "1"}}}
+    with pytest.raises(EditRefused, match="would be left out"):
+        flatten(blueprint(values), "A")
+    assert len(flatten(blueprint(values))["A+B"].table) == 3
+
+
+def test_a_goal_that_is_never_reached_is_still_named() -> None:
+    values = {"A": {"HEADER": {"ACTIVATING": "S1"}, "S0": {}, "S1": {"back": "S0"}}}
+    flat = flatten(blueprint(values))
+    assert (flat["A"].activating, flat["A"].table["S1"]) == ("S1", {})
+    assert diff_behaviour(blueprint(values), flat).equal is True
+
+
+def test_limits_are_told() -> None:
+    whole = read(SAMPLES / "hanoi.json")
+    found = diff_behaviour(whole, whole, 5)
+    assert (found.equal, found.path) == (None, ())
+    assert "5 configurations" in found.reason
+    with pytest.raises(PlanningError, match="more than 5 configurations"):
+        flatten(whole, limit=5)
+
+
+def test_other_facts_differ_at_the_start() -> None:
+    one = {"A": {"State0": {"go": "State1"}, "State1": {}}}
+    other = {"A": {"State00": {"go": "State11"}, "State11": {}}}
+    found = diff_behaviour(blueprint(one), blueprint(other))
+    assert (found.equal, found.path) == (False, ())
+    assert found.reason == "file.json has the fact 1, and file.json has not"
