@@ -128,7 +128,7 @@ def test_a_plain_bisimulation_says_the_same(seed: int) -> None:
     assert found.configurations == (len(systems[0][0]), len(systems[1][0]))
     assert found.equal is bisimilar(*systems)
     assert found.equal or told_apart(*systems, found.path)
-    assert diff_behaviour(*reversed(sides)).path == found.path
+    assert diff_behaviour(sides[1], sides[0]).path == found.path
 
 
 def test_both_verdicts_come_up() -> None:
