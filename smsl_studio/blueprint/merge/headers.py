@@ -7,7 +7,8 @@ be another state than the merge gives.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Hashable, Iterable, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.merge.conflict import ABSENT, Conflict, Path
@@ -116,10 +117,15 @@ class HeaderMerger:
             return
         mine, other = (self._digits(version, branch) for version in self._versions[1:])
         before = self._digits(self._versions[0], branch)
+        on_digit: dict[Hashable, dict[str, None]] = {}
+        for sub, digit in subs.items():
+            on_digit.setdefault(_key(digit), {})[sub] = None
+        theirs = Counter(_key(digit) for sub, digit in subs.items() if sub in other)
         for sub, digit in list(subs.items()):
-            rivals = [one for one, at in subs.items() if at == digit and one != sub]
-            if sub in mine or not rivals or any(one in other for one in rivals):
+            key = _key(digit)
+            if sub in mine or len(on_digit[key]) == 1 or theirs[key] > (sub in other):
                 continue
+            rivals = [one for one in on_digit[key] if one != sub]
             path = (branch, HEADER, SUBS, sub)
             self._merger.conflicts.append(
                 Conflict(path, before.get(sub, ABSENT), ABSENT, other.get(sub, ABSENT))
@@ -128,9 +134,15 @@ class HeaderMerger:
                 self._merger.conflicts.append(
                     Conflict((*path[:-1], rival), before.get(rival, ABSENT), digit, ABSENT)
                 )
-            del subs[sub]
+            del subs[sub], on_digit[key][sub]
+            theirs[key] -= sub in other
 
     @staticmethod
     def _digits(version: Blueprint, branch: str) -> dict[str, int]:
         found = version.branches.get(branch)
         return dict(found.header.sub_sbs) if found else {}
+
+
+def _key(digit: Json) -> Hashable:
+    """Return a digit as it can be looked up. What was written there may be any value."""
+    return digit if isinstance(digit, Hashable) else repr(digit)
