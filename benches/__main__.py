@@ -18,6 +18,7 @@ from benches.row import Row
 BENCHES = (
     "load",
     "inspect",
+    "seeded",
     "dispatch",
     "replan",
     "start",

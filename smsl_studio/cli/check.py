@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
-from smsl_studio.cli.blueprint_argument import read_each
+from smsl_studio.cli.blueprint_argument import read_argument, read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import ReadError
 from smsl_studio.front.inputs import inspect
@@ -44,6 +44,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="tell how the procedure recovers from each failure state",
     )
+    parser.add_argument(
+        "--against", metavar="OTHER", help="tell what has changed since this version"
+    )
     add_world(parser, required=False)
     add_format(parser, "sarif")
 
@@ -53,6 +56,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.world is not None:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)
+    other = None if options.against is None else read_argument(options.against)
     checked: list[_Checked] = []
     unread: list[ReadError] = []
     worst = 0
@@ -60,7 +64,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if isinstance(blueprint, ReadError):
             unread.append(blueprint)
             continue
-        one = _checked(blueprint, options)
+        one = _with_changes(_checked(blueprint, options), other, options.rule)
         worst = max(worst, one.status)
         if options.format == "text":
             _print(blueprint, one.findings, out)
@@ -108,6 +112,16 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace) -> _Checked:
 
         one = one._replace(recoveries=recoverability(blueprint, **limit))
     return one
+
+
+def _with_changes(one: _Checked, other: Blueprint | None, rules: list[str] | None) -> _Checked:
+    """Add what has changed since another version, after all other findings."""
+    if other is None:
+        return one
+    from smsl_studio.inspection.against import inspect_against
+
+    changes = inspect_against(one.blueprint, other, rules)
+    return one._replace(findings=(*one.findings, *changes))
 
 
 def _nothing() -> Blueprint:

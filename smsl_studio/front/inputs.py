@@ -30,10 +30,15 @@ def read_bytes(raw: bytes, file: str) -> Blueprint:
     return read_blueprint(parse_bytes(raw, file))
 
 
-def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple[Finding, ...]:
+def inspect(
+    blueprint: Blueprint,
+    rules: Collection[str] | None = None,
+    against: Blueprint | None = None,
+) -> tuple[Finding, ...]:
     """Return the findings about a blueprint, in the order of the text (paper, Inspection).
 
     ``rules`` are the numbers of the rules to check, such as ``"R15"``. None means all rules.
+    ``against`` is another version: what has changed since then comes last, removals first.
     UsageError for an unknown rule.
 
     >>> [str(finding.place) for finding in inspect(read("hanoi.json"), ["R15"])]
@@ -41,7 +46,12 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
     """
     from smsl_studio.inspection.inspect import inspect as look
 
-    return look(blueprint, rules)
+    found = look(blueprint, rules)
+    if against is None:
+        return found
+    from smsl_studio.inspection.against import inspect_against
+
+    return (*found, *inspect_against(blueprint, against, rules))
 
 
 def refusals(blueprint: Blueprint) -> tuple[Finding, ...]:

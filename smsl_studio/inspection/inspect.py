@@ -70,8 +70,12 @@ PROVED = {
     "R30": "another property that fails or is unknown",
 }
 """The rules about hazards and properties. ``proof`` finds what they report."""
+WITH_MORE = {
+    "R27": "a change since another version",
+}
+"""The rules that need more than the blueprint. ``against`` checks them."""
 RULES: Mapping[str, str] = MappingProxyType(
-    dict(sorted({**{rule.id: rule.words for rule in ALL}, **PROVED}.items()))
+    dict(sorted({**{rule.id: rule.words for rule in ALL}, **PROVED, **WITH_MORE}.items()))
 )
 """The number of each rule and a few words about it."""
 
