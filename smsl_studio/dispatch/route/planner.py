@@ -19,7 +19,9 @@ from smsl_studio.blueprint.search import Move, PlanSearch, patience
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.bounds import CostBounds
+from smsl_studio.dispatch.route.decomposition import Decompositions
 from smsl_studio.dispatch.route.effort import fact_count, refuse_too_long
+from smsl_studio.dispatch.route.straight import StraightSearch
 from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.errors import PlanningError
 from smsl_studio.stop import heed
@@ -66,6 +68,7 @@ class Planner:
         self.hierarchy = hierarchy
         self.stepper = Stepper(hierarchy, terms)
         self._ways = ways or Ways(hierarchy)
+        self._known = Decompositions(self.stepper)
         self._at = {name: index for index, name in enumerate(hierarchy.order)}
         self._required = {
             fact[0]
@@ -80,7 +83,7 @@ class Planner:
             if any(note.requires for note in branch.notes.operations.values())
         }
         self._question: tuple[Key, tuple[Address, ...]] | None = None
-        self._searches: dict[object, PlanSearch[Key]] = {}
+        self._searches: dict[object, PlanSearch[Key] | StraightSearch] = {}
         self._gave_up: PlanningError | None = None
 
     def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
@@ -202,7 +205,7 @@ class Planner:
         wanted: Sequence[Address],
         movers: Sequence[str],
         clean: bool,
-    ) -> PlanSearch[Key]:
+    ) -> PlanSearch[Key] | StraightSearch:
         """Return the search for such a leg over joint configurations."""
         ill = [name for name in movers if clean or goal is None if self._failing(name)]
         quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
@@ -216,13 +219,21 @@ class Planner:
             )
 
         routed = goal.branch if goal is not None else movers[0]
-        return PlanSearch(
-            self.stepper.key(start),
-            is_goal,
-            lambda node: self._moves(node, movers, quiet, routed),
-            patience(self.hierarchy.blueprint.state_count),
-            CostBounds(self.stepper, start, wanted, movers, quiet),
-        )
+        key = self.stepper.key(start)
+
+        def moves(node: Key) -> Iterator[Move]:
+            """Return the moves out of a configuration."""
+            return self._moves(node, movers, quiet, routed)
+
+        def walk() -> PlanSearch[Key]:
+            """Return the search over joint configurations."""
+            most = patience(self.hierarchy.blueprint.state_count)
+            ahead = self._known.bound(start, wanted, movers)
+            ahead = ahead or CostBounds(self.stepper, start, wanted, movers, quiet)
+            return PlanSearch(key, is_goal, moves, most, ahead)
+
+        ranks = None if goal is None or ill else self._known.ranks(start, wanted, movers)
+        return walk() if ranks is None else StraightSearch(key, ranks, moves, walk)
 
     def _lone_leg(
         self,
