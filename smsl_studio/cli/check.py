@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
@@ -12,13 +11,14 @@ from smsl_studio.cli.blueprint_argument import read_argument, read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import ReadError
 from smsl_studio.front.inputs import inspect
-from smsl_studio.inspection.inspect import PROVED, order
+from smsl_studio.inspection.inspect import PROVED, in_order
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
 
 if TYPE_CHECKING:
     from smsl_studio.front.recovery import Recovery
     from smsl_studio.inspection.proof.verdict import PropertyVerdict
+    from smsl_studio.library.loaded import Loaded
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -53,8 +53,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Inspect each file and print its findings. 0: no error; 1: an error; 2: unreadable."""
-    if options.world is not None:
-        _must_exist(options.world)
+    loaded = _loaded(options.world)
     inspect(_nothing(), options.rule)
     other = None if options.against is None else read_argument(options.against)
     checked: list[_Checked] = []
@@ -64,7 +63,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if isinstance(blueprint, ReadError):
             unread.append(blueprint)
             continue
-        one = _with_changes(_checked(blueprint, options), other, options.rule)
+        one = _with_changes(_checked(blueprint, options, loaded), other, options.rule)
         worst = max(worst, one.status)
         if options.format == "text":
             _print(blueprint, one.findings, out)
@@ -96,16 +95,21 @@ class _Checked(NamedTuple):
         return int(any(found.severity is Severity.ERROR for found in self.findings))
 
 
-def _checked(blueprint: Blueprint, options: argparse.Namespace) -> _Checked:
+def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded | None) -> _Checked:
     """Inspect one file, and show its properties and recoveries as far as they are asked for."""
     one = _Checked(blueprint, inspect(blueprint, options.rule))
+    if options.world is not None:
+        from smsl_studio.front.equipment import findings_in_world
+
+        more = findings_in_world(blueprint, options.world, options.rule, loaded)
+        one = one._replace(findings=in_order(blueprint, (*one.findings, *more)))
     limit = {"limit": options.limit} if options.limit else {}
     if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
         from smsl_studio.front.proof import prove
 
         proof = prove(blueprint, **limit, with_failures=options.with_failures)
         shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
-        findings = tuple(sorted((*one.findings, *shown), key=partial(order, blueprint)))
+        findings = in_order(blueprint, (*one.findings, *shown))
         one = one._replace(findings=findings, verdicts=proof.verdicts)
     if options.recoverability:
         from smsl_studio.front.recovery import recoverability
@@ -131,12 +135,13 @@ def _nothing() -> Blueprint:
     return read_bytes(b"{}", "")
 
 
-def _must_exist(world: str) -> None:
-    from smsl_studio.host.plugin_offers import describe
-    from smsl_studio.world.engines import TABLE
+def _loaded(world: str | None) -> Loaded | None:
+    """Return the plugins of the chosen world. Without a world no plugin is looked at."""
+    if world is None:
+        return None
+    from smsl_studio.front.equipment import loaded_for
 
-    if world != TABLE:
-        describe().world(world)
+    return loaded_for(world)
 
 
 def _limit(text: str) -> int:

@@ -33,20 +33,27 @@ def read_bytes(raw: bytes, file: str) -> Blueprint:
 def inspect(
     blueprint: Blueprint,
     rules: Collection[str] | None = None,
+    world: str | None = None,
     against: Blueprint | None = None,
 ) -> tuple[Finding, ...]:
     """Return the findings about a blueprint, in the order of the text (paper, Inspection).
 
     ``rules`` are the numbers of the rules to check, such as ``"R15"``. None means all rules.
-    ``against`` is another version: what has changed since then comes last, removals first.
-    UsageError for an unknown rule.
+    ``world`` asks also what that world has for the blueprint. ``against`` is another version: what
+    has changed since then comes last, removals first. UsageError for an unknown rule, WorldError
+    for an unknown world.
 
     >>> [str(finding.place) for finding in inspect(read("hanoi.json"), ["R15"])]
     ['hanoi.json:73:13', 'hanoi.json:100:13']
     """
+    from smsl_studio.inspection.inspect import in_order
     from smsl_studio.inspection.inspect import inspect as look
 
     found = look(blueprint, rules)
+    if world is not None:
+        from smsl_studio.front.equipment import findings_in_world
+
+        found = in_order(blueprint, (*found, *findings_in_world(blueprint, world, rules)))
     if against is None:
         return found
     from smsl_studio.inspection.against import inspect_against

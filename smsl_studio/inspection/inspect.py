@@ -5,7 +5,7 @@ docs/inspection.md describes each rule.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import NamedTuple
@@ -71,9 +71,12 @@ PROVED = {
 }
 """The rules about hazards and properties. ``proof`` finds what they report."""
 WITH_MORE = {
+    "R24": "an operation without a function in the world",
+    "R25": "a fact that is not sensed in the world",
+    "R26": "a grave operation that nobody confirms",
     "R27": "a change since another version",
 }
-"""The rules that need more than the blueprint. ``against`` checks them."""
+"""The rules that need more than the blueprint. ``in_world`` and ``against`` check them."""
 RULES: Mapping[str, str] = MappingProxyType(
     dict(sorted({**{rule.id: rule.words for rule in ALL}, **PROVED, **WITH_MORE}.items()))
 )
@@ -98,7 +101,12 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
             if rules is None or rule.id in rules:
                 heed()
                 found.extend(listed(blueprint, rule.check(blueprint)))
-    return tuple(sorted(found, key=partial(order, blueprint)))
+    return in_order(blueprint, found)
+
+
+def in_order(blueprint: Blueprint, findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return findings in the order of the text."""
+    return tuple(sorted(findings, key=partial(order, blueprint)))
 
 
 def order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:

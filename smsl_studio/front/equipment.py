@@ -1,0 +1,41 @@
+"""What a world has for a blueprint, and the findings about that."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.host.plugin_offers import describe
+from smsl_studio.inspection.in_world import inspect_in_world
+from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.library.bindings import bind
+from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.world.engines import TABLE
+
+
+def loaded_for(world: str) -> Loaded:
+    """Return the plugins that serve a world. No plugin's code runs in this process.
+
+    WorldError, with a similar name, if there is no such world. The table world needs no plugins.
+    """
+    if world == TABLE:
+        return Loaded(())
+    loaded = describe()
+    loaded.world(world)
+    return loaded
+
+
+def findings_in_world(
+    blueprint: Blueprint,
+    world: str,
+    rules: Collection[str] | None = None,
+    loaded: Loaded | None = None,
+) -> tuple[Finding, ...]:
+    """Return the findings about a blueprint in a world, in the order of the text (R24 to R26).
+
+    ``loaded`` are plugins that were found already. WorldError if there is no such world.
+    """
+    known = loaded if loaded is not None else loaded_for(world)
+    bindings = bind(blueprint, known, world, bindings_beside(blueprint.file))
+    return inspect_in_world(blueprint, world, bindings, rules)
