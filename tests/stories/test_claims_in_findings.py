@@ -57,4 +57,7 @@ def test_f3_leads_to_the_hazard(sit: Sit, tmp_path: Path) -> None:
     row = window.findings.list.currentIndex().data()
     assert "_hazards/Blind cut" in row
     assert "By SB/State_00/skip" in row
-    assert window.properties.isVisible()
+    panel = window.features.inspection.panel
+    assert panel.isVisible()
+    assert panel.table.chosen is not None
+    assert panel.table.chosen.name == "Blind cut"

@@ -140,11 +140,16 @@ def test_a_key_that_shows_a_panel_puts_the_keys_there_and_back(sit: Sit) -> None
     person.until(lambda: window.session.edited)
     person.ctrl(Key.Key_U)
     assert window.canvas.hasFocus()
-    for key, panel in ((Key.Key_I, window.properties), (Key.Key_H, window.history)):
-        person.ctrl(key)
+    alt, ctrl = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ControlModifier
+    for key, held, panel in (
+        (Key.Key_Return, alt, window.properties),
+        (Key.Key_I, ctrl, window.features.inspection.panel),
+        (Key.Key_H, ctrl, window.history),
+    ):
+        person.press(key, [held])
         assert panel.isVisible()
         assert panel.hasFocus()
-        person.ctrl(key)
+        person.press(key, [held])
         assert window.canvas.hasFocus()
 
 

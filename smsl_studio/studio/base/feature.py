@@ -66,7 +66,8 @@ class DockPanel:
 
     Its colours change with the theme if the widget has a method ``set_tokens``. ``tools`` stand at
     the right end of the tabs. ``focus`` gets the keyboard focus, if it is not
-    the panel itself.
+    the panel itself. A ``tall`` panel at the bottom has more than half of the window. ``after`` is
+    the panel on whose right its tab stands, if it is of another feature.
     """
 
     name: str
@@ -74,6 +75,8 @@ class DockPanel:
     widget: QWidget
     tools: QWidget | None = None
     focus: QWidget | None = None
+    tall: bool = False
+    after: str = ""
 
 
 class Feature:

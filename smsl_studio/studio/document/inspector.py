@@ -21,6 +21,7 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
 
 if TYPE_CHECKING:
+    from smsl_studio.front.claim_rows import ClaimAnswers, ClaimRow
     from smsl_studio.front.proof import Proof
 
 KEPT = 40
@@ -32,16 +33,15 @@ PATIENCE = 150
 changes once. After that they are shown alone."""
 LIMIT = 50_000
 """The largest number of configurations that are looked at. ``check`` looks at more."""
-CLAIMS = ("_hazards", "_properties")
 
 
 @dataclass(frozen=True)
 class _Known:
-    """What is known of a blueprint. Without a proof nobody has answered its properties yet."""
+    """What is known of a blueprint. ``answered`` is None until its properties are answered."""
 
     blueprint: Blueprint
     findings: tuple[Finding, ...]
-    proof: Proof | None = None
+    answered: ClaimAnswers | None = None
 
 
 class Inspector(QObject):
@@ -53,7 +53,7 @@ class Inspector(QObject):
     started = Signal()
     """The blueprint changed, so the former findings and verdicts may no longer hold."""
     proved = Signal()
-    """``proof`` is there: the verdicts about the blueprint that is shown now."""
+    """``answered`` is there: the verdicts about the blueprint that is shown now."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -71,7 +71,7 @@ class Inspector(QObject):
         """What is known of the last inspected blueprints, by the id of the blueprint."""
         self.current = False
         """Whether ``findings`` belong to the blueprint that is shown."""
-        self.proof: Proof | None = None
+        self.answered: ClaimAnswers | None = None
         """The verdicts about the blueprint that is shown; None as long as they are not known."""
         self.stopped = False
         """Whether a person has stopped the search for verdicts about this blueprint."""
@@ -83,6 +83,16 @@ class Inspector(QObject):
     def rules(self) -> int:
         """The number of rules that are checked."""
         return len(ALL)
+
+    @property
+    def proof(self) -> Proof | None:
+        """The verdicts about the blueprint that is shown; None as long as they are not known."""
+        return None if self.answered is None else self.answered.proof
+
+    @property
+    def rows(self) -> tuple[ClaimRow, ...]:
+        """The verdicts in rows; none as long as they are not known."""
+        return () if self.answered is None else self.answered.rows
 
     @property
     def proving(self) -> bool:
@@ -109,13 +119,13 @@ class Inspector(QObject):
         self._changed(0)
 
     def _changed(self, wait: int = WAIT) -> None:
-        self.current, self.proof, self.stopped = False, None, False
+        self.current, self.answered, self.stopped = False, None, False
         self._patience.stop()
         self._beside.drop()
         self._wanted = None
         self.started.emit()
         known = self._known.get(id(self._session.blueprint))
-        self._timer.start(0 if known is not None and known.proof is not None else wait)
+        self._timer.start(0 if known is not None and known.answered else wait)
 
     def _inspect(self) -> None:
         blueprint = self._wanted = self._session.blueprint
@@ -132,21 +142,21 @@ class Inspector(QObject):
         known = self._known.get(id(blueprint)) or _Known(blueprint, findings)
         self._keep(known)
         self.findings = known.findings
-        if known.proof is not None:
-            self._answered(blueprint, known.proof)
+        if known.answered is not None:
+            self._answered(blueprint, known.answered)
             return
         self._patience.start(PATIENCE)
-        self._beside.do(partial(_proof_of, blueprint), partial(self._answered, blueprint))
+        self._beside.do(partial(_answer, blueprint), partial(self._answered, blueprint))
 
-    def _answered(self, blueprint: Blueprint, proof: Proof) -> None:
+    def _answered(self, blueprint: Blueprint, came: ClaimAnswers) -> None:
         if not self._is_wanted(blueprint):
             return
         known = self._known.get(id(blueprint)) or _Known(blueprint, self.findings)
-        self._keep(_Known(blueprint, known.findings, proof))
-        every = (*known.findings, *proof.findings)
-        if proof.findings:
+        self._keep(_Known(blueprint, known.findings, came))
+        every = (*known.findings, *came.proof.findings)
+        if came.proof.findings:
             every = tuple(sorted(every, key=partial(order, blueprint)))
-        self.findings, self.proof = every, proof
+        self.findings, self.answered = every, came
         self._tell()
         self.proved.emit()
 
@@ -164,10 +174,8 @@ class Inspector(QObject):
         self.found.emit(self.findings)
 
 
-def _proof_of(blueprint: Blueprint) -> Proof:
+def _answer(blueprint: Blueprint) -> ClaimAnswers:
     """Answer the hazards and properties of a blueprint. It is called in the worker thread."""
-    from smsl_studio.front.proof import Proof, prove
+    from smsl_studio.front.claim_rows import answered
 
-    if not any(key in one.values for one in blueprint.documents for key in CLAIMS):
-        return Proof((), ())
-    return prove(blueprint, LIMIT)
+    return answered(blueprint, LIMIT)

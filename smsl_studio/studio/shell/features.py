@@ -15,6 +15,7 @@ from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
 from smsl_studio.studio.features.help.feature import HelpFeature
+from smsl_studio.studio.features.inspection.feature import InspectionFeature
 from smsl_studio.studio.features.merge.feature import MergeFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
@@ -58,6 +59,8 @@ class Features(QObject):
         super().__init__(parts.window)
         self.draw = DrawFeature(parts, shell)
         self.draw.notes.author = windows.persons.author
+        self.inspection = InspectionFeature(parts, shell, self.draw.canvas)
+        self.draw.findings.claim_wanted.connect(self.inspection.show_claim)
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.branch_map = BranchMapFeature(parts, shell)
         self.merge = MergeFeature(parts, shell)
@@ -77,8 +80,9 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.merge, self.branch_map, self.start, self.export, self.run)
-        yield from (self.supervise, self.people, self.monitor, self.replay, self.tour, self.help)
+        yield from (self.draw, self.inspection, self.merge, self.branch_map, self.start)
+        yield from (self.export, self.run, self.supervise, self.people, self.monitor)
+        yield from (self.replay, self.tour, self.help)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane

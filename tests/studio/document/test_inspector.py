@@ -16,7 +16,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.front.proof import Proof, prove
+from smsl_studio.front.claim_rows import ClaimAnswers, answered
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.smsl.json_form import parse_json
@@ -188,7 +188,7 @@ class Slow:
     def __init__(self) -> None:
         self.begun, self.ends, self.called_off = Event(), Event(), Event()
 
-    def __call__(self, blueprint: Blueprint) -> Proof:
+    def __call__(self, blueprint: Blueprint) -> ClaimAnswers:
         self.begun.set()
         try:
             while not self.ends.wait(0.01):
@@ -196,14 +196,14 @@ class Slow:
         except Stopped:
             self.called_off.set()
             raise
-        return prove(blueprint)
+        return answered(blueprint, 1000)
 
 
 def test_the_rules_do_not_wait_for_slow_properties(
     session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     slow = Slow()
-    monkeypatch.setattr(room, "_proof_of", slow)
+    monkeypatch.setattr(room, "_answer", slow)
     session.open(guarded())
     qtbot.waitUntil(lambda: inspector.current)
     assert inspector.proving
@@ -219,7 +219,7 @@ def test_an_edit_calls_the_search_off(
     session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     slow = Slow()
-    monkeypatch.setattr(room, "_proof_of", slow)
+    monkeypatch.setattr(room, "_answer", slow)
     session.open(guarded())
     qtbot.waitUntil(slow.begun.is_set)
     session.edit("Delete", without_skip)
@@ -234,7 +234,7 @@ def test_a_person_stops_the_search_and_lets_it_begin_again(
     session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     slow = Slow()
-    monkeypatch.setattr(room, "_proof_of", slow)
+    monkeypatch.setattr(room, "_answer", slow)
     session.open(guarded())
     qtbot.waitUntil(slow.begun.is_set)
     inspector.stop_looking()

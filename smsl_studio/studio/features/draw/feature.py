@@ -212,7 +212,6 @@ class DrawFeature(Feature):
         self.properties.ways_wanted.connect(actions["show_ways"].trigger)
         self.properties.line.verb_wanted.connect(lambda name: actions[name].trigger())
         self.fix_card.fix_wanted.connect(self.findings.fix)
-        self.findings.claim_wanted.connect(self._show_claim)
         for panel in (self.outline, self.facts):
             panel.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self._parts.files.open(Path(file)))
@@ -302,12 +301,6 @@ class DrawFeature(Feature):
         self.canvas.reveal(address)
         if self._shell.mode == "draw":
             self.canvas.setFocus()
-
-    def _show_claim(self, address: Address) -> None:
-        if address.branch == "_hazards":
-            self.going.show_hazard(address.state)
-        else:
-            self._shell.show_tab("Source")
 
     def _tell_ways(self, words: str, asked: bool) -> None:
         """Tell the ways between two states in Properties, or over the canvas if these are not

@@ -37,6 +37,7 @@ PARTS = {
     "HazardForm": _panel("Hazards"),
     "Findings": _panel("Findings"),
     "SourcePane": _window("the-source"),
+    "InspectionPanel": _window("inspection"),
     "History": _panel("History"),
     "DrawingFindBar": _window("finding"),
     "Palette": _window("finding", "Anything"),

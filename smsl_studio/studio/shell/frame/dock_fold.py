@@ -27,6 +27,10 @@ def usual_height(window: int) -> int:
     return LEAST + round((MOST - LEAST) * max(0.0, min(share, 1.0)))
 
 
+TALL = 0.558
+"""The share of the window that a tall panel has."""
+
+
 class DockFold(QObject):
     """Folds a dock to its tabs and unfolds it. A click on a tab unfolds it, too, and so does every
     command that shows one of its panels.
@@ -40,7 +44,8 @@ class DockFold(QObject):
     def __init__(self, window: QMainWindow, dock: QDockWidget, tabs: Tabs, tokens: Tokens) -> None:
         super().__init__(window)
         self._window, self._dock, self._tabs = window, dock, tabs
-        self.folded = False
+        self.folded = self._tall = False
+        self._own_tall = 0
         self.own = self._before = 0
         self.button = SmallButton(WORDS[False], PICTURES[False], tokens)
         self.button.clicked.connect(self.toggle)
@@ -68,11 +73,24 @@ class DockFold(QObject):
         self.button.show_as(WORDS[folded], PICTURES[folded])
         self.changed.emit()
 
+    def put_tall(self, tall: bool) -> None:
+        """Give the dock the height of a tall panel, or of a usual one."""
+        if tall != self._tall:
+            self._tall = tall
+            self.fit()
+
+    @property
+    def _height(self) -> int:
+        """The height for the panel that is shown (pixels)."""
+        window = self._window.height()
+        if self._tall:
+            return self._own_tall or max(round(TALL * window), usual_height(window))
+        return self.own or usual_height(window)
+
     def fit(self) -> None:
         """Give the dock the height that it has in a window of this height, unless it is folded."""
         if not self.folded:
-            height = self.own or usual_height(self._window.height())
-            self._window.resizeDocks([self._dock], [height], Qt.Orientation.Vertical)
+            self._window.resizeDocks([self._dock], [self._height], Qt.Orientation.Vertical)
             # At once: the drawing must not move later, when somebody works on it already.
             layout = self._window.layout()
             if layout is not None and self._window.isVisible():
@@ -85,5 +103,8 @@ class DockFold(QObject):
             self._before = self._dock.height()
         elif event.type() == QEvent.Type.MouseButtonRelease and not self.folded:
             height = self._dock.height()
-            self.own = self.own if height == self._before else height
+            if height != self._before and self._tall:
+                self._own_tall = height
+            elif height != self._before:
+                self.own = height
         return super().eventFilter(watched, event)

@@ -43,13 +43,13 @@ class Docks(QObject):
 
     def __init__(self, window: QMainWindow, panels: Sequence[DockPanel], tokens: Tokens) -> None:
         super().__init__(window)
-        self._window, self.panels = window, tuple(panels)
+        self._window, self.panels = window, _in_order(panels)
         self._sides = QSplitter(Qt.Orientation.Vertical)
         self._sides.setHandleWidth(1)
         self._sides.setChildrenCollapsible(False)
         # The first panel at the left is always shown; the others share the room below it.
         self.left_tabs, self.right_tabs, self.bottom_tabs = Tabs(), Tabs(), Tabs()
-        first, *others = [panel for panel in panels if panel.side == "left"]
+        first, *others = [panel for panel in self.panels if panel.side == "left"]
         self._sides.addWidget(first.widget)
         self._sides.addWidget(self.left_tabs)
         for panel in others:
@@ -73,9 +73,11 @@ class Docks(QObject):
         self.right_tabs.changed.connect(self._resize_right)
         # The order of adding is the order in which Tab visits the panels.
         tabs = {"right": self.right_tabs, "bottom": self.bottom_tabs}
-        for panel in panels:
+        for panel in self.panels:
             if panel.side in tabs:
                 tabs[panel.side].add(panel.name, panel.widget, panel.tools)
+        tall = {panel.name for panel in self.panels if panel.tall}
+        self.bottom_tabs.changed.connect(lambda name: self.fold.put_tall(name in tall))
 
     def words(self, side: str) -> str:
         """The names of the panels at a side, in a row: ``Outline and library``."""
@@ -239,6 +241,17 @@ class Docks(QObject):
         dock.setMinimumWidth(NARROWEST)
         self._window.addDockWidget(area, dock)
         return dock
+
+
+def _in_order(panels: Sequence[DockPanel]) -> tuple[DockPanel, ...]:
+    """The panels in the order of their tabs."""
+    found = [panel for panel in panels if not panel.after]
+    for panel in panels:
+        if panel.after:
+            names = [one.name for one in found]
+            at = names.index(panel.after) + 1 if panel.after in names else len(names)
+            found.insert(at, panel)
+    return tuple(found)
 
 
 class Drawer(QFrame):

@@ -17,7 +17,6 @@ from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.broken import Broken, faults_of
-from smsl_studio.studio.document.inspector import CLAIMS
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
@@ -249,7 +248,7 @@ class Findings(Panel):
 
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
-        if finding.address.branch in CLAIMS:
+        if finding.address.branch in ("_hazards", "_properties"):
             self.claim_wanted.emit(finding.address)
         else:
             self._session.jump(finding.address)

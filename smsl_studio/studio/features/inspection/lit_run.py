@@ -1,0 +1,71 @@
+"""LitRun: shows one step of a counterexample on the drawing, in the SB that is open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from smsl_studio.front.views.claim_run import RunStep
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.session import Session
+
+
+class LitRun(QObject):
+    """Lights the active state of each SB at a step: base and subs.
+
+    The states before it have the marks of visited ones, and the operations so far those of a trail.
+    """
+
+    moved = Signal(int)
+    """The step that is lit now."""
+
+    def __init__(self, session: Session, canvas: Canvas, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._canvas = session, canvas
+        self.steps: tuple[RunStep, ...] = ()
+        self.at = 0
+        session.branch_changed.connect(lambda _: self._light())
+
+    @property
+    def last(self) -> int:
+        """The number of the last step."""
+        return len(self.steps) - 1
+
+    def show_steps(self, steps: Sequence[RunStep], at: int = 0) -> None:
+        """Light another run. Without steps nothing is lit."""
+        self.steps, self.at = tuple(steps), at
+        self._light()
+
+    def go(self, at: int) -> None:
+        """Light a step, and show the SB in which it happens."""
+        if not 0 <= at <= self.last:
+            return
+        self.at = at
+        operation = self.steps[at].operation
+        moved = self.steps[at].changed
+        if operation is not None and self._session.branch not in {operation.branch, *moved}:
+            self._session.show_branch(operation.branch)
+        if operation is not None and self._session.branch == operation.branch:
+            self._canvas.reveal(operation)
+        self._light()
+        self.moved.emit(at)
+
+    def _light(self) -> None:
+        marks, branch = self._canvas.marks, self._session.branch
+        if not self.steps:
+            lit = replace(marks, active=None, visited=frozenset(), trail=(), running=None)
+        else:
+            step, past = self.steps[self.at], self.steps[: self.at + 1]
+            during = step.during
+            running = (during, None) if during is not None and during.branch == branch else None
+            lit = replace(
+                marks,
+                active=step.configuration.get(branch),
+                visited=frozenset(one.configuration.get(branch, "") for one in past[:-1]),
+                trail=tuple(edge for one in past for edge in one.edges if edge.branch == branch),
+                running=running,
+            )
+        if lit != marks:
+            self._canvas.set_marks(lit)

@@ -1,0 +1,220 @@
+"""The page Inspection: what must hold, whether it does, and the run that shows why it does not."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QLabel, QPushButton, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.front.claim_rows import ClaimRow
+from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
+from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.document.inspector import LIMIT, Inspector
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
+from smsl_studio.studio.features.inspection.claim_table import ClaimTable
+from smsl_studio.studio.features.inspection.lit_run import LitRun
+from smsl_studio.studio.features.inspection.run_view import RunView
+
+SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
+EMPTY = (
+    "No hazard and no property is written.",
+    "A hazard names facts that must never hold together. A property is a sentence about the whole "
+    "procedure, such as “the needle never moves before it is clamped” or “there is always a way "
+    "back”. Inspection looks at everything that can happen, and shows the shortest run if it does "
+    "not hold.",
+)
+LEAST, LOWER = 60, 196
+"""The least height of the page, and that of the run below the table (pixels)."""
+
+
+class InspectionPanel(QWidget):
+    """The table of hazards and properties over the run of the chosen one.
+
+    ``tools`` stand at the right of the tab: the numbers of verdicts, and *Check again*.
+    """
+
+    unproved = Signal(int)
+    """int: the number of hazards and properties that fail or are unknown."""
+
+    def __init__(self, session: Session, inspector: Inspector, lit: LitRun, tokens: Tokens) -> None:
+        super().__init__()
+        self._session, self._inspector = session, inspector
+        self.setObjectName("inspection")
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAccessibleName("Inspection")
+        self.table = ClaimTable(tokens)
+        self.run = RunView(lit, tokens)
+        self.said = label("", "hint")
+        self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.said.setContentsMargins(14, 10, 14, 10)
+        self.below = QStackedWidget()
+        for page in (self.said, self.run):
+            self.below.addWidget(page)
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(1)
+        split.setChildrenCollapsible(False)
+        split.addWidget(self.table)
+        split.addWidget(self.below)
+        split.setStretchFactor(0, 1)
+        split.setSizes([200, LOWER])
+        self.add_empty = QPushButton("Add property…")
+        self.add_empty.setProperty("role", "primary")
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._empty_page())
+        self._pages.addWidget(split)
+        self.tools = self._make_tools()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._sentence())
+        column.addWidget(self._pages, 1)
+        self.setFocusProxy(self.table)
+        self._connect()
+        self._show_tools()
+
+    def _sentence(self) -> QWidget:
+        bar = QWidget()
+        bar.setProperty("role", "bar")
+        bar.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.shown: QLabel = Elided(SHOWN)
+        self.shown.setProperty("role", "small")
+        self.limit = label(f"Limit {LIMIT:,} configurations", "small")
+        line = row(self.shown, self.limit)
+        line.setContentsMargins(14, 5, 14, 5)
+        bar.setLayout(line)
+        return bar
+
+    def _empty_page(self) -> QWidget:
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.setContentsMargins(14, 14, 14, 14)
+        column.setSpacing(8)
+        self.empty_title = label(EMPTY[0], "heading")
+        text = label(EMPTY[1], "second")
+        text.setWordWrap(True)
+        text.setMaximumWidth(640)
+        column.addWidget(self.empty_title)
+        column.addWidget(text)
+        column.addLayout(row(self.add_empty, None))
+        column.addStretch(1)
+        self.add_empty.hide()
+        return page
+
+    def _make_tools(self) -> QWidget:
+        self.sum = Elided("")
+        self.sum.setProperty("role", "small")
+        self.again = QPushButton("Check again")
+        self.again.setProperty("role", "row")
+        tools = QWidget()
+        self._tool_line = row(self.sum, self.again, spacing=8)
+        self._tool_line.setContentsMargins(0, 0, 8, 0)
+        tools.setLayout(self._tool_line)
+        return tools
+
+    def _connect(self) -> None:
+        inspector = self._inspector
+        inspector.started.connect(self._changed)
+        inspector.proved.connect(self._proved)
+        inspector.found.connect(lambda _: self._show_tools())
+        self._session.opened.connect(self._opened)
+        self._session.broken_changed.connect(self._changed)
+        self.table.row_chosen.connect(self._show_row)
+        self.again.clicked.connect(self._again)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self.table.claims.set_tokens(tokens)
+        self.run.set_tokens(tokens)
+
+    def choose(self, address: Address) -> None:
+        """Choose a hazard or a property, and show its run."""
+        self.table.choose(address)
+        self.table.scrollTo(self.table.currentIndex())
+        self.table.setFocus()
+
+    def minimumSizeHint(self) -> QSize:
+        """A small size, because the other panels share the dock and may be low."""
+        return QSize(0, LEAST)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Light the run of the chosen row again."""
+        super().showEvent(event)
+        self._show_row(self.table.chosen)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Light nothing on the drawing, because nobody looks at the run."""
+        super().hideEvent(event)
+        self.run.clear()
+
+    def _opened(self) -> None:
+        self.table.show_rows(())
+        self._pages.setCurrentIndex(0)
+
+    def _changed(self) -> None:
+        """Show every verdict as unknown until it is answered for what is drawn now."""
+        self.table.claims.wait(CHANGED)
+        self._show_row(self.table.chosen)
+        self._show_tools()
+
+    def _proved(self) -> None:
+        rows = self._inspector.rows
+        if self._session.broken is not None:
+            return
+        self.table.show_rows(rows)
+        self._pages.setCurrentIndex(int(bool(rows)))
+        self._show_tools()
+
+    def _again(self) -> None:
+        if self._inspector.proof is None and not self._inspector.stopped:
+            self._inspector.stop_looking()
+            self.table.claims.wait(STOPPED)
+            self._show_row(self.table.chosen)
+        else:
+            self._inspector.look_again()
+        self._show_tools()
+
+    def _show_tools(self) -> None:
+        rows, claims = self.table.claims.rows, self.table.claims
+        verdicts = [claims.verdict(one) for one in rows]
+        words = {FAILS: "fails", UNKNOWN: "unknown", HOLDS: "holds"}
+        many = {FAILS: "fail", UNKNOWN: "unknown", HOLDS: "hold"}
+        parts = [
+            f"{count} {words[one] if count == 1 else many[one]}"
+            for one in words
+            if (count := verdicts.count(one))
+        ]
+        self.sum.setText(claims.waiting or ", ".join(parts))
+        self.sum.setVisible(bool(rows))
+        looking = self._inspector.proof is None and not self._inspector.stopped
+        self.again.setText("Stop looking" if looking else "Check again")
+        self.again.setVisible(bool(rows))
+        self.unproved.emit(sum(one != HOLDS for one in verdicts))
+
+    def _show_row(self, claim: ClaimRow | None) -> None:
+        waiting = self.table.claims.waiting
+        if claim is None or waiting or claim.run is None or not self.isVisible():
+            self.run.clear()
+            self.said.setText(_said(claim, waiting))
+            self.below.setCurrentWidget(self.said)
+            return
+        self.run.show_run(self._session.blueprint, claim)
+        self.below.setCurrentWidget(self.run)
+
+
+def _said(claim: ClaimRow | None, waiting: str) -> str:
+    """What stands below the table if there is no run to show."""
+    if claim is None:
+        return "Choose a row. If it fails, its shortest run stands here, and on the drawing."
+    verdict = f"{waiting}." if waiting else _verdict(claim)
+    return "\n".join(filter(None, (capital(claim.sentence), claim.why, verdict)))
+
+
+def _verdict(claim: ClaimRow) -> str:
+    engine = f" Engine: {claim.engine}." if claim.engine else ""
+    words = {FAILS: "It fails", UNKNOWN: "It is unknown", HOLDS: "It holds"}
+    return f"{words[claim.verdict]}: {claim.looked_at}.{engine}"

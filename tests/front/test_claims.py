@@ -1,0 +1,76 @@
+"""Rows about hazards and properties, and the run that shows why one fails."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise
+from random import Random
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.front.claim_rows import answered
+from smsl_studio.front.views.claim_run import steps_of
+from smsl_studio.smsl.json_form import parse_json
+from tests.dispatch.generated import blueprint_values
+from tests.inspection.proof.brute import drawn_condition
+
+BRANCH = {
+    "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2},
+    "State_00": {"on": "State_10", "skip": "State_01"},
+    "State_10": {"end": "State_11"},
+    "State_01": {"end": "State_11"},
+    "State_11": {"again": "State_00"},
+}
+
+
+def written(**fields: Any) -> Blueprint:
+    return read_blueprint(parse_json(json.dumps({**fields, "SB": BRANCH}), "rows.json"))
+
+
+def test_what_fails_stands_first() -> None:
+    never = {"name": "never both", "never": "0 = 1 and 1 = 1"}
+    there = {"name": "goal", "reachable": "SB in State_11", "why": "It is what we want."}
+    cheap = {"name": "cheap", "cost": {"goal": "SB/State_11", "limit": 9}}
+    odd = {"name": "odd", "never": "0 ="}
+    rows = answered(written(_properties=[there, odd, never, cheap]), 1000).rows
+    assert [(row.name, row.verdict, row.index) for row in rows] == [
+        ("never both", "fails", 2),
+        ("odd", "unknown", 1),
+        ("goal", "holds", 0),
+        ("cheap", "holds", 3),
+    ]
+    assert [row.looked_at for row in rows] == [
+        "4 configurations, all", "it cannot be read", "4 configurations, all", "cheapest route",
+    ]  # fmt: skip
+    assert rows[1].sentence == "It cannot be read. Its finding R29 says why"
+    assert rows[2].why == "It is what we want."
+
+
+def test_a_bound_is_told() -> None:
+    rows = answered(written(_properties=[{"name": "a", "never": "0 = 1 and 0 = 0"}]), 2).rows
+    assert (rows[0].verdict, rows[0].looked_at) == ("unknown", "2 configurations, limit")
+
+
+def test_without_claims_there_is_no_row() -> None:
+    assert answered(written(), 10).rows == ()
+    assert answered(written(), 10).proof.verdicts == ()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_steps_lead_to_the_end_of_the_run(seed: int) -> None:
+    values, dice = blueprint_values(seed), Random(seed)
+    asked = [{"name": f"p{at}", "never": drawn_condition(values, dice)[0]} for at in range(4)]
+    text = json.dumps({"_properties": asked, **values})
+    blueprint = read_blueprint(parse_json(text, "any.json"))
+    for row in answered(blueprint, 2000).rows:
+        if row.run is not None:
+            steps = steps_of(blueprint, row.run)
+            assert tuple(one.operation for one in steps[1:]) == row.run.path
+            assert steps[-1].configuration == row.run.end
+            assert steps[-1].during == row.run.during
+            for before, after in pairwise(steps):
+                moved = {n for n, s in after.configuration.items() if before.configuration[n] != s}
+                assert after.changed == moved

@@ -1,0 +1,172 @@
+"""The page Inspection: verdicts, and the run that shows why something fails."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from smsl_studio.studio.features.inspection.panel import SHOWN, InspectionPanel
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+
+Key = Qt.Key
+DRILL = {
+    "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1"},
+    "_facts": {"0": {"name": "drill running"}},
+    "State_0": {"start": "State_1"},
+    "State_1": {"halt": "State_0"},
+}
+REG = {
+    "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1"},
+    "_facts": {"0": {"name": "registered"}},
+    "State_0": {"register": "State_1"},
+    "State_1": {"forget": "State_0"},
+}
+HAZARD = {"name": "Blind", "facts": {"DRILL/0": "1", "REG/0": "0"}}
+BOTH = {"name": "Both", "reachable": "DRILL = 1 and REG = 1", "severity": "W"}
+
+
+def at_page(sit: Sit, folder: Path, **fields: Any) -> Person:
+    """Somebody at the page of a drill that may run before it is registered."""
+    file = folder / "drill.json"
+    file.write_text(json.dumps({**fields, "DRILL": DRILL, "REG": REG}, indent=1))
+    person = sit(file)
+    answered(person)
+    person.ctrl(Key.Key_I)
+    return person
+
+
+def answered(person: Person) -> None:
+    """Wait for the verdicts of what is drawn."""
+    person.until(lambda: person.window.inspector.proof is not None)
+
+
+def page(person: Person) -> InspectionPanel:
+    return person.window.features.inspection.panel
+
+
+def cells(person: Person, name: str) -> list[str]:
+    """What the row of a hazard or property shows."""
+    model = page(person).table.claims
+    (row,) = [at for at, one in enumerate(model.rows) if one.name == name]
+    return [str(model.index(row, column).data()) for column in range(model.columnCount())]
+
+
+def choose(person: Person, name: str) -> None:
+    table = page(person).table
+    (row,) = [at for at, one in enumerate(table.claims.rows) if one.name == name]
+    rect = table.visualRect(table.claims.index(row, 1))
+    QTest.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+
+
+def test_each_hazard_and_property_has_a_verdict_and_a_sentence(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD], _properties=[BOTH])
+    assert page(person).isVisible()
+    assert page(person).shown.text() == SHOWN
+    assert cells(person, "Blind") == [
+        "Fails", "Blind", "hazard", "Never: drill running while not registered",
+        "4 configurations, all", "error",
+    ]  # fmt: skip
+    assert cells(person, "Both") == [
+        "Holds", "Both", "possible", "Possible: drill running and registered",
+        "4 configurations, all", "warning",
+    ]  # fmt: skip
+    assert page(person).sum.text() == "1 fails, 1 holds"
+    texts = [row.sentence for row in page(person).table.claims.rows]
+    assert not any("safe" in text.lower() for text in texts)
+
+
+def test_a_file_without_them_says_what_they_are(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path)
+    assert page(person).empty_title.isVisible()
+    assert not page(person).table.isVisible()
+    assert not page(person).again.isVisible()
+
+
+def test_after_an_edit_nothing_old_is_shown_as_true(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    choose(person, "Blind")
+    assert page(person).run.isVisible()
+    person.window.canvas.setFocus()
+    person.select("DRILL/State_0/start")
+    person.press(Key.Key_Delete)
+    assert cells(person, "Blind")[0] == "Unknown"
+    assert cells(person, "Blind")[4] == "Changed since checked"
+    assert not page(person).run.isVisible()
+    assert person.window.canvas.marks.active is None
+    answered(person)
+    assert cells(person, "Blind")[0] == "Holds"
+    assert "It holds: 2 configurations, all" in page(person).said.text()
+    person.ctrl(Key.Key_Z)
+    answered(person)
+    assert cells(person, "Blind")[0] == "Fails"
+
+
+def test_the_run_is_walked_on_the_drawing_in_base_and_sub(sit: Sit, tmp_path: Path) -> None:
+    first = {"name": "First", "never": "DRILL = 1 and REG = 1"}
+    person = at_page(sit, tmp_path, _properties=[first])
+    window, run = person.window, page(person).run
+    choose(person, "First")
+    assert run.count.text() == "2 operations, shown at the start"
+    assert window.canvas.marks.active == "State_0"
+    path = [one.operation for one in run.lit.steps[1:] if one.operation]
+    for number, operation in enumerate(path, 1):
+        person.click(run.step)
+        assert window.session.branch == operation.branch, "the SB in which it happens is shown"
+        assert window.canvas.marks.active == "State_1"
+        assert operation in window.canvas.marks.trail
+        assert run.count.text() == f"2 operations, shown at step {number}"
+    assert not run.step.isEnabled()
+    window.session.show_branch("DRILL")
+    assert window.canvas.marks.active == "State_1", "every SB has its own active state"
+    person.click(run.back)
+    person.click(run.back)
+    assert {one.operation for one in run.lit.steps[:1]} == {None}
+    assert run.lit.at == 0
+
+
+def test_cards_are_chosen_by_pointer_and_by_arrows(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    choose(person, "Blind")
+    strip, lit = page(person).run.strip, page(person).run.lit
+    at = strip.card(1).center()
+    person.click(strip, QPoint(int(at.x()), int(at.y())))
+    assert lit.at == 1
+    assert "Step 1 of 1, start" in strip.accessibleDescription()
+    strip.setFocus()
+    person.press(Key.Key_Left)
+    assert lit.at == 0
+    person.press(Key.Key_End)
+    assert lit.at == 1
+    assert strip.cards is not None
+    assert [chip.bad for name in ("DRILL", "REG") for chip in strip.cards.chips(1, name)] == [
+        True,
+        True,
+    ]
+
+
+def test_another_tab_takes_the_light_away(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    choose(person, "Blind")
+    assert person.window.canvas.marks.active == "State_0"
+    height = person.window.docks.bottom.height()
+    person.window.show_tab("Findings")
+    assert person.window.canvas.marks.active is None
+    assert person.window.docks.bottom.height() < height
+    person.window.show_tab("Inspection")
+    assert person.window.canvas.marks.active == "State_0"
+    assert person.window.docks.bottom.height() == height
+
+
+def test_another_file_has_its_own_rows(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    other = tmp_path / "other.json"
+    other.write_text(json.dumps({"DRILL": DRILL}))
+    person.window.files.open(other)
+    assert not page(person).table.claims.rows
+    answered(person)
+    assert page(person).empty_title.isVisible()
