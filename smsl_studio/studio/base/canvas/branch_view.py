@@ -15,7 +15,7 @@ from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.levels import FULL_SIZE
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
-from smsl_studio.studio.base.canvas.frames import bounds_of, frame_of, opening_of
+from smsl_studio.studio.base.canvas.frames import about, frame_of, opening_of
 from smsl_studio.studio.base.canvas.sheet import Position
 from smsl_studio.studio.base.theme import Tokens
 
@@ -132,7 +132,7 @@ class BranchView(DrawnStage):
     def shows_all(self) -> bool:
         """Whether the whole drawing is in view."""
         sheet = self.sheet
-        return sheet is None or not len(sheet.at) or self._whole_view.contains(bounds_of(sheet))
+        return sheet is None or not len(sheet.at) or self._whole_view.contains(about(sheet))
 
     def show_all(self) -> None:
         """Show the whole SB. The zoom stays if the SB fits into the view at it."""

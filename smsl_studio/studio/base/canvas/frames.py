@@ -93,6 +93,17 @@ def _centres(sheet: Sheet) -> QRectF:
     return QRectF(QPointF(*low), QPointF(*high)).united(sheet.drawn.extent())
 
 
+def about(sheet: Sheet) -> QRectF:
+    """About the rectangle that a sheet covers at its zoom (scene units). Lines and names of a large
+    one are not looked at, because that takes seconds.
+    """
+    if sheet.picture.small:
+        return bounds_of(sheet)
+    across = (float(sheet.compact_widths.max()) + FAR_MARKS[0]) / 2 * sheet.unit
+    down = FAR_MARKS[1] / 2 * sheet.unit
+    return _centres(sheet).adjusted(-across, -down, across, down)
+
+
 def bounds_of(sheet: Sheet) -> QRectF:
     """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units)."""
     half, unit = sheet.halves(), sheet.unit

@@ -18,6 +18,7 @@ from smsl_studio.studio.base.canvas.camera import Camera
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
+from smsl_studio.studio.base.canvas.glide import Glide
 from smsl_studio.studio.base.canvas.ground import Ground
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
@@ -47,6 +48,7 @@ class Stage(QGraphicsView):
         self._ready = False
         self.camera = Camera(self)
         self.pool = NodePool()
+        self.glide = Glide(self.pool, self._glided, self)
         scene = QGraphicsScene(self)
         self.lit_layer = LitLayer(20.0)
         self.ground = Ground(self.lit_layer)
@@ -80,6 +82,7 @@ class Stage(QGraphicsView):
 
     def show_sheet(self, sheet: Sheet | None) -> None:
         """Show another sheet; zoom and place of the view stay."""
+        self.glide.end()
         self.pool.clear()
         self._sheet = sheet
         if sheet is not None:
@@ -304,6 +307,7 @@ class Stage(QGraphicsView):
             sheet.set_zoom(zoom)
             self.refresh_pool()
             self.pool.refresh(sheet)
+            self.glide.hold()
         self._repaint()
         self.zoom_changed.emit(zoom)
 
@@ -333,6 +337,7 @@ class Stage(QGraphicsView):
             states = list(dict.fromkeys([*states, *lit]))
         for item in self.pool.show(sheet, states):
             self.scene().addItem(item)
+        self.glide.hold()
         self._look_at(self.seen, frozenset() if whole else frozenset(self.pool.used), whole)
 
     def _look_at(self, view: QRectF, near: frozenset[int], whole: bool) -> None:
@@ -365,7 +370,22 @@ class Stage(QGraphicsView):
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
         """Paint everything that has no highlight."""
         area = QRectF(rect)  # type: ignore[arg-type]
-        self.ground.paint(painter, area, self._ink.tokens, self.zoom, self._sheet)
+        shown = self._sheet if not self.glide.running else None
+        self.ground.paint(painter, area, self._ink.tokens, self.zoom, shown)
+        self.glide.paint_lines(painter)
+
+    def glide_from(self, before: Mapping[str, Position]) -> None:
+        """Let the states move from other places (scene points) to where they stand, unless the
+        person wants no movement."""
+        if self._sheet is not None and self.camera.motion and self.isVisible():
+            self.glide.begin(self._sheet, before)
+
+    def _glided(self) -> None:
+        """Paint a movement of the states, or what is there after it."""
+        self.lit_layer.setVisible(not self.glide.running)
+        if not self.glide.running and self._sheet is not None:
+            self.pool.refresh(self._sheet)
+        self._repaint()
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
         """Scroll, give items to the nodes that came into view, and emit ``view_moved``."""

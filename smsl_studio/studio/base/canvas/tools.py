@@ -56,6 +56,7 @@ class Hand:
     def press(self, event: QMouseEvent) -> None:
         """Take the keyboard focus, and begin the gesture that fits the button and what is below."""
         canvas = self._canvas
+        canvas.glide.end()
         left = event.button() is Qt.MouseButton.LeftButton
         if left and self._gesture is None and self._is_picked(event):
             return

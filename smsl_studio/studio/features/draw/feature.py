@@ -264,7 +264,9 @@ class DrawFeature(Feature):
 
     def stop(self) -> None:
         """End all background work of the drawing, because the window closes."""
-        parts = (self.source, self.comparing, self.findings, self.clipping, self.properties)
+        tidying = self.drawing.beside
+        parts = (self.source, self.comparing, self.findings, self.clipping, self.properties,
+                 tidying)  # fmt: skip
         for part in parts:
             part.stop()
         self.safety.close()

@@ -16,8 +16,8 @@ from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, spacing_of
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.feature import Shell
 from smsl_studio.studio.base.words import counted
-from smsl_studio.studio.features.draw.canvas.draw_verbs import TENTH
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.canvas.tidy_work import TENTH
 
 WORDS = {
     "left": ("Align left", "Put the left edges of the selected states on one line"),

@@ -11,7 +11,6 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.graph.arrangement import BEST, DISTANCE, LAYERS
-from smsl_studio.graph.tidied import tidied
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.actions import Action
@@ -20,11 +19,9 @@ from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
+from smsl_studio.studio.features.draw.canvas.tidy_work import LARGE, Tidied, TidyBeside, TidyWork
 from smsl_studio.studio.features.draw.canvas.value_menu import ValueMenu
 from smsl_studio.studio.features.draw.canvas.ways import WaysBetween
-
-TENTH = 0.1
-"""In scene units. Positions that differ by less are equal when the layout is written."""
 
 
 class DrawVerbs:
@@ -34,6 +31,7 @@ class DrawVerbs:
         self._session, self._editor, self.canvas = session, editor, editor.canvas
         self.ways = WaysBetween(session, self.canvas)
         self.values = ValueMenu(session, self.canvas)
+        self.beside = TidyBeside(self.canvas)
 
     # What can be done now.
 
@@ -130,35 +128,44 @@ class DrawVerbs:
 
         If two or more states are selected, only these move. Otherwise all states move, and the
         drawing looks like the one before. The zoom stays, unless the whole drawing was in view
-        and does not fit any more. If nothing would change, only a sentence says so. ``kind`` is
-        one of the layouts of ``graph.arrangement``.
+        and does not fit any more. If nothing would change, only a sentence says so. A large SB is
+        laid out beside the window. ``kind`` is one of the layouts of ``graph.arrangement``.
         """
-        branch, shown = self._branch, self.canvas.positions
-        own = {a.state for a in self._states() if a.branch == branch.name}
+        # What is still being typed is taken over first, because the drawing must have it.
+        self._session.settling.emit()
+        branch = self._branch
+        own = frozenset(a.state for a in self._states() if a.branch == branch.name)
         chosen = own if 1 < len(own) < len(branch.table) else None
-        places = tidied(branch, shown, chosen or (), kind)
-        tidy = all(_together(at, shown.get(name)) for name, at in places.items())
-        straight = editing.straighten(self._session.blueprint, branch.name, chosen)
-        bent = straight[branch.name].notes.edges != branch.notes.edges
-        notes = self._notes_in_room(straight, places)
-        if tidy and not bent and not notes:
-            self.canvas.say("The drawing is tidy already.")
+        shown = self.canvas.positions
+        work = TidyWork(self._session.blueprint, branch.name, shown, chosen, kind)
+        if len(branch.table) > LARGE:
+            self.beside.begin(work, self._take_tidy)
+        else:
+            self._take_tidy(work, work.do())
+
+    def _take_tidy(self, work: TidyWork, found: Tidied) -> None:
+        """Make a step of a tidy drawing, and show it."""
+        name, canvas = work.branch, self.canvas
+        self._session.settling.emit()
+        if self._session.blueprint is not work.blueprint or self._session.branch != name:
+            canvas.say("The drawing was changed meanwhile, so it is not tidied. Tidy again.")
             return
-
-        def change(blueprint: Blueprint) -> Blueprint:
-            """The blueprint with the states placed anew, and their lines without bends."""
-            straight = editing.straighten(blueprint, branch.name, chosen)
-            placed = editing.set_layout(straight, branch.name, places)
-            return editing.put_notes(placed, branch.name, notes) if notes else placed
-
-        view, whole = self.canvas.camera.stand, self.canvas.shows_all
+        notes = self._notes_in_room(found.straight, found.places)
+        if found.same and not notes:
+            canvas.say("The drawing is tidy already.")
+            return
+        after = editing.put_notes(found.placed, name, notes) if notes else found.placed
+        view, whole = canvas.camera.stand, canvas.shows_all
         middle = self._state_in_middle() if not whole else ""
-        if self._edit(f"Tidy {branch.name}", change) and chosen is None:
+        if not self._edit(f"Tidy {name}", lambda _: after):
+            return
+        if work.chosen is None:
             if middle:
-                self.canvas.hold(shown[middle], places[middle])
+                canvas.hold(work.shown[middle], found.places[middle])
             else:
-                self.canvas.show_all()
+                canvas.show_all()
             self._editor.views.keep(view)
+        canvas.glide_from(work.shown)
 
     def _state_in_middle(self) -> str:
         """The state nearest to the middle of the view, a selected one first."""
@@ -232,8 +239,3 @@ def selection_actions(drawing: DrawVerbs, drawn: Callable[[], bool]) -> tuple[Ac
                tip="Light the cheapest ways between two selected states, there and back",
                pointer=("state",)),
     )  # fmt: skip
-
-
-def _together(a: tuple[float, float], b: tuple[float, float] | None) -> bool:
-    """Whether two positions are equal once they are written."""
-    return b is not None and max(abs(a[0] - b[0]), abs(a[1] - b[1])) <= TENTH
