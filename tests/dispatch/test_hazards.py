@@ -387,6 +387,17 @@ def test_a_shared_sub_that_is_pending_counts_and_its_bases_as_committed() -> Non
         assert not story.of("hazard_met")
 
 
+@pytest.mark.parametrize("note", [{}, {"subs": "load"}])
+def test_a_function_that_moves_a_base_meets_nothing_halfway(note: dict[str, str]) -> None:
+    """The other digit of P is new already, and the digit in transit is still the old one."""
+    edges = {"00": "go>11", "11": ""}
+    base = branch(edges, activating="11", subs={"S": 1}, operations={"go": note})
+    sub = branch({"0": "on>1", "1": ""}, activating="1")
+    hazards = [{"name": "h", "facts": {"P/0": "1", "P/1": "0"}}]
+    story = Run(blueprint({"_hazards": hazards, "P": base, "S": sub})).run()
+    assert (story.end.reason, story.of("hazard_met")) == ("goal_reached", [])
+
+
 def test_a_base_digit_is_sensed_by_the_check_of_its_sub() -> None:
     values = {
         "_hazards": [{"name": "h", "facts": {"P/0": "1", "A/0": "1"}}],

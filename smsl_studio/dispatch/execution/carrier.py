@@ -140,13 +140,15 @@ class Carrier:
 
     def _notice(self) -> bool:
         """Return whether the step has just lost a needed fact, or a hazard is met just now."""
-        if self._rests is None or self._lost:
+        if self._rests is None:
             return False
         hazards = newly_met(self._run)
         if hazards:
             tell(self._run, hazards)
-            self._met, self._lost = tuple(one.name for one in hazards), met_words(hazards)
-            return True
+            self._met += tuple(one.name for one in hazards)
+            self._lost += met_words(hazards)
+        if self._lost:
+            return bool(hazards)
         asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
         self._lost = self._rests.lost([fact for fact in asked if fact is not None])
         return bool(self._lost)
@@ -224,7 +226,7 @@ class Carrier:
         if unsure:
             self._fail(unsure, risky=False, pending=bool(run.transit))
             return
-        run.cross(action.transit)
+        run.cross(action.transit, moving=action.moved)
         now = run.senses.time
         for edge in action.begins:
             function = run.bound[edge.address].function if edge.function else ""

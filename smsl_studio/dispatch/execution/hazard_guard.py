@@ -1,7 +1,8 @@
 """The guard of a run against its hazards, on sensed facts in three-valued logic.
 
 A fact that nobody senses is believed, and a pending state counts as it is. A digit in transit has
-the value of its base's state. ``docs/running.md`` says what a hazard refuses and when it holds.
+the value of its base's state; while a function moves this base, its other facts change already, so
+the digit is unknown. ``docs/running.md`` says what a hazard refuses and when it holds.
 """
 
 from __future__ import annotations
@@ -182,6 +183,8 @@ class _Seen:
         branch = run.blueprint.branches[name]
         sub = sub_below(run.blueprint, branch, digit)
         state = run.pending.get(name) or run.configuration[name]
+        if key in self._transit and name in run.moving:
+            return None
         if sub is not None and key not in self._transit:
             values = enumerate(sub.facts(sub.activating))
             there = self._all([((sub.name, at), value) for at, value in values])

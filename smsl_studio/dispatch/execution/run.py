@@ -34,7 +34,8 @@ class LiveRun:
     """The data that all parts of a run share. Actions are in other modules.
 
     ``configuration`` is committed. ``pending`` has the SBs that have moved and are not committed.
-    ``transit`` are the base digits in transit. Flags are computed and never stored. ``since`` is
+    ``transit`` are the base digits in transit, and ``moving`` the SBs that the running function
+    moves. Flags are computed and never stored. ``since`` is
     the simulated time (s) when each SB entered its state, and ``previous`` the edge that led there,
     if any. ``levels`` say who acts and who senses. ``bound`` has the function or person for each
     edge. ``people_act`` are the SBs in which people carry out or confirm operations. ``people_say``
@@ -67,6 +68,7 @@ class LiveRun:
         self.configuration = dict(start)
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
+        self.moving: Collection[str] = ()
         self.operations = 0
         self.critical = critical_facts(self.blueprint)
         self.guarded = bool(self.critical) or any(
@@ -179,11 +181,18 @@ class LiveRun:
                 self.since[name] = self.time
                 self.previous.pop(name, None)
 
-    def cross(self, transit: frozenset[FactKey], moved: Mapping[str, str] = NOWHERE) -> None:
-        """Set the base digits in transit, and the SBs that have moved and are not committed."""
+    def cross(
+        self,
+        transit: frozenset[FactKey],
+        moved: Mapping[str, str] = NOWHERE,
+        moving: Collection[str] = (),
+    ) -> None:
+        """Set the base digits in transit, the SBs that have moved and are not committed, and those
+        that a function moves now.
+        """
         if moved:
             self.pending.update(moved)
-        self.transit = transit
+        self.transit, self.moving = transit, moving
 
     def blame(self, edge: Edge) -> None:
         """Note that an edge has failed, for cost functions."""
@@ -191,7 +200,7 @@ class LiveRun:
 
     def drop_pending(self) -> None:
         """Forget pending states and digits in transit. The committed configuration remains."""
-        self.pending, self.transit = {}, frozenset()
+        self.pending, self.transit, self.moving = {}, frozenset(), ()
 
     def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
         """Set the states that were committed together with these edges."""
