@@ -53,7 +53,7 @@ def by_action(windows: Windows, window: Window) -> Iterator[tuple[str, QDialog]]
     """The dialogs that a command of the window opens."""
     # The help comes first: over a dialog that blocks it would belong to that dialog.
     for action in ("help_pages", "shortcuts", "about", "monitor", "levels", "persons",
-                   "compare_saved", "export_picture", "print"):  # fmt: skip
+                   "compare_saved", "export_picture", "print", "settings"):  # fmt: skip
         known = set(window.findChildren(QDialog))
         window.actions_table[action].trigger()
         yield action, next(one for one in window.findChildren(QDialog) if one not in known)

@@ -6,8 +6,9 @@ row in the table of its feature.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
@@ -74,10 +75,17 @@ class Actions(QObject):
         window: QWidget,
         tokens: Tokens,
         before: Callable[[], object] = always,
+        keys: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
     ) -> None:
+        """``keys`` are those that a person has chosen, by the id of their action."""
         super().__init__(window)
         self._before = before
-        self.table: dict[str, Action] = {action.id: action for action in table}
+        self.shipped: dict[str, Action] = {action.id: action for action in table}
+        """The table with the keys that the program comes with."""
+        self.table: dict[str, Action] = dict(self.shipped)
+        for name in keys.keys() & self.table.keys():
+            if self.table[name].scope == "window":
+                self.table[name] = replace(self.table[name], keys=keys[name])
         self._made: dict[str, QAction] = {}
         self._held: frozenset[str] = frozenset()
         for action in self.table.values():
@@ -105,6 +113,13 @@ class Actions(QObject):
 
     def __iter__(self) -> Iterator[Action]:
         return iter(self.table.values())
+
+    def set_keys(self, name: str, keys: tuple[str, ...]) -> None:
+        """Let other keys do an action of the window, at once."""
+        action = self.table[name] = replace(self.table[name], keys=keys)
+        made = self._made[name]
+        made.setShortcuts([QKeySequence(key) for key in keys])
+        made.setToolTip(tip_text(action.hint))
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Paint the icons of all actions in the colours of another theme."""

@@ -142,6 +142,15 @@ class AllWindows(Protocol):
     def set_theme(self, theme: str) -> None:
         """Set the theme of all windows."""
 
+    def set_calm(self, on: bool) -> None:
+        """Let the views of all windows jump instead of gliding."""
+
+    def set_keys(self, action: str, keys: tuple[str, ...] | None) -> None:
+        """Give an action other keys in all windows; None gives it its shipped keys back."""
+
+    def set_plugin_folders(self, folders: tuple[str, ...]) -> None:
+        """Search for plugins in these further folders, now and later."""
+
     def stop_every_run(self) -> None:
         """Stop the runs of all windows."""
 

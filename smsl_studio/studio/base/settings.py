@@ -13,6 +13,10 @@ from PySide6.QtCore import QByteArray, QSettings
 from smsl_studio.home import user_folder
 
 RECENT = 10
+SIZES = (100, 125, 150, 175, 200)
+"""The sizes of letters and everything else (per cent)."""
+KEYS = "keys"
+"""The name under which chosen keys are stored."""
 THEMES = ("light", "dark", "contrast", "system")
 
 
@@ -50,6 +54,48 @@ class Settings:
     def record_runs(self, on: bool) -> None:
         """Remember whether runs are recorded."""
         self._store.setValue("record_runs", "true" if on else "false")
+
+    @property
+    def size(self) -> int:
+        """The size of letters and everything else, in per cent; one of ``SIZES``."""
+        value = str(self._store.value("size", "100"))
+        return int(value) if value in map(str, SIZES) else 100
+
+    @size.setter
+    def size(self, per_cent: int) -> None:
+        """Remember the size; a window that is open keeps its own."""
+        self._store.setValue("size", str(per_cent))
+
+    @property
+    def calm(self) -> bool:
+        """Whether views jump instead of gliding."""
+        return self.text_of("calm") == "true"
+
+    @calm.setter
+    def calm(self, on: bool) -> None:
+        """Remember whether views jump."""
+        self.store_text("calm", "true" if on else "")
+
+    @property
+    def autosave(self) -> bool:
+        """Whether a file is saved by itself some time after the last change."""
+        return self.text_of("autosave") == "true"
+
+    @autosave.setter
+    def autosave(self, on: bool) -> None:
+        """Remember whether files are saved by themselves."""
+        self.store_text("autosave", "true" if on else "")
+
+    @property
+    def plugin_folders(self) -> tuple[str, ...]:
+        """Further folders with plugins, in order."""
+        value = self._store.value("plugin_folders", [])
+        return tuple(str(one) for one in (value if isinstance(value, list) else [value]) if one)
+
+    @plugin_folders.setter
+    def plugin_folders(self, folders: tuple[str, ...]) -> None:
+        """Remember further folders with plugins."""
+        self._store.setValue("plugin_folders", list(folders))
 
     @property
     def recordings(self) -> Path:

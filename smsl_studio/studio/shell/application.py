@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import signal
 import sys
 from collections.abc import Sequence
@@ -34,10 +35,13 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
 
     Returns the exit status.
     """
+    settings = Settings()
+    if settings.size != 100:
+        # Qt reads it once, when the application is made.
+        os.environ.setdefault("QT_SCALE_FACTOR", f"{settings.size / 100:g}")
     application = make_application(sys.argv)
     from smsl_studio.host.spare import Spare
 
-    settings = Settings()
     dress(application, tokens_of(settings.theme, application))
     spare = Spare()
     windows = Windows(application, settings, spare=spare)

@@ -22,6 +22,7 @@ from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.run.feature import RunFeature
+from smsl_studio.studio.features.settings.feature import SettingsFeature
 from smsl_studio.studio.features.start.feature import StartFeature
 from smsl_studio.studio.features.supervise.feature import SuperviseFeature
 from smsl_studio.studio.features.tour.feature import TourFeature
@@ -66,6 +67,7 @@ class Features(QObject):
         self.merge = MergeFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
+        self.settings = SettingsFeature(parts, shell)
         self.tour = TourFeature(parts, shell, self.help.show_first)
         self.run = RunFeature(parts, shell, windows.spare)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
@@ -82,7 +84,7 @@ class Features(QObject):
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.merge, self.branch_map, self.start)
         yield from (self.export, self.run, self.supervise, self.people, self.monitor)
-        yield from (self.replay, self.tour, self.help)
+        yield from (self.replay, self.tour, self.help, self.settings)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane

@@ -11,8 +11,11 @@ from PySide6.QtWidgets import QMainWindow, QWidget
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.feature import AllWindows, Control, DockSides
 from smsl_studio.studio.base.lines.typed_field import take_over
+from smsl_studio.studio.base.own_keys import read_keys
+from smsl_studio.studio.base.settings import KEYS
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.toast import Toast
+from smsl_studio.studio.document.files.auto_save import AutoSave
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.fresh import empty_blueprint
@@ -52,11 +55,16 @@ class Window(QMainWindow):
         DroppedFiles(self.open_path, self._open_beside, self)
         self.session = Session(empty_blueprint(), self)
         self.files = Files(self.session, self._settings, Dialogs(self), self)
+        AutoSave(self.session, self.files, self._settings)
         self.inspector = Inspector(self.session, self)
         self._build_features()
         self._name_parts()
         self.actions_table = Actions(
-            all_actions(self.features, self), self, self.tokens, self.settle
+            all_actions(self.features, self),
+            self,
+            self.tokens,
+            self.settle,
+            read_keys(self._settings.text_of(KEYS)),
         )
         self._build_frame()
         self._connect()

@@ -10,7 +10,11 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.legible import one_line
-from smsl_studio.studio.base.settings import Settings
+from smsl_studio.library.folders import name_plugin_folders
+from smsl_studio.studio.base.actions import Actions
+from smsl_studio.studio.base.calm import set_calm
+from smsl_studio.studio.base.own_keys import read_keys, written_keys
+from smsl_studio.studio.base.settings import KEYS, Settings
 from smsl_studio.studio.base.style import dress, tokens_of
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
@@ -29,6 +33,10 @@ class OpenWindow(Protocol):
     @property
     def session(self) -> Session:
         """The blueprint that the window has open."""
+
+    @property
+    def actions_table(self) -> Actions:
+        """Its actions."""
 
     @property
     def leaving(self) -> Departure:
@@ -82,6 +90,8 @@ class Windows(QObject):
         self.spare = spare
         self.persons = Persons(settings)
         self._sweeper = Sweeper(self)
+        set_calm(settings.calm)
+        name_plugin_folders(settings.plugin_folders)
         self._open: list[OpenWindow] = []
         self._closed: list[OpenWindow] = []
         # A method and not a lambda, so that Qt disconnects it when this object is deleted.
@@ -127,6 +137,28 @@ class Windows(QObject):
         # All windows share the palette of the application.
         for window in self:
             window.wear(self.tokens)
+
+    def set_calm(self, on: bool) -> None:
+        """Let the views of all windows jump instead of gliding, and remember it."""
+        self.settings.calm = on
+        set_calm(on)
+
+    def set_keys(self, action: str, keys: tuple[str, ...] | None) -> None:
+        """Give an action other keys in all windows and remember them; None gives the shipped keys
+        back."""
+        chosen = read_keys(self.settings.text_of(KEYS))
+        chosen.pop(action, None)
+        chosen |= {action: keys} if keys is not None else {}
+        self.settings.store_text(KEYS, written_keys(chosen))
+        for window in self:
+            table = window.actions_table
+            table.set_keys(action, keys if keys is not None else table.shipped[action].keys)
+
+    def set_plugin_folders(self, folders: tuple[str, ...]) -> None:
+        """Search for plugins in these further folders, now and at each start."""
+        self.settings.plugin_folders = folders
+        name_plugin_folders(folders)
+        self.look_for_plugins()
 
     def quit(self) -> None:
         """Close all windows after all questions are answered.

@@ -15,6 +15,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QTransform
 from PySide6.QtWidgets import QGraphicsView
 
+from smsl_studio.studio.base.calm import is_calm
+
 LEAST, MOST = 0.02, 4.0
 DURATION = 200
 STEP = 1.2
@@ -109,7 +111,7 @@ class Camera(QObject):
         """
         zoom = min(max(zoom, LEAST), MOST)
         self._animation.stop()
-        if not (smooth and self.motion and self._view.isVisible()):
+        if not (smooth and self.motion and self._view.isVisible()) or is_calm():
             self._look(centre, zoom)
             self.arrived.emit()
             return

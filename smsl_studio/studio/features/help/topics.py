@@ -56,6 +56,7 @@ PARTS = {
     "StepIn": _window("supervise", "Deciding"),
     "TaskCard": _window("people", "The card"),
     "Continuum": _window("people", "Human and automation"),
+    "SettingsDialog": _window("settings"),
     "MenuRow": _window("layout"),
     "ModeBar": _window("layout"),
     "CompareDialog": _window("comparing"),
