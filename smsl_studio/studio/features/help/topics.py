@@ -39,6 +39,7 @@ PARTS = {
     "SourcePane": _window("the-source"),
     "InspectionPanel": _window("inspection"),
     "History": _panel("History"),
+    "BranchTable": _panel("Table"),
     "DrawingFindBar": _window("finding"),
     "Palette": _window("finding", "Anything"),
     "FixCard": _panel("Findings"),
