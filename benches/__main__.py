@@ -49,6 +49,7 @@ BENCHES = (
     "walks",
     "layouts",
     "mental_map",
+    "plans",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -108,6 +108,7 @@ class Edges:
         self._out: dict[tuple[str, str], tuple[Edge, ...]] = {}
         self._named: dict[tuple[str, str], dict[str, Edge]] = {}
         self._required_by: dict[str, frozenset[str]] = {}
+        self._seen: dict[tuple[str, str], tuple[tuple[int, ...], tuple[str, ...]]] = {}
 
     def out(self, branch: str, state: str) -> tuple[Edge, ...]:
         """Return every edge out of a state, in written order. Edges to unknown targets are left
@@ -155,9 +156,10 @@ class Edges:
         fails = failing.get(target, "") if failing and source not in failing else ""
         if not subs and not self.costs and "_operations" not in branch.fields:
             return Edge(branch.name, source, name, target, crossing=crossing, fails=fails)
-        falls = tuple(d for d, _ in subs if branch.is_on(source, d) and not branch.is_on(target, d))
-        rises = tuple(d for d, _ in subs if branch.is_on(target, d) and not branch.is_on(source, d))
-        others = self._others(branch, source, target)
+        (before, own), (after, new) = self._digits(branch, source), self._digits(branch, target)
+        falls = tuple(digit for digit in before if digit not in after)
+        rises = tuple(digit for digit in after if digit not in before)
+        others = own != new and any(a != b for a, b in zip(own, new, strict=False))
         kind = _kind(falls, rises, others)
         note = branch.operation_note(source, name)
         load = note.subs == "load" and bool(falls or rises)
@@ -186,10 +188,17 @@ class Edges:
             fails,
         )
 
-    def _others(self, branch: StateBranch, source: str, target: str) -> bool:
-        expanded = {digit for digit, _ in self.hierarchy.subs[branch.name]}
-        pairs = zip(branch.facts(source), branch.facts(target), strict=False)
-        return any(a != b for digit, (a, b) in enumerate(pairs) if digit not in expanded)
+    def _digits(self, branch: StateBranch, state: str) -> tuple[tuple[int, ...], tuple[str, ...]]:
+        """Return the digits with sub-SBs that are on in a state, and the values of the others."""
+        found = self._seen.get((branch.name, state))
+        if found is None:
+            subs = {digit for digit, _ in self.hierarchy.subs[branch.name]}
+            facts = branch.facts(state)
+            found = self._seen[branch.name, state] = (
+                tuple(digit for digit in sorted(subs) if branch.is_on(state, digit)),
+                tuple(value for digit, value in enumerate(facts) if digit not in subs),
+            )
+        return found
 
     def _required(self, key: str, value: str) -> tuple[str, int, str]:
         name, digit = split_fact(key) or (key, -1)

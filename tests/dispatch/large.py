@@ -4,6 +4,7 @@ anyone can walk.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import product
 from typing import Any
 
@@ -80,7 +81,7 @@ def chained(subs: int = 10, states: int = 8) -> Plain:
     return made
 
 
-LARGE = {
+LARGE: dict[str, Callable[[], Plain]] = {
     "64 subs of 8 states under a line": line_of_rings,
     "3 levels of 4x4x3": three_levels,
     "a cube of 12 subs of 8 states": cube_of_rings,

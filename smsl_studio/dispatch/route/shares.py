@@ -26,7 +26,7 @@ Key = Sequence[str]
 Into = dict[str, list[tuple[str, Rank]]]
 """For each state the states before it, with the rank of the edge between."""
 
-SLICE = 1_000
+SLICE = 500
 """The number of edges after which the work may be called off."""
 
 
