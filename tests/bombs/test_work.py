@@ -15,6 +15,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.merge import merge
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.stepper import Stepper
@@ -89,6 +90,21 @@ def test_digests_and_differences(bomb: Bomb) -> None:
         before, after = read(bomb, "json", size), read(bomb, "json", size * 9 // 10)
         digests(before)
         compare(before, after)
+
+    assert growth(work) <= MOST
+
+
+MERGED = ("states_in_a_ring", "unknown_subs", "small_sbs", "alike_states", "true_notes", "levels")
+
+
+@pytest.mark.parametrize("name", MERGED)
+def test_merging(name: str) -> None:
+    """One side deletes the last tenth, in both roles."""
+
+    def work(size: int) -> None:
+        base, less = (read(BY_NAME[name], "json", part) for part in (size, size * 9 // 10))
+        merge(base, base, less)
+        merge(base, less, base)
 
     assert growth(work) <= MOST
 
