@@ -19,11 +19,11 @@ def values_of(blueprint: Blueprint) -> dict[str, Json]:
     Reading the values gives an equal blueprint. They do not keep the places of ``_`` fields among
     the other keys; ``reconcile`` does.
     """
-    values: dict[str, Json] = {key: _plain(value) for key, value in blueprint.fields.items()}
+    values = file_values(blueprint)
     for branch in blueprint:
         if branch.name in blueprint.imported:
             continue
-        values[branch.name] = _branch(branch)
+        values[branch.name] = branch_values(branch)
     return values
 
 
@@ -32,7 +32,13 @@ def new_blueprint(file: str = "untitled.json") -> Blueprint:
     return read_blueprint(parse_json(write_json({}), file))
 
 
-def _branch(branch: StateBranch) -> dict[str, Json]:
+def file_values(blueprint: Blueprint) -> dict[str, Json]:
+    """Return the ``_`` fields of a blueprint's file as plain values."""
+    return {key: _plain(value) for key, value in blueprint.fields.items()}
+
+
+def branch_values(branch: StateBranch) -> dict[str, Json]:
+    """Return an SB as plain values, with its ``_`` fields and those of its states."""
     values: dict[str, Json] = {}
     if branch.header.present:
         values[HEADER] = _header(branch.header)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.git_drivers import git_setup
+    from smsl_studio.front.graphs import from_multidigraph, multidigraph
     from smsl_studio.front.hosts import worlds
     from smsl_studio.front.inputs import inspect, read, refusals
     from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
@@ -50,9 +51,11 @@ __all__ = [
     "flatten",
     "fmt",
     "forbid_plugin",
+    "from_multidigraph",
     "git_setup",
     "inspect",
     "merge",
+    "multidigraph",
     "open_request",
     "open_run",
     "plan_route",
@@ -120,6 +123,8 @@ _HOMES = {
     "explore": "exploration",
     "diff_behaviour": "shapes",
     "flatten": "shapes",
+    "from_multidigraph": "graphs",
+    "multidigraph": "graphs",
     "Run": "runs",
     "RunRequest": "request",
     "open_request": "runs",

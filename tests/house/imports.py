@@ -55,7 +55,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet": (BULLET,),
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),
-    "networkx": ("graph/",),
+    "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
     "paho": ("monitor/mqtt.py",),
     "numpy": ("graph/", "world/", "picture/", "studio/"),

@@ -47,7 +47,7 @@ def test_plugins_know_neither_the_engine_nor_the_window() -> None:
         ("cli/a.py", "from PySide6.QtCore import Qt", "lives in studio/"),
         ("world/table.py", "def f():\n    import pybullet", "lives in world/bullet.py"),
         ("inspection/a.py", "from scipy.sparse import csgraph", "lives in graph/"),
-        ("front.py", "__import__('networkx')", "lives in graph/"),
+        ("front.py", "__import__('networkx')", "lives in graph/exchange.py"),
         ("front.py", "import requests", "no home"),
         ("utils.py", "import smsl_studio.errors", "no room"),
         ("studio/a.py", "from smsl_studio.studio.base.theme import LIGHT", "no floor"),
