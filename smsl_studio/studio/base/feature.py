@@ -255,5 +255,11 @@ class Shell(Protocol):
     def show_shortcuts(self) -> None:
         """Show the list of all shortcuts."""
 
+    def has_failure(self) -> bool:
+        """Whether the program failed since its start."""
+
+    def show_failure(self) -> None:
+        """Show the report of the last failure."""
+
     def show_about(self) -> None:
         """Show the name of the program and its version."""

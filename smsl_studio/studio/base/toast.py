@@ -136,6 +136,14 @@ class Toast(QWidget):
         """Show that something went wrong, other than a refusal."""
         self._show(sentence, "", "E", REFUSED_MS)
 
+    def fail(self, sentence: str, words: str, call: Callable[[], object]) -> None:
+        """Show that the program failed, with a button that tells more."""
+        self.warn(sentence)
+        self._call = call
+        self.button.setText(words)
+        self.button.show()
+        self._place()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""
         if watched is self.over and event.type() == QEvent.Type.Resize:

@@ -47,7 +47,7 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     windows = Windows(application, settings, spare=spare)
     first, *_ = [make_window(windows, path, mode) for path in paths or [""]]
     QTimer.singleShot(0, first, lambda: offer_recovery(windows, first))
-    sys.excepthook = crash_hook(windows.keep, windows.warn)
+    sys.excepthook = crash_hook(windows.keep, windows.fail)
     stop = _let_interrupts_through(application)
     known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
     # Under nohup SIGHUP is ignored, and it must stay ignored.

@@ -19,5 +19,8 @@ def help_actions(shell: Shell) -> tuple[Action, ...]:
     return (
         Action("shortcuts", "Keyboard shortcuts", shell.show_shortcuts, "Help", "",
                ("Shift+F1",), section=1),
+        Action("failure", "Report of the last failure…", shell.show_failure, "Help", "", (),
+               shell.has_failure, section=1,
+               tip="Read what failed in this program, and keep it if you want"),
         Action("about", "About SMSL Studio", shell.show_about, "Help", section=1),
     )  # fmt: skip

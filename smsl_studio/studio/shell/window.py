@@ -23,6 +23,7 @@ from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.announcer import Announcer
+from smsl_studio.studio.shell.crash_page import crash_page
 from smsl_studio.studio.shell.departure import Departure
 from smsl_studio.studio.shell.features import Features
 from smsl_studio.studio.shell.frame.body import PageBody
@@ -244,9 +245,19 @@ class Window(QMainWindow):
         """Keep unsaved work for the next start; returns whether there is any."""
         return self.features.leave_behind()
 
-    def warn(self, words: str) -> None:
-        """Show that something went wrong."""
-        self.toast.warn(words)
+    def tell_failure(self, sentence: str) -> None:
+        """Show that the program failed, and offer the report."""
+        self.toast.fail(sentence, "Read the report", self.show_failure)
+        self.actions_table.refresh()
+
+    def has_failure(self) -> bool:
+        """Whether the program failed since its start."""
+        return self._windows.failure is not None
+
+    def show_failure(self) -> None:
+        """Show the report of the last failure; nothing is written before the person keeps it."""
+        if self._windows.failure is not None:
+            crash_page(*self._windows.failure, self).open()
 
     def open_palette(self) -> None:
         """Open the command palette."""

@@ -64,8 +64,8 @@ class OpenWindow(Protocol):
     def end_run(self) -> None:
         """End its run, so that the window can close."""
 
-    def warn(self, words: str) -> None:
-        """Show that something went wrong."""
+    def tell_failure(self, sentence: str) -> None:
+        """Show that the program failed, and offer the report."""
 
     def isActiveWindow(self) -> bool:
         """Whether it has the keyboard focus."""
@@ -92,6 +92,8 @@ class Windows(QObject):
         self._sweeper = Sweeper(self)
         set_calm(settings.calm)
         name_plugin_folders(settings.plugin_folders)
+        self.failure: tuple[str, str] | None = None
+        """The last failure of the program: a sentence, and the trace; None if there was none."""
         self._open: list[OpenWindow] = []
         self._closed: list[OpenWindow] = []
         # A method and not a lambda, so that Qt disconnects it when this object is deleted.
@@ -183,10 +185,11 @@ class Windows(QObject):
         for window in self:
             window.stop_run()
 
-    def warn(self, words: str) -> None:
-        """Show in every window that something went wrong."""
+    def fail(self, sentence: str, told: str) -> None:
+        """Show in every window that the program failed; ``told`` is the trace, for the report."""
+        self.failure = sentence, told
         for window in self:
-            window.warn(words)
+            window.tell_failure(sentence)
 
     def keep(self) -> bool:
         """Write the journals of all windows now; returns whether one has unsaved work."""

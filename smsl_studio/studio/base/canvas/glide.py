@@ -13,6 +13,7 @@ from PySide6.QtGui import QPainter, QPen
 
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Floats
+from smsl_studio.studio.base.calm import is_calm
 from smsl_studio.studio.base.canvas.camera import DURATION
 from smsl_studio.studio.base.canvas.node_item import NodePool
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
@@ -47,7 +48,7 @@ class Glide(QObject):
     def begin(self, sheet: Sheet, before: Mapping[str, Position]) -> None:
         """Let the states of a sheet come from other places (scene points)."""
         self.end()
-        few = 0 < len(sheet.at) <= MOST and sheet.level >= Level.COMPACT
+        few = 0 < len(sheet.at) <= MOST and sheet.level >= Level.COMPACT and not is_calm()
         start = np.array([before.get(name, (np.nan, np.nan)) for name in sheet.picture.names])
         if few and not np.isnan(start).any() and not np.array_equal(start, sheet.at):
             self._sheet, self._from = sheet, start

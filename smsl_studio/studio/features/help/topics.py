@@ -58,6 +58,7 @@ PARTS = {
     "TaskCard": _window("people", "The card"),
     "Continuum": _window("people", "Human and automation"),
     "SettingsDialog": _window("settings"),
+    "CrashPage": _window("a-failure-of-the-program"),
     "MenuRow": _window("layout"),
     "ModeBar": _window("layout"),
     "CompareDialog": _window("comparing"),
