@@ -16,7 +16,7 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
 
 if TYPE_CHECKING:
-    from smsl_studio.front.recovery import Recovery
+    from smsl_studio.front.recovery import FailureRecovery
     from smsl_studio.inspection.proof.verdict import PropertyVerdict
     from smsl_studio.library.loaded import Loaded
 
@@ -85,7 +85,7 @@ class _Checked(NamedTuple):
     blueprint: Blueprint
     findings: tuple[Finding, ...]
     verdicts: tuple[PropertyVerdict, ...] = ()
-    recoveries: tuple[Recovery, ...] | None = None
+    recoveries: tuple[FailureRecovery, ...] | None = None
 
     @property
     def status(self) -> int:

@@ -17,7 +17,7 @@ from smsl_studio.inspection.proof.recovery import ways_out
 
 
 @dataclass(frozen=True)
-class Recovery:
+class FailureRecovery:
     """How a procedure recovers from one failure state.
 
     ``path`` are the fewest operations to where nothing has failed, None if there is no way.
@@ -45,7 +45,7 @@ class Recovery:
         }
 
 
-def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[Recovery, ...]:
+def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[FailureRecovery, ...]:
     """Return for each state with a failure value how a procedure recovers from it.
 
     The other SBs stand as at a start in that state. ``limit`` is the largest number of
@@ -71,5 +71,5 @@ def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[Recovery, 
                 cost = None if legs is None else round(sum(leg.cost for leg in legs), 9)
             except PlanningError as error:
                 bound = bound or error.sentence
-        found.append(Recovery(way.state, way.path, cost, bound))
+        found.append(FailureRecovery(way.state, way.path, cost, bound))
     return tuple(found)
