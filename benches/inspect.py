@@ -1,4 +1,5 @@
-"""Inspection, layout and routes of 6,561 states and 19,680 operations (Hanoi with 8 disks)."""
+"""Inspection, layout and routes of 6,561 states and 19,680 operations (Hanoi with 8 disks), and the
+inspection of 177,144 operations (10 disks)."""
 
 from __future__ import annotations
 
@@ -26,6 +27,10 @@ def rows() -> Iterator[Row]:
     first, last = branch.initial, branch.activating
 
     yield Row("inspect", median_ms(lambda: inspect(read_blueprint(document)), runs=3))
+    large = parse_json(write_json(values_of(hanoi(10))), "bench.json")
+    words = "inspect 177,144 operations"
+    figure = median_ms(lambda: inspect(read_blueprint(large)), runs=3)
+    yield Row(words, figure, bound="at most 1,000 ms")
     faulty = parse_json(_faulty(), "bench.json")
     words = f"inspect a file of {FAULTS:,} doubled keys and {FAULTS:,} unknown targets"
     yield Row(words, median_ms(lambda: inspect(read_blueprint(faulty)), runs=3))

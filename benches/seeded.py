@@ -33,8 +33,8 @@ def rows() -> Iterator[Row]:
     for kind in KINDS:
         seeded, *shares = counts[kind]
         before, now, against = (100 * share / seeded for share in shares)
-        others = (("before", before), ("with --against", against))
-        yield Row(f"seeded faults found: {kind}, of {seeded}", now, "%", others)
+        words = f"before {before:.0f} %, with --against {against:.0f} %"
+        yield Row(f"seeded faults found: {kind}, of {seeded} ({words})", now, "%")
 
 
 def found(count: int = COUNT, seed: int = SEED) -> dict[str, list[int]]:

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
+from operator import eq
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import note_key
@@ -209,12 +210,10 @@ def _leaves(
 def r17_self_loops(blueprint: Blueprint) -> Iterator[Remark]:
     """R17: self loops that are not marked as repeatable. Each SB gets one finding."""
     for branch in blueprint:
-        loops = [
-            edge
-            for edge in branch.edges()
-            if edge.target == edge.source
-            and not branch.operation_note(edge.source, edge.name).repeatable
-        ]
+        effects = effects_of(branch)
+        same = map(eq, effects.graph.sources, effects.graph.targets)
+        found = (effects.edge(number) for number, loop in enumerate(same) if loop)
+        loops = [e for e in found if not branch.operation_note(e.source, e.name).repeatable]
         if not loops:
             continue
         words = "Mark as repeatable" if len(loops) == 1 else "Mark all as repeatable"

@@ -9,10 +9,10 @@ from functools import partial
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Operation
-from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
+from smsl_studio.graph.effects import effects_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
@@ -262,16 +262,14 @@ def _first_falls(branch: StateBranch) -> Iterator[tuple[int, Operation]]:
 def _sub_changes(branch: StateBranch) -> Iterator[tuple[Operation, tuple[int, ...]]]:
     """Yield the edges that change digits with sub-SBs and are not marked as load, each with all
     digits that it changes."""
-    known: dict[tuple[str, str], tuple[int, ...]] = {}
-    for edge in branch.edges():
-        if edge.target not in branch.table:
-            continue
-        ends = edge.source, edge.target
-        if ends not in known:
-            digits = changed_digits(branch.facts(edge.source), branch.facts(edge.target))
-            known[ends] = () if branch.subs.keys().isdisjoint(digits) else digits
-        if known[ends] and branch.operation_note(edge.source, edge.name).subs != "load":
-            yield edge, known[ends]
+    effects, subs = effects_of(branch), branch.subs.keys()
+    kinds = [tuple(digit for digit, _ in kind) for kind in effects.kinds]
+    wanted = {number for number, digits in enumerate(kinds) if not subs.isdisjoint(digits)}
+    for number, kind in enumerate(effects.of):
+        if kind in wanted:
+            edge = effects.edge(number)
+            if branch.operation_note(edge.source, edge.name).subs != "load":
+                yield edge, kinds[kind]
 
 
 def r14_mixed(blueprint: Blueprint) -> Iterator[Remark]:

@@ -29,12 +29,25 @@ def r23_unbounded_loop(blueprint: Blueprint) -> Iterator[Remark]:
     """
     levels = Levels(blueprint)
     for branch in blueprint:
-        loops = [edge for edge in _recovering(branch) if _alone(branch, levels, edge)]
-        grave = [edge for edge in loops if _goes_on(branch, levels, edge.target)]
-        mild = [edge for edge in loops if edge not in set(grave)]
-        for severity, edges in ((WARNING, grave), (NOTE, mild)):
+        loops = list(_recovering(branch))
+        if levels.people_do(branch.name):
+            loops = [edge for edge in loops if _alone(branch, levels, edge)]
+        grave: set[Operation] = set()
+        if _has_grave(branch):
+            grave = {edge for edge in loops if _goes_on(branch, levels, edge.target)}
+        for severity, edges in (
+            (WARNING, [edge for edge in loops if edge in grave]),
+            (NOTE, [edge for edge in loops if edge not in grave]),
+        ):
             if edges:
                 yield _loop(blueprint, severity, edges)
+
+
+def _has_grave(branch: StateBranch) -> bool:
+    """Whether an SB has an operation of high risk or a critical fact."""
+    notes = branch.notes
+    risks = any(note.risk == "high" for note in notes.operations.values())
+    return risks or any(note.critical for note in notes.facts.values())
 
 
 def _recovering(branch: StateBranch) -> Iterator[Operation]:

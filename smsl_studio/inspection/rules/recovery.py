@@ -18,7 +18,8 @@ from smsl_studio.blueprint.names import FreeNames
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.shape import bottom_groups, can_reach, connected, flood, reachable
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
-from smsl_studio.inspection.rules.words import fact_words, some
+from smsl_studio.inspection.rules.words import fact_words
+from smsl_studio.stop import heed
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
@@ -72,11 +73,8 @@ def _kinds(branch: StateBranch) -> str:
 def _way_back(
     branch: StateBranch, part: Sequence[str], good: Sequence[str]
 ) -> tuple[str, Fix | None]:
-    """Return the advice and the fix: an edge from each group that nothing leaves."""
-    if not good:
-        return "add such a state, and operations that lead to it", None
-    ends = [group[0] for group in bottom_groups(branch, part)]
-    return _recovery(branch, {state: _nearest(branch, state, good) for state in ends})
+    """Return the advice and the fix: an operation from each group that nothing leaves."""
+    return _recovery(branch, [group[0] for group in bottom_groups(branch, part)], good)
 
 
 def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
@@ -102,7 +100,7 @@ def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
                 f"{fact_words(branch, digit)} has the failure value {value} here, and no "
                 f"operations lead from here to the goal, {branch.activating}",
                 others=others,
-                remedy=partial(_recoveries, branch, states, good),
+                remedy=partial(_recovery, branch, states, good),
             )
 
 
@@ -125,14 +123,6 @@ def _without_state(blueprint: Blueprint, branch: StateBranch) -> Iterator[Remark
                 )
 
 
-def _recoveries(
-    branch: StateBranch, states: Sequence[str], good: Sequence[str]
-) -> tuple[str, Fix | None]:
-    if not good:
-        return "add operations that lead to the goal", None
-    return _recovery(branch, {state: _nearest(branch, state, good) for state in states})
-
-
 def _failure(branch: StateBranch, state: str) -> tuple[int, str]:
     """Return the first digit of a failure state that has a failure value, and this value."""
     return next((digit, value) for digit, value in failures_of(branch, state))
@@ -146,26 +136,56 @@ def failures_of(branch: StateBranch, state: str) -> Iterator[tuple[int, str]]:
             yield digit, value
 
 
-def _nearest(branch: StateBranch, state: str, good: Sequence[str]) -> str:
-    """Return the good state in which the fewest facts differ, the first of several."""
-    facts = branch.facts(state)
-    return min(good, key=lambda other: len(changed_digits(facts, branch.facts(other))))
+def _recovery(
+    branch: StateBranch, states: Sequence[str], good: Sequence[str]
+) -> tuple[str, Fix | None]:
+    """Return the advice and the fix: an operation from each state to the nearest good one."""
+    if not good:
+        return "add operations that lead to the goal, or to a state without failure", None
+    words = f"Recover from {states[0]}"
+    if len(states) > 1:
+        words = f"{words} and {len(states) - 1:,} more"
+    (nearest,) = _nearest(branch, states[:1], good)
+    add = partial(_add_recoveries, branch=branch, states=states, good=good)
+    return f"add an operation that leads back, such as to {nearest}", Fix(words, add)
 
 
-def _recovery(branch: StateBranch, ends: dict[str, str]) -> tuple[str, Fix]:
-    """Return the advice and the fix that add an operation from each state to another one."""
-    words = f"Recover from {next(iter(ends))}"
-    if len(ends) > 1:
-        words = f"{words} and {len(ends) - 1:,} more"
-    targets = some(dict.fromkeys(ends.values()))
-    fix = Fix(words, partial(_add_recoveries, branch=branch.name, ends=ends))
-    return f"add an operation that leads back, such as to {targets}", fix
+def _nearest(branch: StateBranch, states: Sequence[str], good: Sequence[str]) -> list[str]:
+    """Return for each state the good state in which the fewest facts differ, the first of several.
+
+    Where one fact differs, it is looked up. The others are compared with the first good states.
+    """
+    known: dict[tuple[int, tuple[str, ...]], str] = {}
+    for other in good:
+        facts = branch.facts(other)
+        for digit in range(len(facts)):
+            known.setdefault((digit, facts[:digit] + facts[digit + 1 :]), other)
+    found = []
+    for state in states:
+        facts = branch.facts(state)
+        keys = ((digit, facts[:digit] + facts[digit + 1 :]) for digit in range(len(facts)))
+        near = next((known[key] for key in keys if key in known), None)
+        if near is None or len(facts) == 1:
+            near = min(good[:_COMPARED], key=partial(_distance, branch, state))
+        found.append(near)
+    return found
 
 
-def _add_recoveries(blueprint: Blueprint, branch: str, ends: dict[str, str]) -> Blueprint:
-    names = blueprint[branch].operation_names
+def _distance(branch: StateBranch, state: str, other: str) -> int:
+    return len(changed_digits(branch.facts(state), branch.facts(other)))
+
+
+_COMPARED = 500
+"""So many good states are compared with a state that has no good one beside it."""
+
+
+def _add_recoveries(
+    blueprint: Blueprint, branch: StateBranch, states: Sequence[str], good: Sequence[str]
+) -> Blueprint:
+    names = blueprint[branch.name].operation_names
     prefix = "Op_" if names and all(name.startswith("Op_") for name in names) else ""
     name = FreeNames(names).take(f"{prefix}Recover")
-    for state, target in ends.items():
-        blueprint = editing.add_operation(blueprint, branch, state, name, target)
+    for state, target in zip(states, _nearest(branch, states, good), strict=True):
+        heed()
+        blueprint = editing.add_operation(blueprint, branch.name, state, name, target)
     return blueprint
