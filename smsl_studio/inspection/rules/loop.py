@@ -27,7 +27,7 @@ def r23_unbounded_loop(blueprint: Blueprint) -> Iterator[Remark]:
     one configuration, so this is a note. If the state then goes on, without a person, by an
     operation of high risk or one that changes a critical fact, it is a warning.
     """
-    levels = Levels(blueprint)
+    levels, role = Levels(blueprint), _role(blueprint)
     for branch in blueprint:
         loops = list(_recovering(branch))
         if levels.people_do(branch.name):
@@ -40,7 +40,7 @@ def r23_unbounded_loop(blueprint: Blueprint) -> Iterator[Remark]:
             (NOTE, [edge for edge in loops if edge not in grave]),
         ):
             if edges:
-                yield _loop(blueprint, severity, edges)
+                yield _loop(severity, edges, role)
 
 
 def _has_grave(branch: StateBranch) -> bool:
@@ -81,7 +81,7 @@ def _goes_on(branch: StateBranch, levels: Levels, state: str) -> bool:
     return False
 
 
-def _loop(blueprint: Blueprint, severity: Severity, edges: Sequence[Operation]) -> Remark:
+def _loop(severity: Severity, edges: Sequence[Operation], role: str) -> Remark:
     why = "" if severity is NOTE else ", with an operation of high risk or for a critical fact"
     return Remark(
         "R23",
@@ -90,15 +90,14 @@ def _loop(blueprint: Blueprint, severity: Severity, edges: Sequence[Operation]) 
         f"leads back to {edges[0].target}, where the failure may come again{why}, and no person "
         "bounds how often",
         "let a person confirm it; a run begins an operation three times from one configuration",
-        _bound(blueprint, edges),
+        _bound(edges, role),
         others=[edge.address for edge in edges[1:]],
     )
 
 
-def _bound(blueprint: Blueprint, edges: Iterable[Operation]) -> Fix:
+def _bound(edges: Iterable[Operation], role: str) -> Fix:
     """Return a fix that lets a person confirm these edges, by the names of their operations."""
     keys = dict.fromkeys((edge.branch, note_key(edge.name, edge.source)) for edge in edges)
-    role = _role(blueprint)
     words = f"Let {role} confirm {counted(len(keys), 'operation')}"
     return Fix(words, partial(_confirm, keys=tuple(keys), role=role))
 

@@ -7,7 +7,7 @@ operations lead to it or not.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
+from functools import cached_property, partial
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -37,6 +37,7 @@ def r20_no_way_back(blueprint: Blueprint) -> Iterator[Remark]:
         back = flood(graph.predecessors, map(graph.number, good))
         inside = reachable(branch, branch.initial)
         lost = [name for name in branch.table if name in inside and graph.index[name] not in back]
+        nearest = _Nearest(branch, good)
         for part in connected(branch, lost):
             first, *others = (Address(branch.name, state) for state in part)
             yield Remark(
@@ -46,7 +47,7 @@ def r20_no_way_back(blueprint: Blueprint) -> Iterator[Remark]:
                 f"nothing leads from here to a state that is {_kinds(branch)}",
                 "add an operation that leads back",
                 others=others,
-                remedy=partial(_way_back, branch, part, good),
+                remedy=partial(_way_back, branch, part, nearest),
             )
 
 
@@ -71,10 +72,10 @@ def _kinds(branch: StateBranch) -> str:
 
 
 def _way_back(
-    branch: StateBranch, part: Sequence[str], good: Sequence[str]
+    branch: StateBranch, part: Sequence[str], nearest: _Nearest
 ) -> tuple[str, Fix | None]:
     """Return the advice and the fix: an operation from each group that nothing leaves."""
-    return _recovery(branch, [group[0] for group in bottom_groups(branch, part)], good)
+    return _recovery(branch, [group[0] for group in bottom_groups(branch, part)], nearest)
 
 
 def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
@@ -87,6 +88,7 @@ def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
             continue
         saved = can_reach(branch, branch.activating)
         good = [name for name in branch.table if name in saved and name not in failing]
+        nearest = _Nearest(branch, good)
         stuck: dict[tuple[int, str], list[str]] = {}
         for state in failing:
             if state not in saved:
@@ -100,7 +102,7 @@ def r21_no_recovery(blueprint: Blueprint) -> Iterator[Remark]:
                 f"{fact_words(branch, digit)} has the failure value {value} here, and no "
                 f"operations lead from here to the goal, {branch.activating}",
                 others=others,
-                remedy=partial(_recovery, branch, states, good),
+                remedy=partial(_recovery, branch, states, nearest),
             )
 
 
@@ -136,56 +138,61 @@ def failures_of(branch: StateBranch, state: str) -> Iterator[tuple[int, str]]:
             yield digit, value
 
 
+class _Nearest:
+    """Finds for a state the good state in which the fewest facts differ.
+
+    A good state that differs in one fact is looked up. Otherwise the state is compared with the
+    first good ones.
+    """
+
+    def __init__(self, branch: StateBranch, good: Sequence[str]) -> None:
+        self.branch, self.good = branch, good
+
+    @cached_property
+    def _known(self) -> dict[tuple[str, ...], str]:
+        facts = self.branch.facts
+        return {facts(state): state for state in reversed(self.good)}
+
+    def of(self, state: str) -> str:
+        """Return the nearest good state, the first of several that were compared."""
+        facts = self.branch.facts(state)
+        if len(facts) > 1:
+            for digit, values in enumerate(self.branch.alphabet):
+                for value in values[:_VALUES]:
+                    found = self._known.get((*facts[:digit], value, *facts[digit + 1 :]))
+                    if found is not None:
+                        return found
+        return min(self.good[:_COMPARED], key=partial(self._distance, facts))
+
+    def _distance(self, facts: Sequence[str], other: str) -> int:
+        return len(changed_digits(facts, self.branch.facts(other)))
+
+
+_VALUES, _COMPARED = 50, 500
+"""So many values of a fact are looked up, and so many good states are compared."""
+
+
 def _recovery(
-    branch: StateBranch, states: Sequence[str], good: Sequence[str]
+    branch: StateBranch, states: Sequence[str], nearest: _Nearest
 ) -> tuple[str, Fix | None]:
     """Return the advice and the fix: an operation from each state to the nearest good one."""
-    if not good:
+    if not nearest.good:
         return "add operations that lead to the goal, or to a state without failure", None
     words = f"Recover from {states[0]}"
     if len(states) > 1:
         words = f"{words} and {len(states) - 1:,} more"
-    (nearest,) = _nearest(branch, states[:1], good)
-    add = partial(_add_recoveries, branch=branch, states=states, good=good)
-    return f"add an operation that leads back, such as to {nearest}", Fix(words, add)
-
-
-def _nearest(branch: StateBranch, states: Sequence[str], good: Sequence[str]) -> list[str]:
-    """Return for each state the good state in which the fewest facts differ, the first of several.
-
-    Where one fact differs, it is looked up. The others are compared with the first good states.
-    """
-    known: dict[tuple[int, tuple[str, ...]], str] = {}
-    for other in good:
-        facts = branch.facts(other)
-        for digit in range(len(facts)):
-            known.setdefault((digit, facts[:digit] + facts[digit + 1 :]), other)
-    found = []
-    for state in states:
-        facts = branch.facts(state)
-        keys = ((digit, facts[:digit] + facts[digit + 1 :]) for digit in range(len(facts)))
-        near = next((known[key] for key in keys if key in known), None)
-        if near is None or len(facts) == 1:
-            near = min(good[:_COMPARED], key=partial(_distance, branch, state))
-        found.append(near)
-    return found
-
-
-def _distance(branch: StateBranch, state: str, other: str) -> int:
-    return len(changed_digits(branch.facts(state), branch.facts(other)))
-
-
-_COMPARED = 500
-"""So many good states are compared with a state that has no good one beside it."""
+    add = partial(_add_recoveries, name=branch.name, states=states, nearest=nearest)
+    advice = f"add an operation that leads back, such as to {nearest.of(states[0])}"
+    return advice, Fix(words, add)
 
 
 def _add_recoveries(
-    blueprint: Blueprint, branch: StateBranch, states: Sequence[str], good: Sequence[str]
+    blueprint: Blueprint, name: str, states: Sequence[str], nearest: _Nearest
 ) -> Blueprint:
-    names = blueprint[branch.name].operation_names
-    prefix = "Op_" if names and all(name.startswith("Op_") for name in names) else ""
-    name = FreeNames(names).take(f"{prefix}Recover")
-    for state, target in zip(states, _nearest(branch, states, good), strict=True):
+    names = blueprint[name].operation_names
+    prefix = "Op_" if names and all(one.startswith("Op_") for one in names) else ""
+    operation = FreeNames(names).take(f"{prefix}Recover")
+    for state in states:
         heed()
-        blueprint = editing.add_operation(blueprint, branch.name, state, name, target)
+        blueprint = editing.add_operation(blueprint, name, state, operation, nearest.of(state))
     return blueprint
