@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.graph.tidied import tidied
 from smsl_studio.stop import heed
@@ -134,6 +135,10 @@ def test_cancel_calls_it_off_and_changes_nothing(
     assert beside.card is None
     gate.set()
     beside.wait()
+    for _ in range(3):
+        QApplication.processEvents()
+    assert person.steps() == []
+    assert person.window.canvas.positions == places
     tidy(person)
     person.until(lambda: person.steps() == ["Tidy SB"])
     assert person.window.canvas.positions != places
