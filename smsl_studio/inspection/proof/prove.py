@@ -15,11 +15,13 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.meaning import Meaning, branches_in, holds
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError, RunRefused
+from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.inspection.proof import kinds
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.cone import Cone, cone_of
@@ -27,7 +29,15 @@ from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.failed_starts import failed_starts
 from smsl_studio.inspection.proof.kinds import Answer
 from smsl_studio.inspection.proof.space import Space
-from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, UNKNOWN, PropertyVerdict
+from smsl_studio.inspection.proof.symbolic import SymbolicSpace
+from smsl_studio.inspection.proof.verdict import (
+    EXPLICIT,
+    FAILS,
+    HAZARD,
+    HOLDS,
+    UNKNOWN,
+    PropertyVerdict,
+)
 from smsl_studio.inspection.proof.verdict import Counterexample as Run
 
 LIMIT = 1_000_000
@@ -41,12 +51,14 @@ class Scope(NamedTuple):
     """How much is looked at. ``limit`` is the largest number of configurations that are stored.
 
     With ``failures`` each configuration in which one SB has failed is a start too. ``small`` is the
-    product of state counts up to which no SB is left out.
+    product of state counts up to which no SB is left out. Without ``diagrams`` configurations are
+    looked at one by one alone.
     """
 
     limit: int = LIMIT
     failures: bool = False
     small: int = SMALL
+    diagrams: bool = True
 
 
 class PlannedRoute(NamedTuple):
@@ -83,6 +95,7 @@ class _Found(NamedTuple):
     answer: Answer
     bound: str | None = None
     configurations: int | None = None
+    engine: str = EXPLICIT
 
 
 class _Prover:
@@ -112,10 +125,13 @@ class _Prover:
         except (RunRefused, PlanningError) as error:
             found = _Found(Answer(UNKNOWN), error.sentence)
         # A bound that does not matter for the answer is told too: fewer were counted.
-        (verdict, run), limit, count = found
-        return PropertyVerdict(one.name, one.kind, one.severity, verdict, count, limit, run)
+        (verdict, run), limit, count, engine = found
+        return PropertyVerdict(one.name, one.kind, one.severity, verdict, count, limit, run, engine)
 
     def _of_configurations(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
+        at_once = self._at_once(one, meanings[0])
+        if at_once is not None:
+            return at_once
         found = self._exploration(one)
         first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
@@ -132,6 +148,29 @@ class _Prover:
             answer = kinds.way_back(found, first, others[0], within)
         count = len(found) if found.space.is_whole or found.bound else None
         return _Found(answer, found.bound or None, count)
+
+    def _at_once(self, one: Claim, meaning: Meaning) -> _Found | None:
+        """Answer from all configurations as one set, None if that is not possible."""
+        scope = self._scope
+        if one.kind not in (*WATCHED, "reachable") or scope.failures or not scope.diagrams:
+            return None
+        if self._is_small:
+            return None
+        space = self._symbolic
+        if space is None:
+            return None
+        try:
+            answer = space.never(meaning) if one.kind in WATCHED else space.reachable(meaning)
+        except (TooLarge, RecursionError):
+            return None
+        return _Found(answer, None, space.count, "diagram")
+
+    @cached_property
+    def _symbolic(self) -> SymbolicSpace | None:
+        try:
+            return SymbolicSpace(self._hierarchy)
+        except TooLarge:
+            return None
 
     # what is looked at
 
@@ -166,6 +205,9 @@ class _Prover:
         wanted = {name for meaning in one.meanings or () for name in branches_in(meaning)}
         if one.kind == "after":
             wanted.update(self._hierarchy.roots)
+        if self._scope.failures:
+            # Whatever fails, a run may begin in each configuration in which it can fail.
+            wanted.update(one.name for one in self._blueprint if failing_states(one))
         key = (str(routed), *sorted(wanted))
         found = self._cones.get(key)
         if found is None:

@@ -112,6 +112,15 @@ class Space:
                 if edge.crossing:
                     yield edge
 
+    def operations(self, configuration: Mapping[str, str]) -> list[Address]:
+        """Return the operations out of the states of all SBs, in the order of code points."""
+        found = [
+            edge.address
+            for name in self.hierarchy.order
+            for edge in self._stepper.edges.out(name, configuration[name])
+        ]
+        return sorted(found, key=str)
+
     def joint_step(self, configuration: Mapping[str, str], address: Address) -> JointStep | None:
         """Return the step of an operation from a configuration of all SBs, None if there is
         none."""

@@ -11,6 +11,8 @@ from smsl_studio.blueprint.address import Address
 Json = Any
 HOLDS, FAILS, UNKNOWN = "holds", "fails", "unknown"
 HAZARD = "hazard"
+EXPLICIT = "explicit"
+"""The engine that looks at configurations one by one."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ class PropertyVerdict:
     configurations: int | None
     bound: str | None = None
     counterexample: Counterexample | None = None
-    engine: str = "explicit"
+    engine: str = EXPLICIT
 
     @property
     def address(self) -> Address:

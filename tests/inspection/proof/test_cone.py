@@ -1,4 +1,5 @@
-"""Leaving SBs out of a search changes no verdict and no run."""
+"""Leaving SBs out of a search, or looking at all configurations as one set, changes no verdict and
+no run."""
 
 from __future__ import annotations
 
@@ -72,22 +73,28 @@ def drawn(seed: int, chance: Random) -> dict[str, Any]:
     return plain
 
 
-@pytest.mark.parametrize("seed", range(120))
-def test_what_is_left_out_changes_no_verdict_and_no_run(seed: int) -> None:
+def compare(seed: int) -> None:
+    """Answer the same questions in all three ways."""
     chance = Random(seed)
     plain = drawn(seed, chance)
     values = {**drawn_properties(plain, chance), **plain}
     failures = seed % 3 == 0
-    found = verdicts(values, Scope(10_000, failures, 0))
     whole = verdicts(values, Scope(10_000, failures, 10**9))
-    for one, other in zip(found, whole, strict=True):
-        assert one.verdict == other.verdict, one.name
-        assert (one.configurations is None) or one.configurations == other.configurations
-        run, wanted = one.counterexample, other.counterexample
-        assert (run is None) == (wanted is None)
-        if run is not None and wanted is not None and run.path == wanted.path == ():
-            continue  # the starts may differ in what was left out
-        assert run == wanted, one.name
+    for diagrams in (False, True):
+        found = verdicts(values, Scope(10_000, failures, 0, diagrams))
+        for one, other in zip(found, whole, strict=True):
+            assert one.verdict == other.verdict, one.name
+            assert (one.configurations is None) or one.configurations == other.configurations
+            run, wanted = one.counterexample, other.counterexample
+            assert (run is None) == (wanted is None)
+            if run is not None and wanted is not None and run.path == wanted.path == ():
+                continue  # the starts may differ in what was left out
+            assert run == wanted, one.name
+
+
+@pytest.mark.parametrize("seed", range(80))
+def test_cones_and_diagrams_change_no_verdict_and_no_run(seed: int) -> None:
+    compare(seed)
 
 
 def many_subs(count: int, states: int) -> dict[str, Any]:
@@ -117,14 +124,18 @@ def test_sub_sbs_that_a_question_does_not_reach_cost_nothing() -> None:
         {"name": "apart", "never": "SUB03 in S3 and SUB07 in S2"},
         {"name": "order", "never": "SUB07 in S7 and SUB03 in S2"},
     ]
-    far, apart, order = verdicts({"_properties": properties, **values}, Scope(1_000))
-    assert (far.verdict, far.configurations, far.bound) == ("holds", None, None)
-    assert (order.verdict, order.bound) == ("holds", None)
-    run = apart.counterexample
-    assert run is not None
-    assert [str(one) for one in run.path] == [
-        "SUB03/S0/go", "SUB03/S1/go", "SUB03/S2/go", "SUB07/S0/go", "SUB07/S1/go",
-    ]  # fmt: skip
+    counts = {False: None, True: sum(7 ** (12 - on) for on in range(13))}
+    for diagrams, count in counts.items():
+        scope = Scope(1_000, diagrams=diagrams)
+        far, apart, order = verdicts({"_properties": properties, **values}, scope)
+        assert (far.verdict, far.configurations, far.bound) == ("holds", count, None)
+        assert far.engine == ("diagram" if diagrams else "explicit")
+        assert (order.verdict, order.bound) == ("holds", None)
+        run = apart.counterexample
+        assert run is not None
+        assert [str(one) for one in run.path] == [
+            "SUB03/S0/go", "SUB03/S1/go", "SUB03/S2/go", "SUB07/S0/go", "SUB07/S1/go",
+        ]  # fmt: skip
 
 
 def test_an_operation_that_is_left_out_still_comes_first_by_its_address() -> None:

@@ -1,0 +1,90 @@
+"""Product steps: many steps of the configurations of a blueprint, written as one.
+
+A product has for each SB that takes part a set of pairs (from, to) of states. All combinations of
+them are steps, and all other SBs stand still. A guard is a set of pairs with equal ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.stop import heed
+
+Pairs = frozenset[tuple[int, int]]
+"""States of one SB before and after, by their numbers."""
+
+JointMoves = Mapping[int, Pairs]
+"""A product: the pairs of each SB that takes part, by its number."""
+
+
+class TooLarge(Exception):  # noqa: N818 -- an answer, not an error of ours
+    """Something takes more than its bound, which the text names."""
+
+
+class StateNumbers:
+    """The SBs of a blueprint and their states, as numbers. SBs are in the order of the
+    hierarchy."""
+
+    def __init__(self, hierarchy: Hierarchy) -> None:
+        self.hierarchy = hierarchy
+        blueprint = hierarchy.blueprint
+        self.at = {name: index for index, name in enumerate(hierarchy.order)}
+        self.states = [tuple(blueprint[name].table) for name in hierarchy.order]
+        self.number = [{one: n for n, one in enumerate(states)} for states in self.states]
+
+    @property
+    def sizes(self) -> list[int]:
+        """The number of states of each SB."""
+        return [len(states) for states in self.states]
+
+    def coded(self, configuration: Mapping[str, str]) -> tuple[int, ...]:
+        """Return a configuration as the numbers of its states."""
+        return tuple(
+            self.number[at][configuration[name]] for at, name in enumerate(self.hierarchy.order)
+        )
+
+
+@dataclass
+class JointProducts:
+    """All steps of a blueprint, and what they pass on their way.
+
+    ``rough`` are passed configurations of which some may not be passed in truth.
+    """
+
+    steps: list[JointMoves] = field(default_factory=list)
+    passed: list[JointMoves] = field(default_factory=list)
+    rough: list[JointMoves] = field(default_factory=list)
+
+
+def joined(products: Iterable[JointMoves]) -> list[JointMoves]:
+    """Join products that differ in one SB only. Each step of the result is one of theirs."""
+    by_members: dict[frozenset[int], dict[frozenset[tuple[int, Pairs]], JointMoves]] = {}
+    for one in products:
+        by_members.setdefault(frozenset(one), {})[frozenset(one.items())] = one
+    found: list[JointMoves] = []
+    for members, of_them in by_members.items():
+        left = list(of_them.values())
+        before = 0
+        while before != len(left):
+            before = len(left)
+            for member in sorted(members):
+                heed()
+                left = _joined_in(left, member)
+        found += left
+    return found
+
+
+def _joined_in(products: list[JointMoves], member: int) -> list[JointMoves]:
+    """Join products that differ only in the pairs of one SB."""
+    alike: dict[frozenset[tuple[int, Pairs]], list[JointMoves]] = {}
+    for one in products:
+        rest = frozenset(item for item in one.items() if item[0] != member)
+        alike.setdefault(rest, []).append(one)
+    return [
+        {**same[0], member: frozenset().union(*(one[member] for one in same))}
+        if len(same) > 1
+        else same[0]
+        for same in alike.values()
+    ]
