@@ -87,14 +87,19 @@ class Camera(QObject):
             self.keep(to.keeps, to.fitted)
             self.go(to.centre, to.zoom)
 
-    def zoom_at(self, factor: float, at: QPointF) -> None:
-        """Multiply the zoom; the scene point below ``at`` (viewport pixels) stays there."""
+    def zoom_at(self, factor: float, at: QPointF, anchor: QPointF | None = None) -> QPointF:
+        """Multiply the zoom; the scene point below ``at`` (viewport pixels) stays there.
+
+        With ``anchor`` that scene point gets there. Returns the point. Many small steps need it,
+        because the view stands at whole pixels only.
+        """
         self._animation.stop()
         self.keep("")
         zoom = min(max(self.zoom * factor, LEAST), MOST)
-        anchor = self._scene_point(at)
+        anchor = anchor if anchor is not None else self._scene_point(at)
         middle = QPointF(self._view.viewport().rect().center())
         self._look(anchor + (middle - at) / zoom, zoom)
+        return anchor
 
     def pan(self, dx: float, dy: float) -> None:
         """Move the picture by pixels."""

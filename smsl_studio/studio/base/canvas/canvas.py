@@ -17,6 +17,7 @@ from PySide6.QtGui import (
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
+    QNativeGestureEvent,
     QPaintEvent,
     QResizeEvent,
     QShowEvent,
@@ -33,13 +34,13 @@ from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
 from smsl_studio.studio.base.canvas.branch_view import BranchView
-from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import pending_ends
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 from smsl_studio.studio.base.canvas.tools import Hand
+from smsl_studio.studio.base.canvas.touch import Pinch, turn
 from smsl_studio.studio.base.theme import Tokens
 
 
@@ -50,6 +51,7 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
+        self._pinch = Pinch(self.camera)
         self._fitted = self._words = self._collapsed = self._judged = self._quiet = False
         self.collapse_choice: Callable[[], bool | None] = lambda: False
         """Whether the person wants SBs collapsed; None if nobody said so: then crowded ones are."""
@@ -308,16 +310,8 @@ class Canvas(BranchView):
             QTimer.singleShot(0, self, self._fit_first)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom at the pointer; with Ctrl pan up and down, with Shift sideways."""
-        angle = event.angleDelta()
-        modifiers = event.modifiers()
-        delta = angle.y() or angle.x()
-        if modifiers & Qt.KeyboardModifier.ShiftModifier:
-            self.camera.pan(delta * 0.6, 0.0)
-        elif modifiers & Qt.KeyboardModifier.ControlModifier:
-            self.camera.pan(0.0, delta * 0.6)
-        else:
-            self.camera.zoom_at(STEP ** (delta / 120.0), event.position())
+        """Zoom at the pointer, or pan with two fingers; with Ctrl and Shift see ``touch``."""
+        turn(self.camera, event)
         event.accept()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -342,11 +336,13 @@ class Canvas(BranchView):
         self.hand.left()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        """Show the tooltip of the state or operation under the pointer.
+        """Show the tooltip of the state or operation under the pointer, and zoom by a pinch.
 
         The viewport has its text, because a graphics view would ask only its items. The tooltip of
         a state is shown below the state.
         """
+        if isinstance(event, QNativeGestureEvent) and self._pinch.take(event):
+            return True
         if not isinstance(event, QHelpEvent) or event.type() != QEvent.Type.ToolTip:
             return super().viewportEvent(event)
         below = self.hand.hover.foot()
