@@ -1,22 +1,24 @@
 """Makes pictures of the window: Draw and Run modes, three samples, two themes, three sizes.
 
     ./dev pictures [--out FOLDER] [--sample NAME]
-        [--mode draw|run|supervise|safe|people|monitor|replay|panels]
+        [--mode draw|run|supervise|safe|people|monitor|replay|panels|dense]
 
-They come into ``build/pictures``. The ten that the documentation shows are kept in docs/images; a
-new one goes there by hand (``--out docs/images`` writes all of them).
+They come into ``build/pictures``. The twelve that the documentation shows are kept in docs/images.
+A new one goes there by hand (``--out docs/images`` writes all of them).
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
 ``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
 ``panels`` are all panels beside the drawing, each brought to the front.
-``replay`` is a recorded run at the moment in which an operation was shut out.
+``replay`` is a recorded run at the moment in which an operation was shut out. ``dense`` is a
+procedure of 129 operations whose drawing is collapsed, with a state selected.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import shutil
 import sys
@@ -39,6 +41,7 @@ from PySide6.QtGui import QImage, QPainter  # noqa: E402
 from PySide6.QtWidgets import QApplication, QWidget  # noqa: E402
 
 import smsl_studio as smsl  # noqa: E402
+from benches.layouts.procedures import rotms  # noqa: E402
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
 from smsl_studio.dispatch.people.task import Task  # noqa: E402
@@ -53,7 +56,7 @@ from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
-MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay", "panels")
+MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay", "panels", "dense")
 FRONT = (1440, 900)
 UNDER_WAY = 1.2
 """Simulated seconds after which the operation of the picture is well under way."""
@@ -108,6 +111,8 @@ def main() -> int:
             studio.take_replay(Path(folder))
         if asked.mode in (None, "panels"):
             studio.take_panels()
+        if asked.mode in (None, "dense"):
+            studio.take_dense(Path(folder))
         studio.finish()
     return 0
 
@@ -179,6 +184,18 @@ class Studio:
         for panel in window.docks.panels:
             window.show_tab(panel.name)
             self._take_dressed(window, f"panel-{panel.name.lower()}")
+        window.close()
+
+    def take_dense(self, folder: Path) -> None:
+        """A procedure with many more operations than states, of which one state is selected."""
+        path = folder / "rotms.json"
+        path.write_text(json.dumps({"ROTMS": {"HEADER": {"INITIAL": "State_00000"}, **rotms()}}))
+        window = make_window(self._windows, str(path))
+        self._until(lambda: window.inspector.current)
+        window.docks.fold_bottom()
+        window.session.select((Address("ROTMS", "State_11000"),))
+        self._take_dressed(window, "dense")
+        window.session.history.setClean()
         window.close()
 
     def take_supervise(self) -> None:
