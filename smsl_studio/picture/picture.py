@@ -17,6 +17,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
+from smsl_studio.blueprint.plain_words import is_plain_word
 from smsl_studio.picture.bundles import NO_BUNDLES, Bundles, bundles_of, chip_size, with_lane
 from smsl_studio.picture.chip_kinds import chip_kind
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
@@ -376,13 +377,3 @@ def has_words(branch: StateBranch) -> bool:
 
 def _cut(text: str, most: int) -> str:
     return f"{text[: most - 1]}…" if len(text) > most else text
-
-
-def is_plain_word(branch: StateBranch, name: str) -> bool:
-    """Return whether a name is a word such as ``Idle``, whose letters would mean nothing as chips.
-
-    It is, if it has only letters, and nothing in the file says that they are facts.
-    """
-    shape = branch.shape
-    said = shape.width != 1 or shape.written is not None or branch.subs or branch.notes.facts
-    return not said and name.isalpha() and not name.startswith("State")

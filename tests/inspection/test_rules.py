@@ -50,6 +50,8 @@ PLANTED = [
     ("R05", "E", "SB", "NUM_FACTS is a text, not a whole number", """{"SB": {
   "HEADER": {^"NUM_FACTS": "1"},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R05", "I", "SB/Idle", "the name is read as 4 facts of one letter each", """{"SB": {
+  ^"Idle": {"a": "Done"}, "Done": {"b": "Idle"}}}"""),
     ("R07", "E", "SB", "SUB_SBS is a text, not a map", """{"SB": {
   "HEADER": {^"SUB_SBS": "B"},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
@@ -161,6 +163,13 @@ PLANTED = [
   "State_0": {"a": "State_1", ^"b": "State_0"}, "State_1": {"b": "State_1", "c": "State_0"}}}"""),
     ("R18", "I", "SB/State_0/a", "a and b lead to State_1 in parallel", """{"SB": {
   "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
+    ("R18", "I", "SB/State_0/a", "count for nothing: both only move Sub", """{"SB": {
+  "HEADER": {"SUB_SBS": {"Sub": 0}}, "_operations": {"a": {"cost": 1}, "b": {"cost": 3}},
+  "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R18", "I", "SB/State_0/a", "in parallel, with no cost at b to choose by", """{"SB": {
+  "_operations": {"a": {"cost": 1}},
+  "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
     ("R20", "W", "SB/State_1", "to a state that is declared safe", """{"SB": {
   "_states": {"State_0": {"safe": true}},
   "State_0": {"a": "State_1"}, ^"State_1": {"b": "State_2"}, "State_2": {"c": "State_1"}}}"""),
@@ -193,6 +202,13 @@ PLANTED = [
     ("R29", "W", "SB", "Input should be greater than or equal to 0", """{"SB": {
   "_operations": {^"a": {"cost": -1}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "a in _operations is not understood: confirm", """{"SB": {
+  "_operations": {^"a": {"confirm": "surgeon"}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB/State_0/a", "who acts has no effect here: it only moves Sub", """{"SB": {
+  "HEADER": {"SUB_SBS": {"Sub": 0}}, "_operations": {"a": {"actor": "human"}},
+  "State_0": {^"a": "State_1"}, "State_1": {"c": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R29", "W", "SB", "_operations speaks of c, which is no operation", """{"SB": {
   "_operations": {^"c": {"cost": 1}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),

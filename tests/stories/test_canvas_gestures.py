@@ -783,6 +783,20 @@ def test_enter_goes_in_and_backspace_out(hfsm: Drawer) -> None:
     assert hfsm.session.branch == "SB1"
 
 
+def test_backspace_deletes_nothing(hfsm: Drawer) -> None:
+    """It leaves a sub-SB, also if something is selected there, and Del deletes."""
+    hfsm.key(Key.Key_Return)
+    hfsm.click(hfsm.place("State0"))
+    assert hfsm.session.selection
+    hfsm.key(Key.Key_Backspace)
+    assert hfsm.session.branch == "SB1"
+    hfsm.click(hfsm.place("State000"))
+    hfsm.key(Key.Key_Backspace)
+    assert (hfsm.steps(), hfsm.session.branch) == (0, "SB1")
+    hfsm.key(Key.Key_Delete)
+    assert hfsm.steps() == 1
+
+
 def test_a_run_canvas_asks_for_operations_and_edits_nothing(hfsm: Drawer, qtbot: QtBot) -> None:
     hfsm.canvas.editing = False
     asked: list[object] = []

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.effects import EdgeEffects, Effect, effects_of
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
+from smsl_studio.inspection.rules.idle_fields import moved_sub
 from smsl_studio.inspection.rules.words import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
@@ -240,18 +241,27 @@ def r18_parallel(blueprint: Blueprint) -> Iterator[Remark]:
     """R18: parallel operations between two states, without costs to choose by. Each SB gets one
     finding."""
     for branch in blueprint:
-        pairs = [pair for pair in _parallels(branch) if _without_cost(branch, pair)]
+        pairs = [pair for pair in _parallels(branch) if _costless(branch, pair)]
         if not pairs:
             continue
-        first = pairs[0]
+        first, lacking = pairs[0], _costless(branch, pairs[0])
+        sub = moved_sub(branch, first[0])
+        which = "" if len(lacking) == len(first) else f" at {some(lacking)}"
+        if sub:
+            why = f"their costs count for nothing: both only move {sub}"
+            advice = f"leave one of them; until then the first name wins, and {sub} does the work"
+        else:
+            why = f"with no cost{which} to choose by"
+            advice = (
+                "give them costs in _operations; until then the fewest operations and the first "
+                "name win"
+            )
         yield Remark(
             "R18",
             NOTE,
             first[0].address,
-            f"{some(edge.name for edge in first)} lead to {first[0].target} in parallel, "
-            "with no cost to choose by",
-            "give them costs in _operations; until then the fewest operations and the first "
-            "name win",
+            f"{some(edge.name for edge in first)} lead to {first[0].target} in parallel, {why}",
+            advice,
             others=[pair[0].address for pair in pairs[1:]],
         )
 
@@ -268,5 +278,10 @@ def _parallels(branch: StateBranch) -> Iterator[list[Operation]]:
         yield from (edges for edges in by_target.values() if len(edges) > 1)
 
 
-def _without_cost(branch: StateBranch, edges: list[Operation]) -> bool:
-    return any(branch.operation_note(edge.source, edge.name).cost is None for edge in edges)
+def _costless(branch: StateBranch, edges: list[Operation]) -> list[str]:
+    """Return the names of the operations without a declared cost that counts."""
+    return [
+        edge.name
+        for edge in edges
+        if branch.operation_note(edge.source, edge.name).cost is None or moved_sub(branch, edge)
+    ]

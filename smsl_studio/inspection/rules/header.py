@@ -10,6 +10,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import is_plain_word
 from smsl_studio.blueprint.reading import HEADER, KNOWN
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
@@ -148,6 +149,7 @@ def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
         yield from _odd(branch, "NUM_FACTS", "R05")
         shape = branch.shape
         if not shape.misfits:
+            yield from _letters(branch)
             continue
         if shape.written is None:
             yield _opaque(branch)
@@ -155,6 +157,25 @@ def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
             yield _no_division(branch, shape.written)
         else:
             yield from _odd_lengths(branch, shape.written)
+
+
+def _letters(branch: StateBranch) -> Iterator[Remark]:
+    """Report names that are words and happen to have one length, so that they are cut up."""
+    words = [name for name in branch.table if is_plain_word(branch, name)]
+    if words and branch.num_facts >= MANY_LETTERS:
+        yield Remark(
+            "R05",
+            NOTE,
+            Address(branch.name, words[0]),
+            f"the name is read as {branch.num_facts} facts of one letter each",
+            advice="name the states by their facts, such as State_0, or give each its facts in "
+            "_states",
+            others=[Address(branch.name, name) for name in words[1:]],
+        )
+
+
+MANY_LETTERS = 4
+"""The number of facts from which a word is taken for a word. ``up`` and ``on`` may be facts."""
 
 
 def _opaque(branch: StateBranch) -> Remark:

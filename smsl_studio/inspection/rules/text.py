@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from functools import partial
 
 from smsl_studio.blueprint.address import Address, note_key, split_fact
+from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
+from smsl_studio.inspection.rules.idle_fields import idle_actors, moved_sub
 from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.document import Document
 
@@ -92,8 +94,35 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
     for branch in blueprint:
         for path, reason in (*branch.notes.faults, *branch.drawn.faults):
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
-            yield _note(blueprint.home(branch.name), (branch.name, *path), words)
+            severity = ERROR if _is_safeguard(path, reason) else WARNING
+            yield _note(blueprint.home(branch.name), (branch.name, *path), words, severity)
         yield from _strangers(blueprint, branch)
+        yield from _idle(branch)
+
+
+SAFEGUARDS = ("confirm", "requires", "timeout", "answer_within")
+
+
+def _is_safeguard(path: tuple[str, ...], reason: str) -> bool:
+    """Whether what is left out would have held an operation back, so that nobody may miss it."""
+    key = reason.partition(":")[0].partition(".")[0]
+    return path[0] == "_operations" and key in SAFEGUARDS
+
+
+def _idle(branch: StateBranch) -> Iterator[Remark]:
+    """Report operations that a person should carry out although they only move a sub-SB."""
+    by_sub: dict[str, list[Operation]] = {}
+    for edge in idle_actors(branch):
+        by_sub.setdefault(moved_sub(branch, edge), []).append(edge)
+    for sub, edges in by_sub.items():
+        yield Remark(
+            "R29",
+            WARNING,
+            edges[0].address,
+            f"who acts has no effect here: it only moves {sub}, and nobody is asked",
+            f"say who acts at the operations of {sub}, or use confirm",
+            others=[edge.address for edge in edges[1:]],
+        )
 
 
 def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:

@@ -29,7 +29,7 @@ def press_drawn_key(canvas: BranchView, key: Qt.Key, modifiers: Qt.KeyboardModif
         return False
     elif key in (Key.Key_F2, Key.Key_Return, Key.Key_Enter):
         canvas.drawn_edit_wanted.emit(chosen)
-    elif key in (Key.Key_Delete, Key.Key_Backspace):
+    elif key == Key.Key_Delete:
         canvas.delete_wanted.emit()
     else:
         return False

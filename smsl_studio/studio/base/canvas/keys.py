@@ -87,11 +87,11 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
         canvas.selection_wanted.emit(())
     elif key in ENTER:
         return enter_sub(canvas)
-    elif key == Key.Key_Backspace and not selection:
+    elif key == Key.Key_Backspace:
         canvas.leave_wanted.emit()
     elif not canvas.editing:
         return False
-    elif key in (Key.Key_Delete, Key.Key_Backspace):
+    elif key == Key.Key_Delete:
         canvas.delete_wanted.emit()
     elif key == Key.Key_F2 and len(selection) == 1:
         canvas.rename_wanted.emit(selection[0])

@@ -180,7 +180,7 @@ class LineHandles:
             return False
         elif key == Key.Key_Escape:
             self.choose(-1)
-        elif key in (Key.Key_Delete, Key.Key_Backspace):
+        elif key == Key.Key_Delete:
             self._remove(self.chosen)
         else:
             return False
