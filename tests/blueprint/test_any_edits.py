@@ -115,6 +115,7 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "note": lambda: chance.choice(notes),
         "changes": lambda: {(at.branch, key): chance.choice(notes) or {}},
         "levels": lambda: {str(at): level, "supervision": level},
+        "properties": lambda: [{"name": "p", "never": "A/0 = 1"}] * chance.randrange(3),
         "hazards": lambda: [{"name": "h", "facts": {}}] * chance.randrange(3),
         "text": lambda: edit.excerpt(blueprint, [other]),
         "file": lambda: chance.choice(blueprint.documents).file,

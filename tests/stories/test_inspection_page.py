@@ -170,3 +170,137 @@ def test_another_file_has_its_own_rows(sit: Sit, tmp_path: Path) -> None:
     assert not page(person).table.claims.rows
     answered(person)
     assert page(person).empty_title.isVisible()
+
+
+def no_offers(person: Person) -> None:
+    """Close the offers below the field of the condition, if there are any."""
+    field = page(person).form.first
+    popup = field.offers.popup()
+    assert popup is not None
+    if popup.isVisible():
+        QTest.keyClick(field, Key.Key_Escape)
+    person.come_back()
+    field.setFocus()
+
+
+def test_a_property_is_written_found_and_undone(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path)
+    form = page(person).form
+    before = person.window.session.texts
+    person.click(page(person).add_empty)
+    assert form.isVisible()
+    assert form.name.hasFocus()
+    assert form.fault.text() == "", "what is only missing yet is no fault"
+    person.type("Not blind")
+    assert not form.apply.isEnabled()
+    person.choose(form.kind, "Never: a condition")
+    person.type('DRILL/"drill running" = 1 and REG/"registred" = 0')
+    no_offers(person)
+    assert form.isVisible()
+    assert "no fact named" in form.fault.text()
+    assert "Did you mean registered?" in form.fault.text()
+    assert not form.apply.isEnabled()
+    form.first.selectAll()
+    person.type('DRILL/"drill running" = 1 and REG/"registered" = 0')
+    no_offers(person)
+    assert form.fault.text() == ""
+    assert form.sentence.text() == "Never: drill running while not registered"
+    person.click(form.apply)
+    assert person.blueprint.documents[0].values["_properties"] == [
+        {"name": "Not blind", "never": 'DRILL/"drill running" = 1 and REG/"registered" = 0'}
+    ]
+    answered(person)
+    assert not form.isVisible()
+    assert cells(person, "Not blind")[0] == "Fails"
+    assert page(person).run.isVisible(), "the row that was written is chosen"
+    assert person.window.session.history.undoText() == "Add “Not blind”"
+    person.ctrl(Key.Key_Z)
+    assert person.window.session.texts == before
+
+
+def test_the_offers_complete_facts_values_and_words(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path)
+    form = page(person).form
+    person.click(page(person).add_empty)
+    person.click(form.first)
+    popup = form.first.offers.popup()
+    assert popup is not None
+    person.type("run")
+    assert popup.isVisible()
+    for text in ('DRILL/"drill running" ', 'DRILL/"drill running" = ',
+                 'DRILL/"drill running" = 0 '):  # fmt: skip
+        QTest.keyClick(form.first, Key.Key_Return)
+        assert form.first.text() == text
+        assert popup.isVisible(), "what comes next is offered at once"
+    QTest.keyClick(form.first, Key.Key_Escape)
+    assert not popup.isVisible()
+    assert form.isVisible()
+
+
+def test_a_hazard_is_changed_duplicated_and_deleted(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD], _properties=[BOTH])
+    panel, form = page(person), page(person).form
+
+    def hazards() -> list[Any]:
+        found: list[Any] = person.blueprint.documents[0].values.get("_hazards", [])
+        return found
+
+    choose(person, "Blind")
+    person.press(Key.Key_Return)
+    assert form.isVisible()
+    assert form.first.text() == 'DRILL/"drill running" = 1 and REG/"registered" = 0'
+    person.write(form.name, "Blind drill")
+    assert hazards() == [{"name": "Blind drill", "facts": HAZARD["facts"]}]
+    answered(person)
+    assert panel.table.chosen is not None
+    assert panel.table.chosen.name == "Blind drill"
+
+    person.press(Key.Key_Return)
+    person.click(form.copy)
+    assert [one["name"] for one in hazards()] == ["Blind drill", "Blind drill 2"]
+    answered(person)
+    assert panel.table.chosen.name == "Blind drill 2"
+    person.press(Key.Key_Delete)
+    assert [one["name"] for one in hazards()] == ["Blind drill"]
+    answered(person)
+
+    choose(person, "Blind drill")
+    person.press(Key.Key_Return)
+    person.choose(form.kind, "Never: a condition")
+    person.click(form.apply)
+    assert hazards() == []
+    names = [one["name"] for one in person.blueprint.documents[0].values["_properties"]]
+    assert names == ["Both", "Blind drill"]
+    for _ in range(4):
+        person.ctrl(Key.Key_Z)
+    assert hazards() == [HAZARD]
+
+
+def test_a_name_that_is_taken_is_refused(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _properties=[BOTH])
+    form = page(person).form
+    person.click(page(person).add)
+    person.type("Both")
+    person.choose(form.kind, "It is possible")
+    person.type("DRILL in State_1")
+    no_offers(person)
+    person.click(form.apply)
+    assert form.isVisible()
+    assert form.fault.text() == "There is one of the name “Both” already. Choose another."
+    assert not person.window.session.edited
+
+
+def test_typed_text_stays_when_another_row_is_chosen(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD], _properties=[BOTH])
+    form = page(person).form
+    person.click(page(person).add)
+    person.type("Half")
+    choose(person, "Blind")
+    assert form.isVisible()
+    assert form.name.text() == "Half"
+    form.name.setFocus()
+    person.press(Key.Key_Escape)
+    assert form.isVisible(), "one key does not lose what was typed"
+    person.press(Key.Key_Escape)
+    assert not form.isVisible()
+    assert page(person).run.isVisible()

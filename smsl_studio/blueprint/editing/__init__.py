@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
+    from smsl_studio.blueprint.editing.properties import set_properties as set_properties
     from smsl_studio.blueprint.editing.renames import rename as rename
     from smsl_studio.blueprint.editing.renames import rename_operations as rename_operations
     from smsl_studio.blueprint.editing.templates import add_recovery as add_recovery
@@ -92,6 +93,7 @@ _HOMES = {
     "set_layout": "notes",
     "set_levels": "levels",
     "set_note": "notes",
+    "set_properties": "properties",
     "set_value": "fact_values",
     "straighten": "bends",
 }

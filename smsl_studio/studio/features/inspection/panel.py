@@ -14,8 +14,10 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.inspector import LIMIT, Inspector
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.inspection.claim_form import ClaimForm
 from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
+from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.run_view import RunView
 
@@ -27,7 +29,7 @@ EMPTY = (
     "back”. Inspection looks at everything that can happen, and shows the shortest run if it does "
     "not hold.",
 )
-LEAST, LOWER = 60, 196
+LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
 
 
@@ -43,6 +45,8 @@ class InspectionPanel(QWidget):
     def __init__(self, session: Session, inspector: Inspector, lit: LitRun, tokens: Tokens) -> None:
         super().__init__()
         self._session, self._inspector = session, inspector
+        self._wanted: Address | None = None
+        """The row that is chosen when it is answered."""
         self.setObjectName("inspection")
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -52,8 +56,10 @@ class InspectionPanel(QWidget):
         self.said = label("", "hint")
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.said.setContentsMargins(14, 10, 14, 10)
+        self.form = ClaimForm(tokens)
+        self.writing = ClaimWriting(session, self.form)
         self.below = QStackedWidget()
-        for page in (self.said, self.run):
+        for page in (self.said, self.run, self.form):
             self.below.addWidget(page)
         split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(1)
@@ -61,7 +67,7 @@ class InspectionPanel(QWidget):
         split.addWidget(self.table)
         split.addWidget(self.below)
         split.setStretchFactor(0, 1)
-        split.setSizes([200, LOWER])
+        split.setSizes([180, LOWER])
         self.add_empty = QPushButton("Add property…")
         self.add_empty.setProperty("role", "primary")
         self._pages = QStackedWidget()
@@ -102,7 +108,6 @@ class InspectionPanel(QWidget):
         column.addWidget(text)
         column.addLayout(row(self.add_empty, None))
         column.addStretch(1)
-        self.add_empty.hide()
         return page
 
     def _make_tools(self) -> QWidget:
@@ -110,10 +115,14 @@ class InspectionPanel(QWidget):
         self.sum.setProperty("role", "small")
         self.again = QPushButton("Check again")
         self.again.setProperty("role", "row")
+        self.add = QPushButton("Add…")
+        self.add.setAccessibleName("Add a hazard or a property")
+        self.add.setProperty("role", "row")
+        self.add.setToolTip("Write a hazard or a property")
         tools = QWidget()
-        self._tool_line = row(self.sum, self.again, spacing=8)
-        self._tool_line.setContentsMargins(0, 0, 8, 0)
-        tools.setLayout(self._tool_line)
+        line = row(self.sum, self.add, self.again, spacing=8)
+        line.setContentsMargins(0, 0, 8, 0)
+        tools.setLayout(line)
         return tools
 
     def _connect(self) -> None:
@@ -125,11 +134,25 @@ class InspectionPanel(QWidget):
         self._session.broken_changed.connect(self._changed)
         self.table.row_chosen.connect(self._show_row)
         self.again.clicked.connect(self._again)
+        for button in (self.add, self.add_empty):
+            button.clicked.connect(self.write_new)
+        self.table.edit_wanted.connect(self._edit)
+        self.table.delete_wanted.connect(self.writing.delete)
+        self.writing.ended.connect(self._written)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self.table.claims.set_tokens(tokens)
         self.run.set_tokens(tokens)
+        self.form.set_tokens(tokens)
+
+    def write_new(self) -> None:
+        """Show the form for a new hazard or property."""
+        self._pages.setCurrentIndex(1)
+        self.run.clear()
+        self.writing.begin()
+        self.below.setCurrentWidget(self.form)
+        self.form.name.setFocus()
 
     def choose(self, address: Address) -> None:
         """Choose a hazard or a property, and show its run."""
@@ -151,7 +174,23 @@ class InspectionPanel(QWidget):
         super().hideEvent(event)
         self.run.clear()
 
+    def _edit(self, claim: ClaimRow) -> None:
+        self.run.clear()
+        if self.writing.begin(claim):
+            self.below.setCurrentWidget(self.form)
+            self.form.first.setFocus()
+
+    def _written(self, address: Address | None) -> None:
+        """Leave the form. The row that was written is chosen as soon as it is answered."""
+        self._wanted = address
+        self.below.setCurrentWidget(self.said)
+        self._show_row(self.table.chosen)
+        rows = bool(self.table.claims.rows) or address is not None
+        self._pages.setCurrentIndex(int(rows))
+        (self.table if rows else self.add_empty).setFocus()
+
     def _opened(self) -> None:
+        self.writing.drop()
         self.table.show_rows(())
         self._pages.setCurrentIndex(0)
 
@@ -166,7 +205,11 @@ class InspectionPanel(QWidget):
         if self._session.broken is not None:
             return
         self.table.show_rows(rows)
-        self._pages.setCurrentIndex(int(bool(rows)))
+        if self._wanted is not None:
+            self.table.choose(self._wanted)
+            self.table.scrollTo(self.table.currentIndex())
+            self._wanted = None
+        self._pages.setCurrentIndex(int(bool(rows) or self.writing.open))
         self._show_tools()
 
     def _again(self) -> None:
@@ -197,6 +240,8 @@ class InspectionPanel(QWidget):
 
     def _show_row(self, claim: ClaimRow | None) -> None:
         waiting = self.table.claims.waiting
+        if self.writing.holds(claim):
+            return
         if claim is None or waiting or claim.run is None or not self.isVisible():
             self.run.clear()
             self.said.setText(_said(claim, waiting))

@@ -21,7 +21,7 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.kept import KeptValues, kept_fields
 
-KNOWN = ("_imports", "_hazards", "_levels")
+KNOWN = ("_imports", "_hazards", "_properties", "_levels")
 MOST = 64
 
 
