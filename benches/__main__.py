@@ -50,6 +50,7 @@ BENCHES = (
     "layouts",
     "mental_map",
     "plans",
+    "proof",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

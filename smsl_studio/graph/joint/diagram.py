@@ -14,11 +14,15 @@ from smsl_studio.stop import heed
 MOST_NODES = 100_000
 """The largest number of nodes of one diagram."""
 
+MOST_FOR_QUESTION = 1_000_000
+"""The same for a question about what is kept, such as the layers of a shortest run."""
+
 MOST_CELLS = 10_000_000
 """The largest number of children of all nodes together, about 0.2 GB."""
 
 MOST_WORK = 5_000_000
-"""The largest number of looks at nodes, some seconds."""
+"""The largest number of looks at nodes for what is kept, some seconds. A question may take four
+times as many."""
 
 Rows = list[tuple[int, int]]
 """Pairs (from, to) of states of one level."""
@@ -46,6 +50,7 @@ class Diagram:
     def __init__(self, sizes: Sequence[int], levels: Sequence[int], most: int = MOST_NODES) -> None:
         self.levels, self._most = levels, most
         self._cells, self._work, self._kept = 0, 0, 2
+        self._most_work = MOST_WORK
         self.height = len(sizes)
         self.sizes = [0] * self.height
         for one, level in enumerate(levels):
@@ -73,13 +78,14 @@ class Diagram:
     def spend(self) -> None:
         """Count a look at a node, and heed the listener (see ``stop``)."""
         self._work += 1
-        if self._work > MOST_WORK:
-            raise TooLarge(f"{MOST_WORK:,} looks at the nodes of a diagram")
+        if self._work > self._most_work:
+            raise TooLarge(f"{self._most_work:,} looks at the nodes of a diagram")
         heed()
 
     def keep(self) -> None:
         """Keep the nodes that there are. Those that come later are forgotten by ``renew``."""
         self._kept = len(self.children)
+        self._most, self._most_work = MOST_FOR_QUESTION, 4 * MOST_WORK
         self.renew()
 
     def renew(self) -> None:

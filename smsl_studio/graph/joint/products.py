@@ -6,7 +6,7 @@ them are steps, and all other SBs stand still. A guard is a set of pairs with eq
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.configuration import Hierarchy
@@ -88,3 +88,25 @@ def _joined_in(products: list[JointMoves], member: int) -> list[JointMoves]:
         else same[0]
         for same in alike.values()
     ]
+
+
+JointBox = Mapping[int, frozenset[int]]
+"""All configurations with these states of some SBs."""
+
+
+def guarded(products: Sequence[JointMoves], boxes: Iterable[JointBox]) -> list[JointMoves]:
+    """Return products that begin in one of some boxes."""
+    found: list[JointMoves] = []
+    for box in boxes:
+        for moves in products:
+            heed()
+            one = dict(moves)
+            for at, states in box.items():
+                pairs = one.get(at)
+                if pairs is None:
+                    one[at] = frozenset((state, state) for state in states)
+                else:
+                    one[at] = frozenset(pair for pair in pairs if pair[0] in states)
+            if all(one.values()):
+                found.append(one)
+    return found

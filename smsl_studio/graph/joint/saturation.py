@@ -44,6 +44,21 @@ class Saturation:
             found = self._saturate(diagram.node(level, tuple(children)), level)
         return found
 
+    def closed(self, node: int) -> int:
+        """Return the set of the configurations that can be reached from a set of them."""
+        return self._closed(node, self._diagram.height - 1, {})
+
+    def _closed(self, node: int, level: int, seen: dict[int, int]) -> int:
+        if node < 2:
+            return node
+        found = seen.get(node)
+        if found is None:
+            diagram = self._diagram
+            diagram.spend()
+            below = tuple(self._closed(one, level - 1, seen) for one in diagram.children[node])
+            found = seen[node] = self._saturate(diagram.node(level, below), level)
+        return found
+
     def _saturate(self, node: int, level: int) -> int:
         if node < 2:
             return node

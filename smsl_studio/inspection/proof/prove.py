@@ -129,7 +129,7 @@ class _Prover:
         return PropertyVerdict(one.name, one.kind, one.severity, verdict, count, limit, run, engine)
 
     def _of_configurations(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
-        at_once = self._at_once(one, meanings[0])
+        at_once = self._at_once(one, meanings)
         if at_once is not None:
             return at_once
         found = self._exploration(one)
@@ -149,21 +149,34 @@ class _Prover:
         count = len(found) if found.space.is_whole or found.bound else None
         return _Found(answer, found.bound or None, count)
 
-    def _at_once(self, one: Claim, meaning: Meaning) -> _Found | None:
+    def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
         """Answer from all configurations as one set, None if that is not possible."""
         scope = self._scope
-        if one.kind not in (*WATCHED, "reachable") or scope.failures or not scope.diagrams:
+        if scope.failures or not scope.diagrams or self._is_small:
             return None
-        if self._is_small:
+        if one.kind == "after" or (one.kind == "way_back" and not self._routes_are_free):
             return None
         space = self._symbolic
         if space is None:
             return None
         try:
-            answer = space.never(meaning) if one.kind in WATCHED else space.reachable(meaning)
+            if one.kind in WATCHED:
+                answer = space.never(meanings[0])
+            elif one.kind == "reachable":
+                answer = space.reachable(meanings[0])
+            elif one.kind == "before":
+                answer = space.before(*meanings)
+            else:
+                within = one.written.within if one.written else None
+                answer = space.way_back(meanings[0], meanings[1], within)
         except (TooLarge, RecursionError):
             return None
         return _Found(answer, None, space.count, "diagram")
+
+    @cached_property
+    def _routes_are_free(self) -> bool:
+        """Whether a route may go wherever a step can lead."""
+        return not self._hazards and not any(map(failing_states, self._blueprint))
 
     @cached_property
     def _symbolic(self) -> SymbolicSpace | None:

@@ -17,7 +17,7 @@ from smsl_studio.stop import heed
 
 
 class SymbolicSpace:
-    """Answers ``never`` and ``reachable``. TooLarge if that takes too much, RunRefused if there is
+    """Answers what can happen. TooLarge if that takes too much, RunRefused if there is
     no start.
     """
 
@@ -50,7 +50,39 @@ class SymbolicSpace:
         passing = reach.passing(wanted, set(branches_in(meaning)))
         if not passing and not reach.can_meet(wanted):
             return Answer(HOLDS)
-        ways, during = reach.nearest(wanted, passing)
+        ways, during = reach.paths.nearest(wanted, passing)
+        space, start, path, here = self._walk(ways)
+        if not during:
+            return Answer(FAILS, _run(space, start, path, here))
+        return Answer(FAILS, _passing(space, start, path, here, space.test(meaning)))
+
+    def before(self, first: Meaning, second: Meaning) -> Answer:
+        """Answer ``before [F, G]``."""
+        reach = self._reach
+        reach.diagram.renew()
+        top = reach.diagram.height - 1
+        paths = reach.avoiding(reach.boxes(first, False))
+        hits = reach.diagram.without(reach.meant(second), reach.meant(first), top)
+        if not reach.diagram.both(paths.reached(), hits, top):
+            return Answer(HOLDS)
+        return Answer(FAILS, _run(*self._walk(paths.nearest(hits, 0)[0])))
+
+    def way_back(self, first: Meaning, second: Meaning, within: int | None) -> Answer:
+        """Answer ``way_back`` where routes may go everywhere: nothing fails, and there is no
+        hazard."""
+        reach = self._reach
+        reach.diagram.renew()
+        top = reach.diagram.height - 1
+        good = reach.diagram.both(reach.meant(second), reach.whole, top)
+        back = reach.paths.leading_to(good, within)
+        some = reach.diagram.both(reach.meant(first), reach.whole, top)
+        lost = reach.diagram.without(some, back, top)
+        if not lost:
+            return Answer(HOLDS)
+        return Answer(FAILS, _run(*self._walk(reach.paths.nearest(lost, 0)[0])))
+
+    def _walk(self, ways: list[int]) -> tuple[Space, dict[str, str], list[Address], dict[str, str]]:
+        """Return the first run by its addresses through some sets, with its start and its end."""
         space = Space(self._hierarchy.blueprint)
         here = start = space.whole(space.start())
         path: list[Address] = []
@@ -58,9 +90,7 @@ class SymbolicSpace:
             address, step = self._first(space, here, goals)
             path.append(address)
             here = {**here, **step.after}
-        if not during:
-            return Answer(FAILS, _run(space, start, path, here))
-        return Answer(FAILS, _passing(space, start, path, here, space.test(meaning)))
+        return space, start, path, here
 
     def _first(
         self, space: Space, here: Mapping[str, str], goals: int
