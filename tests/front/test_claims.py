@@ -11,8 +11,12 @@ import pytest
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.front import run
 from smsl_studio.front.claim_rows import answered
+from smsl_studio.front.script.lines import script_of
+from smsl_studio.front.views.claim_run import script_of as as_script
 from smsl_studio.front.views.claim_run import steps_of
+from smsl_studio.runlog.events import OperationRefused, OperationStarted
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.proof.brute import drawn_condition
@@ -74,3 +78,52 @@ def test_the_steps_lead_to_the_end_of_the_run(seed: int) -> None:
             for before, after in pairwise(steps):
                 moved = {n for n, s in after.configuration.items() if before.configuration[n] != s}
                 assert after.changed == moved
+
+
+def committed(blueprint: Blueprint, script: str) -> tuple[list[str], str, list[str]]:
+    """The operations that are carried out if a script acts, the end of the run, and what was
+    refused."""
+    ran = run(blueprint, script=script_of(script.encode(), "s.jsonl", blueprint))
+    done = [one.address for one in ran.events if isinstance(one, OperationStarted)]
+    refused = [one.hazard for one in ran.events if isinstance(one, OperationRefused)]
+    return done, ran.reason, refused
+
+
+@pytest.mark.parametrize("never", ["SB in State_11", "0 = 1 and 1 = 0", "SB in State_01"])
+def test_the_script_of_a_run_carries_it_out(never: str) -> None:
+    blueprint = written(_properties=[{"name": "n", "never": never}])
+    (row,) = answered(blueprint, 100).rows
+    assert row.run is not None
+    done, _, refused = committed(blueprint, as_script(blueprint, steps_of(blueprint, row.run)))
+    assert done == [str(one) for one in row.run.path]
+    assert not refused
+
+
+def test_a_run_refuses_the_step_into_a_hazard() -> None:
+    blueprint = written(_hazards=[{"name": "Both", "facts": {"SB/0": "1", "SB/1": "1"}}])
+    (row,) = answered(blueprint, 100).rows
+    assert row.run is not None
+    assert row.met == {("SB", 0), ("SB", 1)}
+    done, _, refused = committed(blueprint, as_script(blueprint, steps_of(blueprint, row.run)))
+    assert done == [str(one) for one in row.run.path[:-1]]
+    assert refused == ["Both"]
+
+
+def test_the_script_counts_arrivals_of_a_sub_that_goes_round() -> None:
+    base = {
+        "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "SUB_SBS": {"SUB": 0}},
+        "State_0": {"up": "State_1"},
+        "State_1": {"down": "State_0"},
+    }
+    sub = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    asked = {"name": "n", "never": "LAST in State_1"}
+    last = {"State_0": {"end": "State_1"}, "State_1": {"back": "State_0"},
+            "_operations": {"end": {"requires": {"BASE/0": "1"}}}}  # fmt: skip
+    text = json.dumps({"_properties": [asked], "BASE": base, "SUB": sub, "LAST": last})
+    blueprint = read_blueprint(parse_json(text, "sub.json"))
+    (row,) = answered(blueprint, 100).rows
+    assert row.run is not None
+    steps = steps_of(blueprint, row.run)
+    done, _, refused = committed(blueprint, as_script(blueprint, steps))
+    assert not refused
+    assert done == [str(edge) for step in steps for edge in step.edges]

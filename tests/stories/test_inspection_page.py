@@ -6,9 +6,11 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.inspection.panel import SHOWN, InspectionPanel
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
@@ -304,3 +306,44 @@ def test_typed_text_stays_when_another_row_is_chosen(sit: Sit, tmp_path: Path) -
     person.press(Key.Key_Escape)
     assert not form.isVisible()
     assert page(person).run.isVisible()
+
+
+def test_the_run_is_saved_as_a_script_and_played(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    both = {"name": "Never both", "never": "DRILL = 1 and REG = 1"}
+    person = at_page(sit, tmp_path, _properties=[both])
+    window = person.window
+    choose(person, "Never both")
+    saved = tmp_path / "both.jsonl"
+    monkeypatch.setattr(Dialogs, "script_to_save", lambda self, suggested: saved)
+    person.click(page(person).run.save)
+    lines = [json.loads(line) for line in saved.read_text("utf-8").splitlines()]
+    assert [line["do"] for line in lines] == ["by_hand", "ask", "ask"]
+    path = [str(one.operation) for one in page(person).run.lit.steps[1:]]
+    assert [line["address"] for line in lines[1:]] == path
+
+    person.click(page(person).run.play)
+    assert window.mode == "run"
+    run = window.features.run.pane.run
+
+    def shown() -> dict[str, str]:
+        return dict(run.status.configuration) if run.status is not None else {}
+
+    person.until(lambda: shown() == {"DRILL": "State_1", "REG": "State_1"})
+    assert run.choice is not None
+    assert run.choice.world == "table"
+    assert [line["do"] for line in run.lines][:2] == ["by_hand", "ask"]
+
+
+def test_another_run_is_not_ended_by_playing(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    pane = person.window.features.run.pane
+    choose(person, "Blind")
+    person.click(page(person).run.play)
+    person.until(lambda: pane.run.exists)
+    first = pane.run.choice
+    person.window.set_mode("draw")
+    person.click(page(person).run.play)
+    assert pane.run.choice is first
+    person.until(lambda: pane.run.phase == "ready")

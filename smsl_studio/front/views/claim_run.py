@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
@@ -55,12 +56,29 @@ def steps_of(blueprint: Blueprint, run: Counterexample) -> tuple[RunStep, ...]:
     return tuple(found)
 
 
-def script_of(run: Counterexample) -> str:
-    """Return a script that carries out the operations of a counterexample by hand, one after the
-    other: the lines of a file for ``run --script``."""
-    lines: list[Mapping[str, object]] = [{"at": 0, "do": "by_hand"}]
-    lines += [{"at": 0, "do": "ask", "operation": str(address)} for address in run.path]
+def script_of(blueprint: Blueprint, steps: Sequence[RunStep]) -> str:
+    """Return a script that asks for the operations of a run by hand, one after the other.
+
+    It is the text of a file for ``run --script``. Each operation is asked for when the one before
+    it has ended: when its target becomes active for the right time.
+    """
+    lines: list[dict[str, object]] = [{"do": "by_hand"}]
+    arrivals = Counter((name, state) for name, state in steps[0].configuration.items())
+    moment: dict[str, object] = {}
+    for step in steps[1:]:
+        asked = step.operation
+        assert asked is not None
+        lines.append({**moment, "do": "ask", "address": str(asked)})
+        for edge in step.edges:
+            arrivals[edge.branch, _target(blueprint, edge)] += 1
+        target = _target(blueprint, asked)
+        times = arrivals[asked.branch, target]
+        moment = {"when": str(Address(asked.branch, target)), "times": times}
     return "".join(f"{json.dumps(line, ensure_ascii=False)}\n" for line in lines)
+
+
+def _target(blueprint: Blueprint, edge: Address) -> str:
+    return blueprint[edge.branch].table[edge.state][edge.operation]
 
 
 def _step(stepper: Stepper, here: Mapping[str, str], address: Address) -> JointStep | None:

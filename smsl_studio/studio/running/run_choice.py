@@ -11,6 +11,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.request import RunRequest
+from smsl_studio.front.script.script import Script
 from smsl_studio.front.supervisors import supervisor_of
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.log import RunLog
@@ -29,6 +30,8 @@ class RunChoice:
     seed: int = 0
     by_hand: bool = False
     levels: Mapping[str, str] = field(default_factory=dict)
+    script: Script | None = None
+    """What is done by hand in this run, one act after the other."""
 
     def request(self, blueprint: Blueprint) -> RunRequest:
         """The request for this run, with a person present to answer.
@@ -43,6 +46,7 @@ class RunChoice:
             seed=self.seed,
             levels=self.levels,
             attended=True,
+            script=self.script,
         )
 
 

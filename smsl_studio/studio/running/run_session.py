@@ -21,6 +21,7 @@ from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
+from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act
 from smsl_studio.front.script_text import script_text
 from smsl_studio.host.process import ProcessHost
@@ -223,7 +224,8 @@ class RunSession(QObject, Commands):
             speed,
             self,
             record,
-            time=OperationTime(blueprint),
+            ScriptPlayer(choice.script, stays=True) if choice.script is not None else None,
+            OperationTime(blueprint),
         )
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)

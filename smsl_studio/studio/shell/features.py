@@ -58,6 +58,7 @@ class Features(QObject):
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
+        self._shell = shell
         self.draw = DrawFeature(parts, shell)
         self.draw.notes.author = windows.persons.author
         self.inspection = InspectionFeature(parts, shell, self.draw.canvas)
@@ -74,6 +75,7 @@ class Features(QObject):
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
+        self.inspection.play = self._play_script
         self.run.asked = Watched(self.run, self.replay, lambda: shell.mode)
         self.run.shown_elsewhere = self.supervise.is_shown
         self.run.part.when_made(self._introduce)
@@ -88,6 +90,10 @@ class Features(QObject):
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane
+
+    def _play_script(self, text: str, name: str) -> None:
+        self._shell.set_mode("run")
+        self.run.pane.play_script(text, name)
 
     def _run_and_levels(self) -> tuple[RunSession, NextLevels]:
         return self.run.pane.run, self.run.pane.levels

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+
 from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import StudioError
+from smsl_studio.smsl.files import save_document
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.feature import DockPanel, Feature, Shell
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.panel import InspectionPanel
 from smsl_studio.studio.running.window_parts import WindowParts
@@ -21,6 +27,10 @@ class InspectionFeature(Feature):
         self._parts, self._shell, self._canvas = parts, shell, canvas
         lit = LitRun(parts.session, canvas, parts.window)
         self.panel = InspectionPanel(parts.session, parts.inspector, lit, parts.tokens)
+        self.play: Callable[[str, str], None] = lambda text, name: None
+        """Runs the text of a script with a name; another feature has the runs."""
+        self.panel.run.play_wanted.connect(lambda text: self.play(text, self._name))
+        self.panel.run.save_wanted.connect(self._save)
         self.panel.unproved.connect(lambda count: shell.show_count(NAME, count))
         self.panels = (
             DockPanel(NAME, "bottom", self.panel, self.panel.tools, tall=True, after="Findings"),
@@ -42,6 +52,25 @@ class InspectionFeature(Feature):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self.panel.set_tokens(tokens)
+
+    @property
+    def _name(self) -> str:
+        """The name of the script file for the run that is shown."""
+        return f"{Path(self._parts.session.blueprint.file).stem}-shown.jsonl"
+
+    def _save(self, text: str) -> None:
+        """Ask for a file and write the script into it, completely or not at all."""
+        path = self._parts.files.path
+        folder = path.parent if path is not None else Path.home()
+        target = Dialogs(self._parts.window).script_to_save(folder / self._name)
+        if target is None:
+            return
+        try:
+            save_document(text, target)
+        except StudioError as error:
+            self._parts.toast.refuse(error)
+        else:
+            self._parts.toast.say(f"Saved {target.name}. “smsl-studio run --script” plays it")
 
     def _enter(self) -> None:
         if not self._shell.sides.enter_tab(NAME):

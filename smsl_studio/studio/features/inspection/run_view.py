@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.claim_rows import ClaimRow
-from smsl_studio.front.views.claim_run import steps_of
+from smsl_studio.front.views.claim_run import script_of, steps_of
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
@@ -25,9 +25,15 @@ BAD_END = ("hazard", "never", "before", "after", "way_back")
 class RunView(QWidget):
     """One run. ``lit`` shows its step on the drawing."""
 
+    play_wanted = Signal(str)
+    """The text of a script: run it."""
+    save_wanted = Signal(str)
+    """The text of a script: save it."""
+
     def __init__(self, lit: LitRun, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.lit, self._tokens = lit, tokens
+        self._blueprint: Blueprint | None = None
         self.title = label("", "heading")
         self.count = Elided("")
         self.count.setProperty("role", "second")
@@ -41,7 +47,14 @@ class RunView(QWidget):
         self.walk.clicked.connect(self._toggle_walk)
         self.back.clicked.connect(lambda: self._go(self.lit.at - 1))
         self.step.clicked.connect(lambda: self._go(self.lit.at + 1))
-        self.buttons = row(self.walk, self.back, self.step, spacing=6)
+        self.play, self.save = QPushButton("Play it"), QPushButton("Save script…")
+        self.play.setProperty("role", "primary")
+        self.play.setToolTip("Run these operations by hand, in the world that is chosen in Run")
+        self.save.setProperty("role", "row")
+        self.save.setToolTip("Save them as a script for “smsl-studio run --script”")
+        self.play.clicked.connect(lambda: self.play_wanted.emit(self._script()))
+        self.save.clicked.connect(lambda: self.save_wanted.emit(self._script()))
+        self.buttons = row(self.walk, self.back, self.step, self.save, self.play, spacing=6)
         self.strip = RunStrip(tokens)
         self.strip.step_wanted.connect(self._go)
         self.area = QScrollArea()
@@ -76,6 +89,7 @@ class RunView(QWidget):
         """Show the run of a row, at its start."""
         assert claim.run is not None
         self._stop()
+        self._blueprint = blueprint
         steps = steps_of(blueprint, claim.run)
         bad = claim.kind in BAD_END
         self.title.setText("Shortest run to it" if bad else "The cheapest route")
@@ -90,6 +104,10 @@ class RunView(QWidget):
         self.strip.show_run(None)
         if self.lit.steps:
             self.lit.show_steps(())
+
+    def _script(self) -> str:
+        assert self._blueprint is not None
+        return script_of(self._blueprint, self.lit.steps)
 
     def _name_rows(self) -> None:
         cards = self.strip.cards
@@ -109,7 +127,8 @@ class RunView(QWidget):
         self.count.setText(f"{counted(last, 'operation')}{where}{left_out if hidden else ''}")
         self.back.setEnabled(at > 0)
         self.step.setEnabled(at < last)
-        self.walk.setEnabled(last > 0)
+        for button in (self.walk, self.play, self.save):
+            button.setEnabled(last > 0)
 
     def _toggle_walk(self) -> None:
         if self._timer.isActive():

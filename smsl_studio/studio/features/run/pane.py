@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -12,6 +13,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge.choice import refusal_of_open
 from smsl_studio.errors import StudioError
+from smsl_studio.front.script.lines import script_of
+from smsl_studio.front.script.script import Script
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
 from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
 from smsl_studio.front.views.timeline_lanes import lanes
@@ -192,7 +195,17 @@ class RunPane(QWidget):
         super().resizeEvent(event)
         self.facts_place.fit(self.size())
 
-    def _begin(self, stepping: bool) -> None:
+    def play_script(self, text: str, name: str) -> None:
+        """Start a run in the chosen world in which a script acts, with the name of its file."""
+        if self.run.exists:
+            self.canvas.say("There is a run already. End it first")
+        elif self._session.broken is not None:
+            self._say_refused(self._session.broken.refusal)
+        else:
+            script = script_of(text.encode(), name, self._session.blueprint)
+            self._begin(stepping=False, script=script)
+
+    def _begin(self, stepping: bool, script: Script | None = None) -> None:
         if self._session.broken is not None:
             self._say_refused(self._session.broken.refusal)
             return
@@ -205,10 +218,12 @@ class RunPane(QWidget):
         self.next.offer()
         if self.next.loaded is None:
             # The worlds are not known before the plugins were searched for.
-            self._begin_later = stepping
+            self._begin_later = stepping if script is None else None
             self.canvas.say("Loading the plugins. The run begins when they are loaded")
             return
         choice = self.next.choice
+        if script is not None:
+            choice = replace(choice, start="", goal="", by_hand=False, script=script)
         self.events.clear()
         self.scene.clear()
         self.canvas.show_refusal("")
