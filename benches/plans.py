@@ -66,7 +66,10 @@ def _files(everything: bool) -> Iterator[Row]:
 def _command(*words: str) -> float:
     """Return the CPU seconds of one command of the program. CalledProcessError if it fails."""
     line = (sys.executable, "-m", "smsl_studio", *words)
-    return process_ms(lambda: run(line, check=True, stdout=DEVNULL), runs=3, warmup=1) / 1000
+    return (
+        process_ms(lambda: run(line, check=True, stdout=DEVNULL, stderr=DEVNULL), runs=3, warmup=1)
+        / 1000
+    )
 
 
 def _seconds(question: Question, walk: bool) -> float:

@@ -12,7 +12,7 @@ from smsl_studio.dispatch.route import planner
 from smsl_studio.dispatch.route.decomposition import is_decomposed
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.stop import StopListener, Stopped, heeding
-from tests.dispatch.large import cube, cube_of_rings, line_of_rings, ring, three_levels
+from tests.dispatch.large import chained, cube, cube_of_rings, line_of_rings, ring, three_levels
 from tests.dispatch.planned import answer, decomposed, lines, questions, unwalked, walked
 from tests.dispatch.runs import blueprint
 
@@ -40,6 +40,7 @@ def test_the_routes_are_those_of_the_walk(group: int) -> None:
         (three_levels(), 32, 52),
         (line_of_rings(20), 140, 160),
         (cube_of_rings(7), 49, 56),
+        (chained(7), 49, 56),
     ],
 )
 def test_more_configurations_than_anyone_can_walk(

@@ -11,7 +11,7 @@ from smsl_studio.errors import PlanningError
 from smsl_studio.smsl.json_form import parse_json
 
 CHAIN = """{"SB1": {
-    "HEADER": {"SUB_SBS": {"SB2": 1}}, "_operations": {"Op_d": {"requires": {"SB2/0": "0"}}},
+    "HEADER": {"SUB_SBS": {"SB2": 1}}, "_operations": {"Op_e": {"subs": "load"}},
     "State_a0": {"Op_b": "State_b0"}, "State_b0": {"Op_c": "State_c0"},
     "State_c0": {"Op_d": "State_d0"}, "State_d0": {"Op_e": "State_d1"}, "State_d1": {}
 }, "SB2": {"State_0": {"Op_1": "State_1"}, "State_1": {}}}"""

@@ -169,11 +169,14 @@ class Decompositions:
     def ranks(
         self, start: Configuration, wanted: Sequence[Address], movers: Sequence[str]
     ) -> Decomposition | None:
-        """Return the ranks of the routes to the one goal that is wanted, None if not valid."""
+        """Return the ranks of the routes to the one goal that is wanted, or bounds of them. None if
+        there are none.
+        """
         goal = only_goal(start, wanted, movers)
-        if goal is None or not is_decomposed(self._stepper, start, goal, movers):
+        if goal is None or not is_bounded(self._stepper, start, goal, movers):
             return None
-        return self._of(goal, movers, bounds=False)
+        exact = is_decomposed(self._stepper, start, goal, movers)
+        return self._of(goal, movers, bounds=not exact)
 
     def bound(
         self, start: Configuration, wanted: Sequence[Address], movers: Sequence[str]

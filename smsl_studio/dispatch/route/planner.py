@@ -232,8 +232,13 @@ class Planner:
             ahead = ahead or CostBounds(self.stepper, start, wanted, movers, quiet)
             return PlanSearch(key, is_goal, moves, most, ahead)
 
+        def walk_instead() -> PlanSearch[Key]:
+            """Return the same after another search, whose work does not count."""
+            self.stepper.allowance = Allowance(self.hierarchy)
+            return walk()
+
         ranks = None if goal is None or ill else self._known.ranks(start, wanted, movers)
-        return walk() if ranks is None else StraightSearch(key, ranks, moves, walk)
+        return walk() if ranks is None else StraightSearch(key, ranks, moves, walk_instead)
 
     def _lone_leg(
         self,
