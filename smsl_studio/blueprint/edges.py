@@ -159,7 +159,7 @@ class Edges:
         (before, own), (after, new) = self._digits(branch, source), self._digits(branch, target)
         falls = tuple(digit for digit in before if digit not in after)
         rises = tuple(digit for digit in after if digit not in before)
-        others = own != new and any(a != b for a, b in zip(own, new, strict=False))
+        others = self._others(own, new)
         kind = _kind(falls, rises, others)
         note = branch.operation_note(source, name)
         load = note.subs == "load" and bool(falls or rises)
@@ -199,6 +199,10 @@ class Edges:
                 tuple(value for digit, value in enumerate(facts) if digit not in subs),
             )
         return found
+
+    def _others(self, own: tuple[str, ...], new: tuple[str, ...]) -> bool:
+        """Return whether a digit without a sub-SB changes."""
+        return own != new and any(a != b for a, b in zip(own, new, strict=False))
 
     def _required(self, key: str, value: str) -> tuple[str, int, str]:
         name, digit = split_fact(key) or (key, -1)
