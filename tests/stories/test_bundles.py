@@ -289,3 +289,26 @@ def test_mixed_operations_dim_by_choice_and_stay_so_in_the_next_file(sit: Sit) -
     open_again(person, SAMPLES / "three-levels.json")
     assert person.window.canvas.quiet
     assert person.steps() == []
+
+
+def test_the_pointer_on_a_state_shows_its_way_back(sit: Sit, tmp_path: Path) -> None:
+    person = sit(resets(tmp_path))
+    person.window.actions_table["bundle"].trigger()
+    canvas = person.window.canvas
+    sheet = canvas.sheet
+    assert sheet is not None
+    person.move_to(person.place("SB/State_4"))
+    way = canvas.lit_layer.lane.way(sheet)
+    assert way is not None
+    state = sheet.picture.index["State_4"]
+    x, y, w, h = sheet.geometry.boxes[state].tolist()
+    assert abs(way.points[0, 0] - x) < w
+    assert abs(way.points[0, 1] - y) <= h + 1.0
+    lane = sheet.geometry.shape(sheet.picture.bundles.lane)
+    assert abs(way.bounds[3] - lane.bounds[3]) < 1.0, "it lies on the lane"
+    assert way.tip == lane.tip
+    at = person.on_canvas(way.at(40.0 * sheet.unit))
+    shown = colours(canvas.viewport().grab().toImage(), at)
+    person.move_to(FAR)
+    assert canvas.lit_layer.lane.way(sheet) is None
+    assert colours(canvas.viewport().grab().toImage(), at) != shown

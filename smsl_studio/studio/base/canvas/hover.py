@@ -129,12 +129,14 @@ class Hover:
         before = looks.hovered_state, looks.hovered_edge
         if before == (state, edge):
             return
-        labels = canvas.lit_layer.shown()
+        labels, lane = canvas.lit_layer.shown(), canvas.lit_layer.lane
+        former = lane.rect(sheet)
         looks.hovered_state, looks.hovered_edge = state, edge
         bundle = bundle_at(canvas, edge)
         self._overlays.bundle.hover(bundle)
         canvas.update_lit(labels)
         canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
+        canvas.lit_layer.update(former.united(lane.rect(sheet)))
         for node in (before[0], state):
             canvas.update_node(node)
         if state < 0:

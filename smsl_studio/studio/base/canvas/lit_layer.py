@@ -13,6 +13,7 @@ from smsl_studio.studio.base.canvas.bundle_layer import (
     paint_bundles,
     paint_counts,
 )
+from smsl_studio.studio.base.canvas.lane_hover import LaneHover
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.edge_paint import (
@@ -37,6 +38,7 @@ class LitLayer(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         self.labels = LitLabels()
+        self.lane = LaneHover()
         self.view: Rect = (0.0, 0.0, 0.0, 0.0)
         """The visible part of the scene: left, top, right, bottom (scene units)."""
 
@@ -77,12 +79,15 @@ class LitLayer(QGraphicsItem):
             paint_line(painter, shape, looks.edge(edge), ink)
         chosen = chosen_bundles(sheet) if sheet.level >= Level.COMPACT else []
         paint_bundles(painter, sheet, chosen, chosen=True)
+        if sheet.level >= Level.COMPACT:
+            self.lane.paint(painter, sheet)
         painter.restore()
         painter.save()
         painter.scale(unit, unit)
         # A way along the lane lies on its chip.
         lane = sheet.picture.bundles.lane
-        crossed = [lane] if lane >= 0 and lane not in chosen and looks.own_lines else []
+        over = looks.own_lines or looks.hovered_state >= 0
+        crossed = [lane] if lane >= 0 and lane not in chosen and over else []
         paint_counts(painter, sheet, crossed if sheet.level >= Level.COMPACT else [])
         paint_counts(painter, sheet, chosen, chosen=True)
         for edge in order:
