@@ -43,6 +43,9 @@ from smsl_studio.inspection.proof.verdict import Counterexample as Run
 LIMIT = 1_000_000
 """The largest number of configurations that are stored."""
 
+NEAR = 10_000
+"""A product of the state counts of a cone up to which a run is looked for one by one."""
+
 SMALL = 2_000
 """A product of state counts up to which everything is looked at for all questions together."""
 
@@ -52,13 +55,15 @@ class Scope(NamedTuple):
 
     With ``failures`` each configuration in which one SB has failed is a start too. ``small`` is the
     product of state counts up to which no SB is left out. Without ``diagrams`` configurations are
-    looked at one by one alone.
+    looked at one by one alone; with them, the shortest run is looked for one by one if the product
+    of the state counts of the cone is at most ``near``.
     """
 
     limit: int = LIMIT
     failures: bool = False
     small: int = SMALL
     diagrams: bool = True
+    near: int = NEAR
 
 
 class PlannedRoute(NamedTuple):
@@ -135,8 +140,8 @@ class _Prover:
         found = self._exploration(one)
         first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
-            mates = self._watched(found.space.cone)
-            answer = kinds.never(found, first, mates.index(one))
+            number = list(self._watched(found.space.cone)).index(id(one))
+            answer = kinds.never(found, first, number)
         elif one.kind == "reachable":
             answer = kinds.reachable(found, first)
         elif one.kind == "before":
@@ -147,6 +152,8 @@ class _Prover:
             within = one.written.within if one.written else None
             answer = kinds.way_back(found, first, others[0], within)
         count = len(found) if found.space.is_whole or found.bound else None
+        if count is None and one.kind not in ROUTED and "_symbolic" in self.__dict__:
+            count = self._symbolic.count if self._symbolic else None
         return _Found(answer, found.bound or None, count)
 
     def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
@@ -159,17 +166,22 @@ class _Prover:
         space = self._symbolic
         if space is None:
             return None
+        cone = self._cone(one)
+        shown = self._product(cone) > self._scope.near
         try:
             if one.kind in WATCHED:
-                answer = space.never(meanings[0])
+                answer = space.never(meanings[0], shown)
             elif one.kind == "reachable":
                 answer = space.reachable(meanings[0])
             elif one.kind == "before":
-                answer = space.before(*meanings)
+                answer = space.before(meanings[0], meanings[1], shown)
             else:
                 within = one.written.within if one.written else None
-                answer = space.way_back(meanings[0], meanings[1], within)
+                answer = space.way_back(meanings[0], meanings[1], within, shown)
         except (TooLarge, RecursionError):
+            return None
+        if answer.verdict == FAILS and answer.run is None:
+            # The shortest run lies in the cone, which is small enough to be looked at one by one.
             return None
         return _Found(answer, None, space.count, "diagram")
 
@@ -194,7 +206,8 @@ class _Prover:
         if found is None:
             hazards = self._near_hazards(cone) if routed else ()
             space = Space(self._blueprint, routed, hazards, cone)
-            tests = [space.test(one.meanings[0]) for one in self._watched(cone) if one.meanings]
+            mates = self._watched(cone).values()
+            tests = [space.test(one.meanings[0]) for one in mates if one.meanings]
             limit, watched = self._scope.limit, () if routed else tests
             found = Exploration(space, limit, watched)
             if self._scope.failures and not found.bound:
@@ -203,13 +216,17 @@ class _Prover:
             self._explored[routed, cone] = found
         return found
 
-    def _watched(self, cone: Cone) -> list[Claim]:
-        """Return the claims about what must never be that have this cone."""
-        return [
-            one
-            for one in self._claims
-            if one.kind in WATCHED and one.meanings and self._cone(one) == cone
-        ]
+    def _watched(self, cone: Cone) -> dict[int, Claim]:
+        """Return the claims about what must never be that have this cone, by their identity."""
+        return self._watched_by_cone.get(cone, {})
+
+    @cached_property
+    def _watched_by_cone(self) -> dict[Cone, dict[int, Claim]]:
+        found: dict[Cone, dict[int, Claim]] = {}
+        for one in self._claims:
+            if one.kind in WATCHED and one.meanings:
+                found.setdefault(self._cone(one), {})[id(one)] = one
+        return found
 
     def _cone(self, one: Claim) -> Cone:
         if self._is_small:
@@ -252,6 +269,9 @@ class _Prover:
     def _starts_hazardous(self) -> bool:
         start = start_configuration(self._hierarchy, {})
         return self._scope.failures or any(holds(one, start) for one in self._hazards)
+
+    def _product(self, cone: Cone) -> int:
+        return prod(len(self._blueprint[name].table) or 1 for name in cone.kept)
 
     @cached_property
     def _is_small(self) -> bool:

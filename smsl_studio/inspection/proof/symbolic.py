@@ -42,21 +42,23 @@ class SymbolicSpace:
         start = space.in_order(space.whole(space.start()))
         return Answer(FAILS, Counterexample(start, (), start))
 
-    def never(self, meaning: Meaning) -> Answer:
-        """Answer ``never F``."""
+    def never(self, meaning: Meaning, shown: bool = True) -> Answer:
+        """Answer ``never F``. Without ``shown`` no run is looked for, here and below."""
         reach = self._reach
         reach.diagram.renew()
         wanted = reach.meant(meaning)
         passing = reach.passing(wanted, set(branches_in(meaning)))
         if not passing and not reach.can_meet(wanted):
             return Answer(HOLDS)
+        if not shown:
+            return Answer(FAILS)
         ways, during = reach.paths.nearest(wanted, passing)
         space, start, path, here = self._walk(ways)
         if not during:
             return Answer(FAILS, _run(space, start, path, here))
         return Answer(FAILS, _passing(space, start, path, here, space.test(meaning)))
 
-    def before(self, first: Meaning, second: Meaning) -> Answer:
+    def before(self, first: Meaning, second: Meaning, shown: bool = True) -> Answer:
         """Answer ``before [F, G]``."""
         reach = self._reach
         reach.diagram.renew()
@@ -65,9 +67,13 @@ class SymbolicSpace:
         hits = reach.diagram.without(reach.meant(second), reach.meant(first), top)
         if not reach.diagram.both(paths.reached(), hits, top):
             return Answer(HOLDS)
+        if not shown:
+            return Answer(FAILS)
         return Answer(FAILS, _run(*self._walk(paths.nearest(hits, 0)[0])))
 
-    def way_back(self, first: Meaning, second: Meaning, within: int | None) -> Answer:
+    def way_back(
+        self, first: Meaning, second: Meaning, within: int | None, shown: bool = True
+    ) -> Answer:
         """Answer ``way_back`` where routes may go everywhere: nothing fails, and there is no
         hazard."""
         reach = self._reach
@@ -79,6 +85,8 @@ class SymbolicSpace:
         lost = reach.diagram.without(some, back, top)
         if not lost:
             return Answer(HOLDS)
+        if not shown:
+            return Answer(FAILS)
         return Answer(FAILS, _run(*self._walk(reach.paths.nearest(lost, 0)[0])))
 
     def _walk(self, ways: list[int]) -> tuple[Space, dict[str, str], list[Address], dict[str, str]]:

@@ -80,8 +80,8 @@ def compare(seed: int) -> None:
     values = {**drawn_properties(plain, chance), **plain}
     failures = seed % 3 == 0
     whole = verdicts(values, Scope(10_000, failures, 10**9))
-    for diagrams in (False, True):
-        found = verdicts(values, Scope(10_000, failures, 0, diagrams))
+    for diagrams, near in ((False, 0), (True, 0), (True, 10**9)):
+        found = verdicts(values, Scope(10_000, failures, 0, diagrams, near))
         for one, other in zip(found, whole, strict=True):
             assert one.verdict == other.verdict, one.name
             assert (one.configurations is None) or one.configurations == other.configurations
