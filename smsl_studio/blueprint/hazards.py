@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.known_values import values_of
+from smsl_studio.stop import heed
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.check import FactKey
@@ -55,20 +56,46 @@ def guard_hazards(blueprint: Blueprint) -> tuple[GuardHazard, ...]:
         return ()
     found: dict[str, GuardHazard] = {}
     taken: set[str] = set()
+    known = _FactStates(blueprint)
     for document in blueprint.documents:
         raw = document.values.get(_KEY)
         for entry in raw if isinstance(raw, list) else ():
+            heed()
             name = entry.get("name") if isinstance(entry, dict) else None
             if not isinstance(name, str) or not name or name in taken:
                 continue
             taken.add(name)
-            hazard = _read(blueprint, entry)
+            hazard = _read(known, entry)
             if hazard is not None:
                 found[name] = hazard
     return tuple(found.values())
 
 
-def _read(blueprint: Blueprint, entry: Any) -> GuardHazard | None:
+class _FactStates:
+    """The facts of a blueprint: for each fact and value the states that have it. Many hazards name
+    the same facts, so each is looked up once.
+    """
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self._branches = blueprint.branches
+        self._states: dict[tuple[FactKey, str], frozenset[str] | None] = {}
+
+    def states(self, fact: FactKey, value: str) -> frozenset[str] | None:
+        """Return the states in which a fact has a value, None if it can never have it."""
+        key = fact, value
+        if key not in self._states:
+            self._states[key] = self._look(fact, value)
+        return self._states[key]
+
+    def _look(self, fact: FactKey, value: str) -> frozenset[str] | None:
+        name, digit = fact
+        branch = self._branches.get(name)
+        if branch is None or digit >= len(branch.alphabet) or value not in values_of(branch, digit):
+            return None
+        return frozenset(s for s in branch.table if branch.facts(s)[digit] == value)
+
+
+def _read(known: _FactStates, entry: Any) -> GuardHazard | None:
     from smsl_studio.blueprint.annotations import read_hazards
 
     notes, faults = read_hazards([entry])
@@ -78,14 +105,11 @@ def _read(blueprint: Blueprint, entry: Any) -> GuardHazard | None:
     states: dict[str, frozenset[str]] = {}
     for text, value in notes[0].facts.items():
         fact = split_fact(text)
-        branch = blueprint.branches.get(fact[0]) if fact else None
-        if fact is None or branch is None or fact[1] >= len(branch.alphabet):
-            return None
-        if value not in values_of(branch, fact[1]):
+        some = known.states(fact, value) if fact else None
+        if fact is None or some is None:
             return None
         facts.append((fact, value))
-        some = frozenset(s for s in branch.table if branch.facts(s)[fact[1]] == value)
-        states[branch.name] = states.get(branch.name, some) & some
+        states[fact[0]] = states.get(fact[0], some) & some
     return GuardHazard(notes[0].name, tuple(facts), states)
 
 

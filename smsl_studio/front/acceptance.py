@@ -10,6 +10,8 @@ from smsl_studio.inspection.rules.finding import Severity
 
 SHOWN = 20
 """The largest number of findings in a question. The others are counted."""
+MOST_LEFT_OUT = 100
+"""The largest number of annotations that cannot be read and are told at the start of a run."""
 CLEAN = "Inspection found nothing."
 
 
@@ -40,5 +42,8 @@ def left_out(blueprint: Blueprint) -> tuple[tuple[str, str], ...]:
         return ()
     from smsl_studio.inspection.rules.conditions import odd_hazards, odd_properties
 
-    odd = (*odd_hazards(blueprint), *odd_properties(blueprint))
-    return tuple((str(one.address), one.message) for one in odd)
+    odd = [*odd_hazards(blueprint), *odd_properties(blueprint)]
+    found = [(str(one.address), one.message) for one in odd[:MOST_LEFT_OUT]]
+    if len(odd) > MOST_LEFT_OUT:
+        found.append((found[0][0], f"and {len(odd) - MOST_LEFT_OUT:,} more that cannot be read"))
+    return tuple(found)

@@ -421,7 +421,7 @@ def test_a_failed_operation_in_a_hazard_holds_for_the_hazard() -> None:
     assert not story.of("goal_reached")
 
 
-def test_what_cannot_be_read_stands_in_the_first_lines(tmp_path: Any) -> None:
+def test_what_cannot_be_read_stands_in_the_first_lines() -> None:
     from smsl_studio.front.runs import run
 
     odd = {"name": "Odd", "facts": {"X/0": "1"}}
@@ -433,6 +433,8 @@ def test_what_cannot_be_read_stands_in_the_first_lines(tmp_path: Any) -> None:
         ("left_out", "_hazards/Odd"), ("left_out", "_hazards/Blind cut"),
     ]  # fmt: skip
     assert "X/0" in left[0].sentence  # type: ignore[attr-defined]
+    many = run(made(range(150)), goal="A/State2")
+    assert sum(one.event == "left_out" for one in many.events) == 101
 
 
 def test_without_hazards_nothing_is_written_differently() -> None:

@@ -8,11 +8,21 @@ from __future__ import annotations
 from random import Random
 from typing import Any
 
+from tests.oracle.carriage import carry
 from tests.oracle.drawing import Drawing
+from tests.oracle.hazards import places
 from tests.oracle.random_blueprint import SHAPES, RandomBlueprint
 from tests.oracle.random_script import RandomScript
+from tests.oracle.standing import start_of
+from tests.oracle.terms import Terms
 
 Json = Any
+
+
+GUARDED = (11, 22, 28, 29, 33, 35, 36, 37, 39)
+"""Of 40 cases these have hazards; the others are as they were before there were any."""
+LOST = 29
+"""The one of them in which a fact is lost in the middle of a step."""
 
 
 def case_of(number: int) -> dict[str, Json]:
@@ -56,7 +66,94 @@ class _Case:
                 words = ["allow", "veto", "prune", "pause", "ask"]
                 made["agent"] = self.random.choices(words, [6, 1, 1, 1, 1], k=6)
             self._press(made, Random(f"{number} pressed"))
+        if number % 40 in GUARDED:
+            self._endanger(made, Random(f"{number} endangered"))
+        if number % 40 == LOST and "script" in made:
+            self._lost_on_the_way(made, Random(f"{number} lost"))
         return made
+
+    def _endanger(self, made: dict[str, Json], random: Random) -> None:
+        """One or two hazards, seldom met at the start; in half of the cases something happens to
+        their facts."""
+        drawn = self.drawn
+        start = {name: drawn.values[name]["HEADER"]["INITIAL"] for name in self.subs}
+        start |= made["asked"].get("start", {})
+        drawing = Drawing(drawn.values, {})
+        every = [f"{name}/{d}" for name in self.subs for d in range(len(drawn.alphabets[name]))]
+        hazards: list[Json] = []
+        for number in range(random.choice([1, 1, 2])):
+            for _ in range(6):
+                some = random.sample(every, min(random.choice([1, 2, 2, 2, 3]), len(every)))
+                facts = {fact: random.choice(drawing.alphabet(fact)) for fact in some}
+                met = all(_value(drawing, start, fact) == facts[fact] for fact in some)
+                if not met or random.random() < 0.03:
+                    break
+            hazards.append({"name": f"H{number}", "facts": facts})
+        made["blueprint"] = {"_hazards": hazards, **drawn.values}
+        if "script" in made:
+            for _ in range(random.choice([0, 0, 1, 2])):
+                made["script"] += self._happens(random, random.choice(hazards)["facts"])
+            some = random.sample(drawn.edges, min(5, len(drawn.edges)))
+            made["world"].setdefault("lasts", {}).update(dict.fromkeys(some, 3))
+
+    def _lost_on_the_way(self, made: dict[str, Json], random: Random) -> None:
+        """A step of several functions is asked for from the start, and a fact of another SB, which
+        a hazard names, is lost during the first one."""
+        drawn, drawing = self.drawn, Drawing(self.drawn.values, {})
+        start = start_of(drawing, made["asked"].get("start", {}))
+        if isinstance(start, str):
+            return
+        every = [
+            step
+            for edge in drawn.edges
+            if (step := carry(Terms(drawing), edge, start)) is not None and len(step.begins) > 1
+        ]
+        others = [
+            (step, fact)
+            for step in every
+            for fact in drawn.leaves
+            if fact.split("/")[0] not in {edge.split("/")[0] for edge in step.starts}
+        ]
+        if not others:
+            return
+        step, lost = random.choice(others)
+        first, second, *_ = places(drawing, step, start)
+        turned = [
+            f"{name}/{digit}"
+            for name in first
+            for digit in drawing.branches[name].leaves
+            if _value(drawing, first, f"{name}/{digit}")
+            != _value(drawing, second, f"{name}/{digit}")
+        ]
+        values = [one for one in drawing.alphabet(lost) if one != _value(drawing, start, lost)]
+        if not turned or not values:
+            return
+        fact, (name, digit) = random.choice(turned), lost.split("/")
+        facts = {fact: _value(drawing, second, fact), lost: random.choice(values)}
+        made["blueprint"] = {"_hazards": [{"name": "L", "facts": facts}], **drawn.values}
+        drawn.values[name]["_facts"].setdefault(digit, {})["max_age"] = 0.06
+        made["world"].setdefault("lasts", {})[step.begins[0]] = 5
+        at = {"on": "operation_started", "of": step.begins[0], "plus": 1}
+        made["script"] = [{**at, "do": "disturb", "target": lost, "kind": "dropout"}]
+        made["asked"]["goals"] = made["goal_states"] = [
+            f"{step.edge.split('/')[0]}/{drawing.edges[step.edge][1]}"
+        ]
+
+    def _happens(self, random: Random, facts: Json) -> list[Json]:
+        """All leaf facts of a hazard, or one, get their values at some time, or one is lost."""
+        leaves = [fact for fact in facts if fact in self.drawn.leaves]
+        at: Json = {"tick": random.randrange(random.choice([4, 25]))}
+        if random.random() < 0.4:
+            edge = random.choice(self.drawn.edges)
+            at = {"on": "operation_started", "of": edge, "plus": random.randrange(3)}
+        if not leaves or random.random() < 0.4:
+            for fact in leaves[:1]:
+                name, digit = fact.split("/")
+                self.drawn.values[name]["_facts"].setdefault(digit, {})["max_age"] = 0.06
+            return [{**at, "do": "disturb", "target": one, "kind": "dropout"} for one in leaves[:1]]
+        some = leaves if random.random() < 0.6 else leaves[:1]
+        act = {**at, "do": "inject", "fault": "set"}
+        return [{**act, "with": {"fact": one, "value": facts[one]}} for one in some]
 
     def _press(self, made: dict[str, Json], random: Random) -> None:
         """In some cases what an operation requires is lost while it lasts, or just before."""
@@ -163,3 +260,8 @@ class _Case:
         word = random.choice(["silent", "wrong", "nothing"])
         value = random.choice(self.drawn.alphabets[name][int(digit)])
         world["eyes"] = {fact: [[first, last, word, None if word == "nothing" else value]]}
+
+
+def _value(drawing: Drawing, place: dict[str, str], fact: str) -> str:
+    name, digit = fact.rsplit("/", 1)
+    return drawing.value(place[name], name, int(digit))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from tests.oracle.carriage import put_below
+from tests.oracle.hazards import Facts, planned_in
 from tests.oracle.situation import HAIR, Json, Situation, Step
 from tests.oracle.standing import contradict, split_digits, start_of
 
@@ -18,6 +19,10 @@ def may_start(now: Situation) -> str:
     for name, state in place.items():
         if now.scene.check(name, state, place) is not True:
             return f"{name}/{state} does not check true"
+    if planned_in(now.drawing, place) or any(
+        Facts(now.drawing, now.scene, place, (), {}).met().values()
+    ):
+        return "a hazard is met"
     return ""
 
 
@@ -29,7 +34,8 @@ def run_started(now: Situation, event: Json) -> None:
     now.configuration = dict(event["start"])
     why = may_start(now)
     if why:
-        now.broken(11 if "goals" in why else 3, f"it starts although {why}")
+        clause = 11 if "goals" in why else 16 if "hazard" in why else 3
+        now.broken(clause, f"it starts although {why}")
     _is_whole(now)
     if list(event["goals"]) != now.goals:
         now.broken(11, f"its goals are {event['goals']} and not {now.goals}")
@@ -67,6 +73,8 @@ def committed(now: Situation, event: Json) -> None:
     _checks(now, group)
     step.commits.append(group)
     now.vetoed = set()
+    if step.endangered:
+        now.broken(16, f"{', '.join(sorted(group))} are committed: {step.endangered} is met")
     if step.broken:
         now.broken(9, f"{', '.join(sorted(group))} are committed although {step.broken}")
     if step.complete:

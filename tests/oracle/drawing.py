@@ -82,6 +82,8 @@ class Drawing:
         self.branches = {
             name: Branch(name, branch) for name, branch in values.items() if name[0] != "_"
         }
+        self.hazards = {one["name"]: dict(one["facts"]) for one in values.get("_hazards", ())}
+        """The facts of each hazard, by its name."""
         self.bases: dict[str, list[tuple[str, int]]] = {name: [] for name in self.branches}
         for branch in self.branches.values():
             for digit, sub in branch.subs.items():
@@ -126,6 +128,11 @@ class Drawing:
     def value(self, state: str, name: str, digit: int) -> str:
         """The value that a state of an SB has at a digit."""
         return self.branches[name].facts[state][digit]
+
+    def alphabet(self, fact: str) -> list[str]:
+        """The values that the states of an SB have at a digit."""
+        name, digit = fact.rsplit("/", 1)
+        return sorted({facts[int(digit)] for facts in self.branches[name].facts.values()})
 
     def level(self, edge: str) -> str:
         """Who carries an edge out: human, shared or automatic."""

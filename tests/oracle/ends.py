@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tests.oracle import danger
 from tests.oracle.route import as_own_steps, cost_of, edges_of, route_to
 from tests.oracle.search import Carriage
 from tests.oracle.situation import HAIR, Json, Situation
@@ -18,7 +19,8 @@ def planned(now: Situation, event: Json) -> None:
     fitting = [way for way in ways if abs(cost_of(way) - cost) < HAIR]
     if not fitting:
         costs = sorted({cost_of(way) for way in ways})
-        now.broken(12, f"the route to {goal} costs {cost:g}, the cheapest {costs}: {edges}")
+        clause = 16 if now.drawing.hazards else 12
+        now.broken(clause, f"the route to {goal} costs {cost:g}, the cheapest {costs}: {edges}")
         return
     name = goal.split("/", 1)[0]
     counts = [len(_of(name, edges_of(way))) for way in fitting]
@@ -82,6 +84,8 @@ def goal_reached(now: Situation, goals: list[str], word: str) -> None:
         if result is not True:
             known = {False: "false", None: "unknown"}[result]
             now.broken(9, f"{word} is told, and {goal} checks {known}")
+    if any(danger.met(now).values()):
+        now.broken(16, f"{word} is told while a hazard is met")
     if now.read <= now.last_thing or now.read_at <= now.last_thing_at:
         now.broken(9, f"{word} is told without a reading since the last thing that happened")
     if now.latched in ("held", "stopped", "taken over"):

@@ -20,18 +20,21 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.joint import StepDraft
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.terms import Terms
+from smsl_studio.dispatch import dispatcher
 from smsl_studio.dispatch.drive import admission as admitting
 from smsl_studio.dispatch.drive import arrival, start
 from smsl_studio.dispatch.drive.driver import Driver
+from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.drive.review import ALLOWED, Reviewer
 from smsl_studio.dispatch.drive.supervisor import Verdict
-from smsl_studio.dispatch.execution import carrier, guards, safeguards, trouble
+from smsl_studio.dispatch.execution import carrier, guards, hazard_guard, safeguards, trouble
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.safeguards import Safeguards
 from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.dispatch.execution.trouble import Trouble
 from smsl_studio.dispatch.route import goals
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.library import table
 from smsl_studio.monitor import facts as monitor_facts
@@ -68,7 +71,14 @@ def _nothing_disagrees(patch: Patch) -> None:
 
 
 def _mixed_has_no_function(patch: Patch) -> None:
-    patch.setattr(Edges, "_others", lambda self, *_: False)
+    whole = Edges._edge
+
+    def less(self: Edges, *found: Any) -> Any:
+        edge = whole(self, *found)
+        own = edge.load or edge.kind.value != "mixed" or edge.address in self.exact
+        return edge if own else replace(edge, function=False)
+
+    patch.setattr(Edges, "_edge", less)
 
 
 def _given_subs_are_ignored(patch: Patch) -> None:
@@ -407,6 +417,50 @@ def _two_steps_of_the_world(patch: Patch) -> None:
     patch.setattr(Senses, "tick", twice)
 
 
+# 16: hazards
+
+
+def _routes_go_through_hazards(patch: Patch) -> None:
+    def blind(hierarchy: Any, goals: Any, bound: Any, shut: Any, hazards: Any) -> Course:
+        return Course(hierarchy, goals, bound, shut)
+
+    patch.setattr(dispatcher, "Course", blind)
+
+
+def _nothing_objects(patch: Patch) -> None:
+    _routes_go_through_hazards(patch)
+    patch.setattr(admitting, "objection", lambda run, step: None)
+
+
+def _unknown_facts_complete_nothing(patch: Patch) -> None:
+    patch.setattr(hazard_guard, "_open", lambda run, hazard, actions, changed: None)
+
+
+def _later_functions_are_not_asked(patch: Patch) -> None:
+    patch.setattr(carrier, "objection_to", lambda run, action: None)
+
+
+def _hazards_are_not_watched_in_motion(patch: Patch) -> None:
+    patch.setattr(carrier, "newly_met", lambda run: ())
+
+
+def _hazards_are_not_watched_while_idle(patch: Patch) -> None:
+    patch.setattr(HazardWatch, "holds", lambda self: False)
+
+
+def _a_start_in_a_hazard_is_fine(patch: Patch) -> None:
+    patch.setattr(start, "_refuse_hazards", lambda hazards: None)
+
+
+def _everything_is_refused_for_a_hazard(patch: Patch) -> None:
+    def objects(run: Any, step: Any) -> Any:
+        if not run.hazards:
+            return None
+        return hazard_guard.Objection(run.hazards[0].name, "it is dangerous")
+
+    patch.setattr(admitting, "objection", objects)
+
+
 FAULTS: tuple[Fault, ...] = (
     Fault(1, "on is always 1", _one_is_on, (34202,)),
     Fault(1, "bases and subs may disagree", _nothing_disagrees, (20, 21)),
@@ -451,4 +505,12 @@ FAULTS: tuple[Fault, ...] = (
     Fault(14, "one fact is forgotten", _one_fact_is_forgotten, (7, 8)),
     Fault(15, "time passes in a pause", _time_passes_in_a_pause, (40, 201)),
     Fault(15, "the world steps twice", _two_steps_of_the_world, (0, 1)),
+    Fault(16, "routes go through hazards", _routes_go_through_hazards, (28, 35)),
+    Fault(16, "nothing objects", _nothing_objects, (28, 35)),
+    Fault(16, "unknown facts complete nothing", _unknown_facts_complete_nothing, (3519, 7356)),
+    Fault(16, "later functions are not asked", _later_functions_are_not_asked, (1029, 2269)),
+    Fault(16, "nobody watches in motion", _hazards_are_not_watched_in_motion, (33, 1473)),
+    Fault(16, "nobody watches while idle", _hazards_are_not_watched_while_idle, (79, 193)),
+    Fault(16, "a start in a hazard is fine", _a_start_in_a_hazard_is_fine, (171, 262)),
+    Fault(16, "everything is refused", _everything_is_refused_for_a_hazard, (22, 33)),
 )

@@ -5,6 +5,7 @@ It also checks the effects of commands and of latches (docs/supervision.md).
 
 from __future__ import annotations
 
+from tests.oracle import danger
 from tests.oracle.carriage import put_below
 from tests.oracle.situation import HAIR, LONGEST, TICK, Json, Situation, Step
 
@@ -37,7 +38,9 @@ def _begin_step(now: Situation, edge: str) -> Step:
     if not plans:
         now.broken(_why_not(now, edge, asked), f"{edge} is not available from here, but it begins")
         return step
+    step.began_in = dict(now.configuration)
     _guards(now, step)
+    danger.begins(now, step)
     _reviewed(now, step)
     return step
 
@@ -143,6 +146,7 @@ def begun(now: Situation, edge: str) -> None:
     _own_source(now, step, edge)
     now.scene.forget(now.touched_by(edge))
     step.begun.append(edge)
+    danger.goes_on(now, step, edge)
     step.acted.append(edge)
     step.running, step.running_since = edge, now.now
     if step.plan is not None:
@@ -224,8 +228,10 @@ def _finishes(now: Situation, step: Step) -> bool:
 
 def refused(now: Situation, event: Json) -> None:
     """A guard said no to an operation that was asked for: there must be a reason."""
-    edge = event["address"]
+    edge, asked = event["address"], now.requested == event["address"]
     now.requested = ""
+    if event.get("code") == "hazard":
+        danger.refused(now, event, asked)
     if now.asked_while in ("held", "paused"):
         now.latched = now.asked_while
     if not now.configuration or now.step is not None or now.asked_while == "running":
@@ -233,7 +239,7 @@ def refused(now: Situation, event: Json) -> None:
     if now.drawing.edges[edge][0] != now.configuration[edge.split("/")[0]]:
         return
     plan = now.carriage(edge, True)
-    if plan is None or now.has_vetoes or now.drawing.can_fail:
+    if plan is None or now.has_vetoes or now.drawing.can_fail or "code" in event:
         return
     if now.reviews.pop(edge, "allow") in ("veto", "prune"):
         return

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from tests.oracle import commits, ends, motion, people, tables, trouble
+from tests.oracle import commits, danger, ends, motion, people, tables, trouble
 from tests.oracle.situation import HAIR, Json, Situation
 
 LATCHES = {"paused": "paused", "held": "held", "taken_over": "taken over", "stopped": "stopped"}
@@ -37,6 +37,7 @@ class _Reading:
         self.now = now
         self.table = tables.Table(now)
         self.integrity = trouble.Integrity()
+        self.danger = danger.Danger()
         self.people = people.People(now)
         self.told: dict[str, str | None] = {}
         self.stood = False
@@ -93,7 +94,11 @@ class _Reading:
             self.table.begun(edge)
         if passed:
             motion.closed(now)
-            self.integrity.watch(now, list(events))
+            if self.danger.told:  # it holds for a hazard already, also while people are asked
+                self.integrity.since.clear()
+            else:
+                self.integrity.watch(now, list(events))
+        self.danger.close(now, events, passed)
         self._facts()
 
     def _calls(self, calls: Sequence[Json]) -> list[str]:
@@ -130,6 +135,7 @@ class _Reading:
         now.now = time
         self.perhaps = set()
         now.scene.hear(samples, time)
+        self.danger.look(now)
         now.was_read()
         step = now.step
         if step is not None and step.running and outcome in ("returned", "failed", "raised"):
@@ -251,6 +257,9 @@ class _Reading:
             now.costs.update(event["costs"])
         elif word == "operation_refused":
             motion.refused(now, event)
+        elif word == "hazard_met":
+            if now.step is not None and not now.step.over:
+                now.step.endangered = event["name"]
         elif word == "commanded":
             self._commanded(event)
         elif word in LATCHES:
@@ -269,6 +278,8 @@ class _Reading:
         now = self.now
         if word == "taken_over":
             now.scene.forget_people()
+        if word == "held" and now.latched == "taken over":
+            return  # a hazard holds it besides, and nobody but the person decides
         now.latched = LATCHES[word]
         self.stood = word == "paused"
         if word == "held" and event["kind"] == "no_route":

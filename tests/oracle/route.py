@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from tests.oracle.carriage import carry
+from tests.oracle.hazards import passes, planned_in
 from tests.oracle.search import Carriage, cheapest
 from tests.oracle.standing import Configuration
 from tests.oracle.terms import Terms
@@ -29,15 +30,18 @@ def route_to(
         assert found is None or isinstance(found, tuple)
         return found
     names = [only] if only else moving(terms, movers)
+    drawing = terms.drawing
 
     def steps(at: Configuration) -> Iterator[Carriage]:
         for name in names:
-            for operation in terms.drawing.branches[name].states[at[name]]:
+            for operation in drawing.branches[name].states[at[name]]:
                 step = carry(terms, f"{name}/{at[name]}/{operation}", at)
-                if step is not None:
+                if step is not None and not passes(drawing, step, at):
                     yield step
 
     routed = frozenset({wanted[-1][0]})
+    if planned_in(drawing, here):
+        return None
     way = cheapest(here, lambda at: all(at[name] == state for name, state in wanted), steps, routed)
     terms.memory[key] = way
     return way

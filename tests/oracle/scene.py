@@ -7,7 +7,7 @@ simulated time. A value is True, False or None (unknown).
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from tests.oracle.drawing import Drawing
@@ -106,6 +106,14 @@ class Scene:
         self._known = {}
         for fact in self._drawing.leaves:
             self._known[fact] = self._read(fact)
+
+    def moments(self) -> Iterator[None]:
+        """Let the scene be, one after the other, each that was known in this part of a tick."""
+        last = self._known
+        for known in (*filter(None, self._earlier), last):
+            self._known = known
+            yield
+        self._known = last
 
     def answer(self, fact: str, value: str | None) -> None:
         """A person says what a fact is; None takes back what was said."""

@@ -44,6 +44,10 @@ class Step:
     ended: dict[str, tuple[str, float]] = field(default_factory=dict)
     over: bool = False
     """Whether an edge of it was told to be risky: it has failed, and moves nothing any more."""
+    began_in: Configuration = field(default_factory=dict)
+    """The configuration in which it began."""
+    endangered: str = ""
+    """The hazard that was met while it was under way."""
     broken_at: float = 0.0
     broken: str = ""
     """Since when and why it must not go on: a sentence, empty while it may."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tests.oracle import danger
 from tests.oracle.route import route_to
 from tests.oracle.situation import TICK, Json, Situation
 from tests.oracle.standing import Configuration, all_configurations
@@ -51,6 +52,8 @@ def relocalised(now: Situation, event: Json, by_person: bool) -> None:
     _agreed_with(now, there)
     if there == before:
         return
+    if not by_person and any(danger.met(now).values()):
+        now.broken(16, f"{there} is adopted while a hazard is met")
     found = agreeing(now)
     believed = [one for one in found if _believed(now, one, before)]
     if by_person or now.asked.get("on_mismatch") == "adopt":

@@ -214,8 +214,8 @@ class Carrier:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
         if self._rests is not None:
-            self._notice()
-            self._lost = self._lost or self._rests.begin(action)
+            lost = run.hazards and self._notice()
+            self._lost = self._lost if lost else self._rests.begin(action)
         if self._lost:
             self._fail(self._lost_words, risky=False, pending=bool(run.transit))
             return
