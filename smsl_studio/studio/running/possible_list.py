@@ -21,6 +21,7 @@ from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.possible_rows import PossibleRow
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import icon, pixmap
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
@@ -65,6 +66,7 @@ class PossibleList(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("Possible now")
+        FocusLine(self)
         self._rows: tuple[PossibleRow, ...] = ()
         self._by_hand = False
         self._empty = "Starts with the run"

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QWidget
 from smsl_studio.front.views.timeline_lanes import Block, Lane
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 
@@ -50,6 +51,7 @@ class Timeline(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("Timeline")
+        FocusLine(self)
         self.setToolTip("The wheel zooms in time, a drag pans, a double click shows all")
         self._inner = QWidget()
         self._inner.setProperty("role", "panel")

@@ -20,6 +20,10 @@ from smsl_studio.studio.base.words import counted
 ENDING = "Not a medical device"
 LONG = 36
 """A part wider than this may be shortened, so that the notice at the end is never cut (pixels)."""
+READABLE = 170
+"""A part that is shortened to less than this tells too little (pixels)."""
+GAP = 8
+"""Pixels between two parts."""
 INSET = 6
 """Pixels beside a message."""
 SENTENCES = {3: 100, 5: 1}
@@ -43,6 +47,7 @@ class StatusLine(QStatusBar):
         self.setAccessibleName("Status")
         self._running = False
         self._start = False
+        self._left_out = ""
         self.nothing = _Segment()
         self.nothing.setText("No file open")
         self.addWidget(self.nothing)
@@ -71,10 +76,12 @@ class StatusLine(QStatusBar):
         )
         for part, said in zip(self.counts, words, strict=False):
             part.setText(said)
+        self._show_parts()
 
     def show_findings(self, said: str) -> None:
         """Show the number of findings, or that an inspection is in progress."""
         self.counts[3].setText(said)
+        self._show_parts()
 
     def show_place(self, blueprint: Blueprint, address: Address) -> None:
         """Show the line and column of an element, the form of its file, and the file if it is
@@ -87,6 +94,7 @@ class StatusLine(QStatusBar):
         bom = " with BOM" if home.text.startswith("\ufeff") else ""
         ends = {"\r\n": ", CRLF", "\r": ", CR"}.get(home.newline, "")
         self.form.setText(f"{WORDS[home.form]}, UTF-8{bom}{ends}")
+        self._show_parts()
 
     def show_caret(self, line: int, column: int) -> None:
         """Show the line and column of the caret in the source."""
@@ -132,8 +140,9 @@ class StatusLine(QStatusBar):
         painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the message into the new width."""
+        """Fit the message and the parts into the new width."""
         super().resizeEvent(event)
+        self._show_parts()
         self._fit_message()
 
     def _message_room(self) -> QRect:
@@ -146,7 +155,7 @@ class StatusLine(QStatusBar):
         """Have all of a message in the tooltip, if it is shortened."""
         whole = self.currentMessage()
         cut = bool(whole) and self.shown_message != plain_text(whole)
-        self.setToolTip(tip_text(whole if cut else ""))
+        self.setToolTip(tip_text(whole if cut else self._left_out))
 
     def _show_parts(self) -> None:
         """Show the parts of the mode. A hint replaces the left side while it is shown."""
@@ -161,6 +170,39 @@ class StatusLine(QStatusBar):
             part.setVisible(free and self._running and bool(part.text()))
         for part in self.run_right:
             part.setVisible(self._running and bool(part.text()))
+        self._leave_out()
+
+    def _leave_out(self) -> None:
+        """Hide the parts that have no room, in the order of ``_last``: a few letters tell nothing.
+
+        What is left out stands in the tooltip of the line.
+        """
+        shown = [part for part in self._parts if not part.isHidden()]
+        room = self.width() - self.ending.sizeHint().width() - GAP
+        needed = sum(part.least + GAP for part in shown)
+        left_out: list[str] = []
+        for part in self._last:
+            if needed > room and part in shown:
+                part.hide()
+                needed -= part.least + GAP
+                left_out.append(part.text())
+        self._left_out = "\n".join(reversed(left_out))
+        self._fit_message()
+
+    @property
+    def _parts(self) -> list[_Segment]:
+        return [*self.counts, *self.run, self.form, self.place, *self.run_right]
+
+    @property
+    def _last(self) -> list[_Segment]:
+        """The parts in the order in which they are left out. The findings, and in a run the
+        sentence about it, which is its last part at the left, stay."""
+        run, right = self.run, self.run_right
+        ended = None if run[4].text() else run[3]
+        sentence = run[5] if run[5].text() else ended
+        about = (run[4], right[0], run[1], run[3], *right[1:], run[0], run[2], run[5])
+        drawn = [self.form, self.place, *self.counts[:3]]
+        return [*drawn, *(part for part in about if part is not sentence)]
 
 
 class _Segment(QWidget):
@@ -177,6 +219,11 @@ class _Segment(QWidget):
         """The present text."""
         return self._label.text()
 
+    @property
+    def least(self) -> int:
+        """The width that it needs to be read, if need be with its end left out (pixels)."""
+        return min(self._label.width_of_text, READABLE) + 1
+
     def setText(self, text: str) -> None:
         """Set the text; a long text is also the tooltip."""
         self._label.setText(text)
@@ -185,6 +232,11 @@ class _Segment(QWidget):
 
 class _Saying(Label):
     """A text that ends in an ellipsis if there is no room; the tooltip has all of it."""
+
+    @property
+    def width_of_text(self) -> int:
+        """The width at which nothing is left out (pixels)."""
+        return self.sizeHint().width()
 
     def minimumSizeHint(self) -> QSize:
         """At most ``LONG`` wide, because the text can be shortened."""

@@ -22,6 +22,7 @@ from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from smsl_studio.inspection.rules.finding import Finding, Severity
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import Tokens, text_font
@@ -78,6 +79,7 @@ class FindingsView(QListView):
         self.delegate = FindingDelegate(tokens, self)
         self.setItemDelegate(self.delegate)
         self.setAccessibleName("Findings")
+        FocusLine(self)
         self.setMouseTracking(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)

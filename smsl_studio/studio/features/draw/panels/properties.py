@@ -10,6 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row, rule
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
@@ -37,6 +38,7 @@ class Properties(QScrollArea):
         super().__init__(parent)
         self._session = session
         self.setAccessibleName("Properties")
+        FocusLine(self)
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -1,0 +1,56 @@
+"""The status line in a narrow window: what stands there can be read, the rest is in its tooltip."""
+
+from __future__ import annotations
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.shell.frame.status_line import ENDING, StatusLine
+from tests.stories.at_canvas import sample
+
+LEFT = ("World table", "Seed 0", "Simulated 12.5 s", "Operations shown at 1 ×",
+        "Frozen copy, drawing unchanged", "State_ab holds, and Op_1b is next.")  # fmt: skip
+RIGHT = ("Process alive, 0.1 ms", "Recording", "Simulation only")
+
+
+def line(qtbot: QtBot, width: int) -> StatusLine:
+    made = StatusLine()
+    qtbot.addWidget(made)
+    made.resize(width, made.height())
+    made.show()
+    return made
+
+
+def shown(made: StatusLine) -> list[str]:
+    parts = [*made.counts, *made.run, made.form, made.place, *made.run_right]
+    return [part.text() for part in parts if part.isVisible()]
+
+
+@pytest.mark.parametrize("width", [640, 900, 2400])
+def test_a_run_keeps_its_sentence_and_what_is_left_out_is_in_the_tooltip(
+    qtbot: QtBot, width: int
+) -> None:
+    made = line(qtbot, width)
+    made.show_mode("run")
+    made.show_run((LEFT, RIGHT))
+    seen = shown(made)
+    assert LEFT[-1] in seen
+    assert made.ending.text() == ENDING
+    out = [words for words in (*LEFT, *RIGHT) if words not in seen]
+    assert bool(out) is (width < 2400)
+    assert all(words in made.toolTip() for words in out)
+    # More room brings them back.
+    made.resize(2400, made.height())
+    assert set(shown(made)) == {*LEFT, *RIGHT}
+    assert made.toolTip() == ""
+
+
+def test_a_drawing_keeps_its_findings(qtbot: QtBot) -> None:
+    made, blueprint = line(qtbot, 420), sample("hfsm.json")
+    made.show_blueprint(blueprint)
+    made.show_findings("1 error, 2 warnings, 3 notes")
+    made.show_place(blueprint, Address("SB1"))
+    assert "1 error, 2 warnings, 3 notes" in shown(made)
+    assert "JSON, UTF-8" not in shown(made)
+    assert "JSON, UTF-8" in made.toolTip()
