@@ -23,8 +23,10 @@ def paused(person: Person) -> AtRun:
 
 @pytest.mark.parametrize("size", [(1280, 720), (1280, 800)])
 def test_three_facts_are_in_view_beside_the_lists(sit: Sit, size: tuple[int, int]) -> None:
-    pane = paused(sit(HFSM, size)).pane
-    assert pane.facts.height() >= HEADS + 28 + 3 * ROW
+    person = sit(HFSM, size)
+    pane = paused(person).pane
+    # The rows come with the run, and the places follow them.
+    person.until(lambda: pane.facts.height() >= HEADS + 28 + 3 * ROW)
     assert pane.facts_place.lists.names == ("Possible now", "Events")
 
 
