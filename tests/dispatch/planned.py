@@ -52,7 +52,7 @@ class Question:
 
 
 def tree_values(seed: int) -> dict[str, Any]:
-    """A blueprint of one tree whose ACTIVATING states have all sub-SBs on.
+    """A blueprint of one tree whose ACTIVATING states have all sub-SBs on mostly.
 
     A tour through the states changes one digit at a time, so that sub-SBs must rise and fall. Other
     operations stand beside it, and some are the same by facts: a letter is no fact.
@@ -66,6 +66,7 @@ def tree_values(seed: int) -> dict[str, Any]:
         letters = dice.choice(("a", "a", "ab"))
         states = [f"{one}_{''.join(d)}" for d in product("01", repeat=count) for one in letters]
         ons = [s for s in states if all(s[2 + digit] == "1" for digit in own.values())]
+        ons = ons if dice.random() < 0.8 else states
         initial = states[0] if dice.random() < 0.8 else dice.choice(states)
         activating = dice.choice([s for s in ons if s != initial] or [ons[-1]])
         table: dict[str, dict[str, str]] = {state: {} for state in states}

@@ -35,22 +35,26 @@ def test_the_routes_are_those_of_the_walk(group: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("values", "cost", "operations"),
+    ("values", "goal", "cost", "operations"),
     [
-        (three_levels(), 32, 52),
-        (line_of_rings(20), 140, 160),
-        (cube_of_rings(7), 49, 56),
-        (chained(7), 49, 56),
+        (three_levels(), "State_1111", 32, 52),
+        (line_of_rings(20), "State_" + "1" * 20, 140, 160),
+        (cube_of_rings(7), "State_1111111", 49, 56),
+        (cube_of_rings(7), "State_1110111", 42, 48),
+        (chained(7), "State_1111111", 49, 56),
     ],
 )
 def test_more_configurations_than_anyone_can_walk(
-    values: dict[str, Any], cost: float, operations: int, monkeypatch: pytest.MonkeyPatch
+    values: dict[str, Any],
+    goal: str,
+    cost: float,
+    operations: int,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.delattr(planner, "PlanSearch")
     made = blueprint(values)
     hierarchy = Hierarchy(made)
-    goal = Address("BASE", made["BASE"].activating)
-    legs = Planner(hierarchy).legs(start_configuration(hierarchy, {}), [goal])
+    legs = Planner(hierarchy).legs(start_configuration(hierarchy, {}), [Address("BASE", goal)])
     assert legs is not None
     (leg,) = legs
     assert leg.cost == cost

@@ -22,9 +22,7 @@ Key = tuple[str, ...]
 def is_tree(hierarchy: Hierarchy, goal: Address, movers: Collection[str]) -> bool:
     """Return whether a decomposition has at least lower bounds of the ranks of routes to ``goal``.
 
-    - ``goal`` is a state of the only root, in which all its sub-SBs are on, and the ACTIVATING of
-      every sub-SB has all its own sub-SBs on. So each fall is followed by a rise, and both are
-      charged at once.
+    - ``goal`` is a state of the only root.
     - Each sub-SB has one base, on one digit. So nobody else waits for its facts.
     - No edge loads its sub-SBs, because ``load`` brings facts about without their operations.
 
@@ -43,11 +41,21 @@ def is_tree(hierarchy: Hierarchy, goal: Address, movers: Collection[str]) -> boo
             or branch.initial == branch.activating
         ):
             return False
-        if not all(branch.is_on(last, digit) for digit, _ in hierarchy.subs[name]):
-            return False
         if any(note.subs == "load" for note in branch.notes.operations.values()):
             return False
     return set(movers) == set(hierarchy.tree(goal.branch))
+
+
+def ends_on(hierarchy: Hierarchy, goal: Address, movers: Collection[str]) -> bool:
+    """Return whether all sub-SBs of the root are on at the goal, and those of every sub-SB in its
+    ACTIVATING state. So each fall is followed by a rise, and both are charged at once.
+    """
+    for name in movers:
+        branch = hierarchy.blueprint[name]
+        last = goal.state if name == goal.branch else branch.activating
+        if not all(branch.is_on(last, digit) for digit, _ in hierarchy.subs[name]):
+            return False
+    return True
 
 
 def is_bounded(
@@ -72,13 +80,14 @@ def is_decomposed(
 ) -> bool:
     """Return whether the ranks of routes to ``goal`` are exactly those of a decomposition.
 
-    - They are bounded by one (see ``is_bounded``).
+    - They are bounded by one (see ``is_bounded``), and all sub-SBs are on in the end.
     - No operation ``requires`` a fact, so nothing depends on where another SB stands.
     - No SB has failure states and the blueprint no hazards, so no configuration is closed.
     """
     blueprint = stepper.hierarchy.blueprint
     return (
         is_bounded(stepper, start, goal, movers)
+        and ends_on(stepper.hierarchy, goal, movers)
         and not blueprint.hazards
         and not any(failing_states(blueprint[name]) for name in movers)
         and not any(
@@ -143,17 +152,24 @@ class Decomposition:
             subs = {digit: shares[sub] for digit, sub in hierarchy.subs[name]}
             is_root = name == self._goal.branch
             goal = self._goal.state if is_root else branch.activating
+            loose = frozenset(digit for digit in subs if not branch.is_on(goal, digit))
             off: dict[str, tuple[RouteShare, ...]] = {}
             edges: dict[str, Sequence[Edge]] = {}
             for state in branch.table:
-                off[state] = tuple(s for d, s in subs.items() if not branch.is_on(state, d))
+                off[state] = tuple(
+                    sub
+                    for digit, sub in subs.items()
+                    if digit not in loose and not branch.is_on(state, digit)
+                )
                 out = self._stepper.edges.out(name, state)
                 edges[state] = [edge for edge in out if not self._stepper.closed(edge)]
                 count += 1 + len(out)
                 if count > SLICE:
                     count = 0
                     yield
-            share = shares[name] = RouteShare(name, at[name], goal, branch.initial, subs, off)
+            share = shares[name] = RouteShare(
+                name, at[name], goal, branch.initial, subs, loose, off
+            )
             yield from (as_root if is_root else as_sub)(share, edges, self._bounds)
         self._root = shares[self._goal.branch]
         yield
@@ -181,8 +197,12 @@ class Decompositions:
     def bound(
         self, start: Configuration, wanted: Sequence[Address], movers: Sequence[str]
     ) -> Callable[[Key], float] | None:
-        """Return a lower bound of the cost to all that is wanted, None if there is none."""
+        """Return a lower bound of the cost to all that is wanted. None if there is none, or if that
+        of single SBs may be higher.
+        """
         for goal in wanted:
+            if not ends_on(self._stepper.hierarchy, goal, movers):
+                continue
             if is_bounded(self._stepper, start, goal, movers):
                 ranks = self._of(goal, movers, bounds=True)
                 return lambda node: cost_of(ranks.rank(node))

@@ -1,10 +1,11 @@
 """What one SB contributes to the rest of a route, from each of its states: a decomposition.
 
-Every sub-SB must be in ACTIVATING in the end, so each of its falls is followed by one rise. The
-fall is charged for both, together with the ways between (a cycle), and a rise costs nothing more.
-Only the first rise is another matter: it costs what it costs from where the sub-SB stands. So each
-SB needs the shortest ways of its own graph alone, and the joint configurations of its sub-SBs are
-not looked at.
+Every sub-SB whose digit is on at the goal must be in ACTIVATING in the end, so each of its falls is
+followed by one rise. The fall is charged for both, together with the ways between (a cycle), and a
+rise costs nothing more. Only the first rise is another matter: it costs what it costs from where
+the sub-SB stands. So each SB needs the shortest ways of its own graph alone, and the joint
+configurations of its sub-SBs are not looked at. The other digits are *loose*: the ranks are only
+bounds then.
 
 There are two manners of moving. An SB is *driven* if an edge of its base takes it along: its own
 edges drive its sub-SBs, which always fall to INITIAL. It is *free* if its own operations are asked
@@ -44,8 +45,12 @@ class RouteShare:
     goal: str
     initial: str
     subs: Mapping[int, RouteShare]
+    loose: frozenset[int]
+    """The digits that are off at the goal. Their ranks are only bounds: nothing but the operations
+    that enter and leave ACTIVATING.
+    """
     off: Mapping[str, tuple[RouteShare, ...]]
-    """The shares of the sub-SBs that are off in each state."""
+    """The shares of the sub-SBs that are off in each state, without loose digits."""
     free: Mapping[str, Rank] = field(default_factory=dict)
     driven: Mapping[str, Rank] = field(default_factory=dict)
     fall: Rank = inf
@@ -54,8 +59,23 @@ class RouteShare:
     """The next rise after such a fall, if its operations may be asked for before."""
     after_driven: Rank = inf
     """The same if its base drives it."""
+    enter: Rank = inf
+    """The least rank of an operation that enters ACTIVATING."""
+    leave: Rank = inf
+    """The same of one that leaves it."""
     cycle: Rank = inf
     """The least rank of leaving ACTIVATING by an operation that is asked for, and the next rise."""
+
+    def loosely(self, edge: Edge) -> Rank:
+        """Return what the rises and falls of loose digits cost at least on an edge."""
+        if not self.loose:
+            return 0
+        rises = sum(self.subs[digit].enter for digit in edge.rises if digit in self.loose)
+        return rises + sum(self.subs[digit].leave for digit in edge.falls if digit in self.loose)
+
+    def firm(self, digits: Sequence[int]) -> Iterator[RouteShare]:
+        """Yield the shares of some digits without the loose ones."""
+        return (self.subs[digit] for digit in digits if digit not in self.loose)
 
     def freely(self, node: Key) -> Rank:
         """Return the rank of its way from a joint configuration."""
@@ -102,13 +122,17 @@ def as_sub(
             count = 0
             yield
         for edge in out:
-            own = rank_of(edge.cost)
+            own = rank_of(edge.cost) + share.loosely(edge)
+            if edge.crossing > 0:
+                share.enter = min(share.enter, rank_of(edge.cost))
+            elif edge.crossing < 0:
+                share.leave = min(share.leave, rank_of(edge.cost))
             if edge.crossing >= 0:
-                rank = own + sum(_driven_cycle(share.subs[digit]) for digit in edge.falls)
+                rank = own + sum(sub.fall + sub.after_driven for sub in share.firm(edge.falls))
                 driven.setdefault(edge.target, []).append((state, rank))
             if edge.crossing <= 0:
-                rank = own + sum(share.subs[digit].fall for digit in edge.falls)
-                rank += sum(share.subs[digit].after_driven for digit in edge.rises)
+                rank = own + sum(sub.fall for sub in share.firm(edge.falls))
+                rank += sum(sub.after_driven for sub in share.firm(edge.rises))
                 down.setdefault(edge.target, []).append((state, rank))
         if not share.subs:
             continue
@@ -133,10 +157,6 @@ def as_sub(
     )
 
 
-def _driven_cycle(sub: RouteShare) -> Rank:
-    return sub.fall + sub.after_driven
-
-
 def _asked(
     share: RouteShare, edges: Sequence[Edge], any_single: bool
 ) -> Iterator[tuple[Edge, Rank]]:
@@ -152,11 +172,9 @@ def _asked(
             if first is None or (edge.price, edge.name) < (first.price, first.name):
                 singles[digit] = edge
     for edge in edges:
-        charge: Rank = 0
-        for digit in edge.falls:
-            sub = share.subs[digit]
-            charge += sub.fall + sub.after_free
-        if edge.kind is EdgeKind.FALL:
+        charge = sum(sub.fall + sub.after_free for sub in share.firm(edge.falls))
+        charge += share.loosely(edge)
+        if edge.kind is EdgeKind.FALL and edge.falls[0] not in share.loose:
             digit = edge.falls[0]
             if any_single or singles[digit] is edge:
                 charge = min(charge, share.subs[digit].cycle)
