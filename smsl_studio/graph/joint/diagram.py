@@ -34,6 +34,7 @@ class Relation:
     def __init__(self, moves: JointMoves, levels: Sequence[int], back: bool = False) -> None:
         self.rows: list[Rows | None] = [None] * len(levels)
         for one, pairs in moves.items():
+            heed()
             found = sorted((b, a) for a, b in pairs) if back else sorted(pairs)
             self.rows[levels[one]] = found
         places = [levels[one] for one in moves]

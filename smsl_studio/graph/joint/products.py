@@ -62,6 +62,7 @@ def joined(products: Iterable[JointMoves]) -> list[JointMoves]:
     """Join products that differ in one SB only. Each step of the result is one of theirs."""
     by_members: dict[frozenset[int], dict[frozenset[tuple[int, Pairs]], JointMoves]] = {}
     for one in products:
+        heed()
         by_members.setdefault(frozenset(one), {})[frozenset(one.items())] = one
     found: list[JointMoves] = []
     for members, of_them in by_members.items():
@@ -80,6 +81,7 @@ def _joined_in(products: list[JointMoves], member: int) -> list[JointMoves]:
     """Join products that differ only in the pairs of one SB."""
     alike: dict[frozenset[tuple[int, Pairs]], list[JointMoves]] = {}
     for one in products:
+        heed()
         rest = frozenset(item for item in one.items() if item[0] != member)
         alike.setdefault(rest, []).append(one)
     return [

@@ -91,6 +91,7 @@ class ProductSteps:
     def _groups(self, name: str) -> Iterable[_Group]:
         groups: dict[object, _Group] = {}
         for state in self._blueprint[name].table:
+            heed()
             for edge in self._stepper.edges.out(name, state):
                 if any(digit < 0 for _, digit, _ in edge.requires):
                     continue  # it requires what is no fact
@@ -130,6 +131,7 @@ class ProductSteps:
         number: Mapping[str, int] = {}
         found = set()
         for edge in edges:
+            heed()
             number = number or self.numbers.number[self.numbers.at[edge.branch]]
             found.add((number[edge.source], number[edge.target]))
         return frozenset(found)
@@ -169,6 +171,7 @@ class ProductSteps:
     def _base_ways(self, base: str, digit: int, crossing: int) -> list[dict[int, Pairs]] | None:
         taken: dict[int, list[Edge]] = {-1: [], 0: [], 1: []}
         for state in self._blueprint[base].table:
+            heed()
             singles = self._singles(base, state, digit, crossing)
             if any(edge.requires for edge in singles):
                 return None

@@ -53,9 +53,13 @@ class TameSubs:
         ):
             return False
         edges = self._stepper.edges
-        return not subs or not any(
-            edge.load for state in branch.table for edge in edges.out(name, state)
-        )
+        if not subs:
+            return True
+        for state in branch.table:
+            heed()
+            if any(edge.load for edge in edges.out(name, state)):
+                return False
+        return True
 
     def moves(self, name: str, rise: bool) -> dict[int, Pairs]:
         """Return what a rise, or a fall, of an SB does with it and with everything below it."""
