@@ -127,3 +127,39 @@ def test_the_script_counts_arrivals_of_a_sub_that_goes_round() -> None:
     done, _, refused = committed(blueprint, as_script(blueprint, steps))
     assert not refused
     assert done == [str(edge) for step in steps for edge in step.edges]
+
+
+def test_the_script_waits_for_the_right_arrival() -> None:
+    """The switch has to be on, off and on again, so its states are reached several times."""
+    switch = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    last: dict[str, Any] = {f"State_{at}": {f"go{at}": f"State_{at + 1}"} for at in range(3)}
+    last |= {"State_3": {}, "_operations": {
+        f"go{at}": {"requires": {"SWITCH/0": value}} for at, value in enumerate("101")
+    }}  # fmt: skip
+    asked = {"name": "n", "never": "LAST in State_3"}
+    text = json.dumps({"_properties": [asked], "SWITCH": switch, "LAST": last})
+    blueprint = read_blueprint(parse_json(text, "switch.json"))
+    (row,) = answered(blueprint, 100).rows
+    assert row.run is not None
+    assert len(row.run.path) == 6
+    done, _, refused = committed(blueprint, as_script(blueprint, steps_of(blueprint, row.run)))
+    assert done == [str(one) for one in row.run.path]
+    assert not refused
+
+
+def test_a_run_may_end_in_the_middle_of_a_step() -> None:
+    base = {
+        "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "SUB_SBS": {"SUB": 0}},
+        "State_00": {"up": "State_11"},
+        "State_11": {"down": "State_00"},
+    }
+    sub = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    asked = {"name": "n", "never": "SUB in State_1 and BASE in State_00"}
+    text = json.dumps({"_properties": [asked], "BASE": base, "SUB": sub})
+    blueprint = read_blueprint(parse_json(text, "pending.json"))
+    (row,) = answered(blueprint, 100).rows
+    assert row.run is not None
+    assert row.run.during is not None
+    *_, end = steps_of(blueprint, row.run)
+    assert end.during == row.run.during
+    assert end.configuration == {"BASE": "State_00", "SUB": "State_1"}
