@@ -347,3 +347,13 @@ def test_another_run_is_not_ended_by_playing(sit: Sit, tmp_path: Path) -> None:
     person.click(page(person).run.play)
     assert pane.run.choice is first
     person.until(lambda: pane.run.phase == "ready")
+
+
+def test_a_condition_that_is_too_long_for_the_form_is_said_so(sit: Sit, tmp_path: Path) -> None:
+    long = {"name": "Long", "never": " and ".join(["DRILL = 1", "REG = 0"] * 600)}
+    person = at_page(sit, tmp_path, _properties=[long])
+    choose(person, "Long")
+    person.press(Key.Key_Return)
+    assert not page(person).form.isVisible()
+    assert "too long for the form" in page(person).said.text()
+    assert not person.window.session.edited

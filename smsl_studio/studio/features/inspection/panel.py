@@ -179,6 +179,9 @@ class InspectionPanel(QWidget):
         if self.writing.begin(claim):
             self.below.setCurrentWidget(self.form)
             self.form.first.setFocus()
+        else:
+            self.said.setText("Its condition is too long for the form. Change it in the source.")
+            self.below.setCurrentWidget(self.said)
 
     def _written(self, address: Address | None) -> None:
         """Leave the form. The row that was written is chosen as soon as it is answered."""
