@@ -105,7 +105,7 @@ def view_actions(
                ("Ctrl+U",), drawn, section=3,
                tip="Show the exact text and type there; once more: back to the drawing"),
         Action("show_properties", "Properties", lambda: enter("Properties"), "View", "",
-               ("Alt+Return",), drawn, section=3),
+               ("Ctrl+Shift+P",), drawn, section=3),
         Action("show_facts", "Facts", lambda: enter("Facts"), "View", "", ("Ctrl+T",), drawn,
                section=3, tip="Show the table of facts; once more: back to the drawing"),
         Action("show_library", "Library", lambda: enter("Library"), "View", "", (), drawn,
