@@ -57,8 +57,9 @@ def in_common_names(versions: Versions) -> CommonNames:
         _with_branches(one, names) for one, names in zip(versions, given.to_common, strict=True)
     )
     drafts = Draft(base), Draft(ours), Draft(theirs)
+    mine, other = _own(ours), _own(theirs)
     for name, branch in _own(base).items():
-        sides = _own(ours).get(name), _own(theirs).get(name)
+        sides = mine.get(name), other.get(name)
         given = _given(
             list(branch.table),
             [side.table if side else () for side in sides],

@@ -30,8 +30,8 @@ CHAIN = (("clamp", "S100"), ("plan", "S110"), ("check", "S111"), ("open", "S011"
          ("home", "S000"))  # fmt: skip
 """Operations with the states to which they lead, from S000 on."""
 
-FACTS = (Step("Ctrl+Shift+P"), Step("Tab"), Step("Tab"), Step("Tab", "'Facts'", "3"), Step("Return"),
-         Step("Ctrl+Shift+P", "'Canvas'"))  # fmt: skip
+FACTS = (Step("Ctrl+Shift+P"), Step("Tab"), Step("Tab"), Step("Tab", "'Facts'", "3"),
+         Step("Return"), Step("Ctrl+Shift+P", "'Canvas'"))  # fmt: skip
 
 STATES = (
     Step("Ctrl+Shift+N", "text 'State'", "S000"),
