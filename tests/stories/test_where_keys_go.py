@@ -140,9 +140,9 @@ def test_a_key_that_shows_a_panel_puts_the_keys_there_and_back(sit: Sit) -> None
     person.until(lambda: window.session.edited)
     person.ctrl(Key.Key_U)
     assert window.canvas.hasFocus()
-    alt, ctrl = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ControlModifier
+    shift, ctrl = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
     for key, held, panel in (
-        (Key.Key_Return, alt, window.properties),
+        (Key.Key_P, ctrl | shift, window.properties),
         (Key.Key_I, ctrl, window.features.inspection.panel),
         (Key.Key_H, ctrl, window.history),
     ):
