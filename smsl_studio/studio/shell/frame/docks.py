@@ -32,6 +32,9 @@ NARROWEST = 200
 LOW = 480
 FORM = 288
 """The width at which no form is cut, with its scroll bar (pixels)."""
+NARROWEST_TABS = 240
+"""The least width of the lower panel (pixels). All its tabs need more, but they must not squeeze
+the panels beside them while a window is small."""
 LAYOUT_VERSION = 1
 
 
@@ -62,6 +65,7 @@ class Docks(QObject):
         self.left = self._dock("left", self._sides, area.LeftDockWidgetArea)
         self.right = self._dock("right", self.right_tabs, area.RightDockWidgetArea)
         self.right.setMinimumWidth(FORM)
+        self.bottom_tabs.setMinimumWidth(NARROWEST_TABS)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
         self.fold = DockFold(window, self.bottom, self.bottom_tabs, tokens)
         self.fold.changed.connect(self.changed)
