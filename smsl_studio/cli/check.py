@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit, add_world
 from smsl_studio.cli.blueprint_argument import read_argument, read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import ReadError
@@ -27,13 +27,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
     )
-    parser.add_argument(
-        "--limit",
-        type=_limit,
-        default=None,
-        metavar="N",
-        help="store at most N configurations to show properties (default 1,000,000)",
-    )
+    add_limit(parser, "store at most N configurations to show properties (default 1,000,000)")
     parser.add_argument(
         "--with-failures",
         action="store_true",
@@ -142,12 +136,6 @@ def _loaded(world: str | None) -> Loaded | None:
     from smsl_studio.front.equipment import loaded_for
 
     return loaded_for(world)
-
-
-def _limit(text: str) -> int:
-    if not (text.isascii() and text.isdecimal() and 0 < len(text) < 13 and int(text)):
-        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 1 up")
-    return int(text)
 
 
 def _has_properties(blueprint: Blueprint) -> bool:

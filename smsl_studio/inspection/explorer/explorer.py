@@ -18,8 +18,8 @@ from smsl_studio.inspection.explorer.combinations import joined, nearest
 from smsl_studio.inspection.explorer.part import (
     Path,
     SpacePart,
+    configuration_of,
     coupled_part,
-    facts_of,
     free_part,
     independent,
 )
@@ -147,7 +147,7 @@ def _places(
         pairs = list(zip(parts, choice, strict=True))
         key = tuple(state for part, node in pairs for state in part.keys[node])
         path = joined([part.path(node) for part, node in pairs])
-        yield FoundPlace(facts_of(blueprint, names, key), path)
+        yield FoundPlace(configuration_of(blueprint, names, key), path)
 
 
 def _pairs_in(hierarchy: Hierarchy, part: SpacePart) -> Iterator[FoundPlace]:

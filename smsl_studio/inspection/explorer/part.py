@@ -149,7 +149,7 @@ def _leading(into: Sequence[Sequence[int]], goals: Sequence[int]) -> list[bool]:
     return found
 
 
-def facts_of(blueprint: Blueprint, names: Sequence[str], key: Key) -> Mapping[str, str]:
+def configuration_of(blueprint: Blueprint, names: Sequence[str], key: Key) -> Mapping[str, str]:
     """Return a configuration with the names of its SBs, in the order of the file."""
     here = dict(zip(names, key, strict=True))
     return {name: here[name] for name in blueprint.branches if name in here}

@@ -232,3 +232,11 @@ def test_other_facts_differ_at_the_start() -> None:
     found = diff_behaviour(blueprint(one), blueprint(other))
     assert (found.equal, found.path) == (False, ())
     assert found.reason == "file.json has the fact 1, and file.json has not"
+
+
+def test_equal_operations_that_lead_to_other_facts_differ_after_them() -> None:
+    one = {"A": {"State0": {"go": "State1"}, "State1": {}}}
+    other = {"A": {"State0": {"go": "State2"}, "State2": {}}}
+    found = diff_behaviour(blueprint(one), blueprint(other))
+    assert (found.equal, found.path) == (False, ("go",))
+    assert found.reason == "after 1 operation 0 is 1 in file.json and 2 in file.json"
