@@ -44,8 +44,9 @@ class Beside(QObject):
             self._tasks.add(task, self._thread.submit(task.do))
 
     def drop(self) -> None:
-        """Cancel what has not begun, and call off the running task if it heeds that (see
-        ``stop.heed``)."""
+        """Give up all tasks so far: none of their results is handed over, also of a task that is
+        already done. The running task is called off if it heeds that (see ``stop.heed``).
+        """
         self._tasks.drop()
 
     def wait(self) -> None:
@@ -101,14 +102,14 @@ class _Task:
     def empty(self) -> Callable[[], object]:
         """Take out all that the task holds. The returned function hands over what came."""
         then, came, error = self._then, self._came, self._error
-        called_off = self._called_off
+        called_off, wanted = self._called_off, self._wanted
         self._work = self._then = self._came = self._error = None
 
         def hand_over() -> None:
             """Give the result to who asked for it, or raise the error of the work."""
             if error is not None:
                 raise error
-            if then is not None and not called_off:
+            if then is not None and not called_off and not wanted.ends:
                 then(came)
 
         return hand_over
@@ -140,7 +141,7 @@ class _Tasks:
             self._timer.start(0)
 
     def drop(self) -> None:
-        """Cancel what has not begun, and call off the running task."""
+        """Give up all tasks so far."""
         self.wanted.ends = True
         self.wanted = _Wanted()
         for one in tuple(self._tasks):
