@@ -398,6 +398,28 @@ def test_a_function_that_moves_a_base_meets_nothing_halfway(note: dict[str, str]
     assert (story.end.reason, story.of("hazard_met")) == ("goal_reached", [])
 
 
+def test_a_fact_without_a_sensor_is_unknown_while_the_running_function_changes_it() -> None:
+    """A/1 is 0 before the operation and 1 after it; A/0 is sensed and changes first."""
+    values = {
+        "_hazards": [{"name": "h", "facts": {"A/0": "1", "A/1": "0"}}],
+        "A": branch({"00": "go>11", "11": ""}, activating="11"),
+    }
+    on = blueprint(values)
+    story = Run(on, FakeHost(on, lasts=3, blind=[("A", 1)])).run()
+    assert (story.end.reason, story.of("hazard_met")) == ("goal_reached", [])
+
+
+def test_a_fact_without_a_sensor_that_the_running_function_lets_be_is_believed() -> None:
+    more = {"C": branch({"0": "move>1", "1": ""}, activating="0")}
+    on = made([{"name": "h", "facts": {"B/0": "0", "C/0": "1"}}], **more)
+    host = FakeHost(on, lasts=10, blind=[("B", 0)])
+    story = Run(on, host, goals=["A/State1"], attended=True).tick(4)
+    assert (story.phase, story.of("hazard_met")) == ("running", [])
+    put(story, C="1")
+    story.tick()
+    told(story)
+
+
 def test_a_base_digit_is_sensed_by_the_check_of_its_sub() -> None:
     values = {
         "_hazards": [{"name": "h", "facts": {"P/0": "1", "A/0": "1"}}],

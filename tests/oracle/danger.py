@@ -16,17 +16,29 @@ def met(now: Situation) -> dict[str, bool | None]:
     transit = in_transit(now.drawing, now.configuration, flags) | _crossing(now)
     moving = _moving(now)
     vague = {fact for fact in transit if fact.rsplit("/", 1)[0] in moving}
+    vague |= {
+        fact
+        for name, (before, after) in moving.items()
+        for digit in now.drawing.branches[name].leaves
+        for fact in [f"{name}/{digit}"]
+        if not now.scene.is_sensed(fact)
+        and now.drawing.value(before, name, digit) != now.drawing.value(after, name, digit)
+    }
     return Facts(now.drawing, now.scene, flags, transit, {}, vague).met()
 
 
-def _moving(now: Situation) -> set[str]:
-    """The SBs that the function under way moves."""
+def _moving(now: Situation) -> dict[str, tuple[str, str]]:
+    """The SBs that the function under way moves, each with the states before and after it."""
     step = now.step
     if step is None or step.plan is None or not step.acting:
-        return set()
+        return {}
     way = [step.began_in, *places(now.drawing, step.plan, step.began_in)]
     number = min(len(step.acted), len(way) - 1)
-    return {name for name, state in way[number].items() if way[number - 1][name] != state}
+    return {
+        name: (way[number - 1][name], state)
+        for name, state in way[number].items()
+        if way[number - 1][name] != state
+    }
 
 
 def _crossing(now: Situation) -> set[str]:

@@ -71,7 +71,8 @@ class Facts:
 
     ``moved`` are SBs with the states that are declared for them: all their facts are as these
     states have them. ``transit`` are the digits in transit, which are as their base's state;
-    ``vague`` are those whose base a function moves now, so that nobody can tell them.
+    ``vague`` are facts that a function moves now, so that nobody can tell them: those in transit
+    and those without a sensor.
     """
 
     def __init__(

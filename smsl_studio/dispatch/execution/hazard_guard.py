@@ -1,8 +1,9 @@
 """The guard of a run against its hazards, on sensed facts in three-valued logic.
 
 A fact that nobody senses is believed, and a pending state counts as it is. A digit in transit has
-the value of its base's state; while a function moves this base, its other facts change already, so
-the digit is unknown. ``docs/running.md`` says what a hazard refuses and when it holds.
+the value of its base's state. While a function runs, what it changes can have either value: a fact
+that nobody senses and a digit in transit of its SB are unknown then. ``docs/running.md`` says what
+a hazard refuses and when it holds.
 """
 
 from __future__ import annotations
@@ -194,4 +195,8 @@ class _Seen:
         reading = run.senses.scene.readings.get(key) if sub is None else None
         if reading is not None and reading.sensed:
             return reading.value
-        return branch.facts(state)[digit]
+        believed = branch.facts(state)[digit]
+        moved_to = run.moving.get(name)
+        if moved_to is not None and branch.facts(moved_to)[digit] != believed:
+            return None
+        return believed

@@ -68,7 +68,7 @@ class LiveRun:
         self.configuration = dict(start)
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
-        self.moving: Collection[str] = ()
+        self.moving: Mapping[str, str] = NOWHERE
         self.operations = 0
         self.critical = critical_facts(self.blueprint)
         self.guarded = bool(self.critical) or any(
@@ -185,7 +185,7 @@ class LiveRun:
         self,
         transit: frozenset[FactKey],
         moved: Mapping[str, str] = NOWHERE,
-        moving: Collection[str] = (),
+        moving: Mapping[str, str] = NOWHERE,
     ) -> None:
         """Set the base digits in transit, the SBs that have moved and are not committed, and those
         that a function moves now.
@@ -200,7 +200,7 @@ class LiveRun:
 
     def drop_pending(self) -> None:
         """Forget pending states and digits in transit. The committed configuration remains."""
-        self.pending, self.transit, self.moving = {}, frozenset(), ()
+        self.pending, self.transit, self.moving = {}, frozenset(), NOWHERE
 
     def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
         """Set the states that were committed together with these edges."""
