@@ -52,8 +52,10 @@ def rows() -> Iterator[Row]:
 def _moments(phase: str, count: int, folder: Path) -> Iterator[dict[str, Any]]:
     module = "benches.stops.window" if phase in window.SCENES else "benches.stops.program"
     command = [sys.executable, "-m", module, phase, str(count), str(folder)]
-    told = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False).stdout
-    yield from map(json.loads, told.splitlines())
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    if ended.returncode:
+        raise SystemExit(f"{phase}: its program ended with {ended.returncode}: {ended.stderr}")
+    yield from map(json.loads, ended.stdout.splitlines())
 
 
 def _option(name: str, otherwise: str) -> str:

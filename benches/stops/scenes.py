@@ -47,7 +47,7 @@ SCENES = {
         2.0,
         fits=_is_large,
     ),
-    "describing": Scene(("plugins",), "smsl_studio.cli.plugins:describe", stall="describing"),
+    "describing": Scene(("plugins",), "smsl_studio.cli.plugins:plugins", stall="describing"),
     "describing for a run": Scene(_STALL, RUN, stall="describing"),
     "building": Scene(_STALL, RUN, stall="building"),
     "building in this process": Scene((*_STALL, "--host", "local"), RUN, stall="building"),
