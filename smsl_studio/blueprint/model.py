@@ -203,7 +203,7 @@ class StateBranch:
         """Return one operation as a value. KeyError if the SB has no such state or operation."""
         return Operation(self.name, state, operation, self.table[state][operation])
 
-    @property
+    @cached_property
     def edge_count(self) -> int:
         """The number of operations of all states."""
         return sum(map(len, self.table.values()))
@@ -339,7 +339,7 @@ class Blueprint:
         """The number of states of all SBs, also imported ones."""
         return sum(len(branch.table) for branch in self)
 
-    @property
+    @cached_property
     def operation_count(self) -> int:
         """The number of operations of all SBs, also imported ones."""
         return sum(branch.edge_count for branch in self)

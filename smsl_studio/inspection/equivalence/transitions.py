@@ -60,7 +60,7 @@ def transitions_of(blueprint: Blueprint, limit: int) -> Transitions:
     Hazards and failures are not left out. RunRefused if there is no start.
     """
     space = Space(blueprint)
-    start = space.start()
+    start, (most, bound) = space.start(), space.storable(limit)
     number, keys = {start: 0}, [start]
     steps: list[list[tuple[Address, int]]] = []
     for key in keys:
@@ -73,8 +73,7 @@ def transitions_of(blueprint: Blueprint, limit: int) -> Transitions:
             return Transitions(blueprint, space.order, keys, steps, error.sentence)
         for step in onward:
             if step.to not in number:
-                if len(keys) >= limit:
-                    bound = f"{limit:,} configurations"
+                if len(keys) >= most:
                     return Transitions(blueprint, space.order, keys, steps, bound)
                 number[step.to] = len(keys)
                 keys.append(step.to)

@@ -27,6 +27,7 @@ class Exploration:
         self.space = space
         self.keys: list[Key] = []
         self.bound = ""
+        self._limit, self._limit_words = space.storable(limit)
         self._number: dict[Key, int] = {}
         self._origin, self._label = array("q"), array("q")
         self._targets, self._labels = array("q"), array("q")
@@ -39,9 +40,9 @@ class Exploration:
         """For each watched condition: the configurations out of which a step passes one that meets
         it, and the operation of that step. Only the nearest ones are kept."""
         for start in starts or (space.start(),):
-            self._seen(start, NOWHERE, NOWHERE, limit)
+            self._seen(start, NOWHERE, NOWHERE)
         self.starts = range(len(self.keys))
-        self._explore(limit)
+        self._explore()
 
     def __len__(self) -> int:
         return len(self.keys)
@@ -84,7 +85,7 @@ class Exploration:
         """Return the first configuration that meets a condition, ``NOWHERE`` if none does."""
         return next((node for node, key in enumerate(self.keys) if test(key)), NOWHERE)
 
-    def _explore(self, limit: int) -> None:
+    def _explore(self) -> None:
         node = 0
         while node < len(self.keys) and not self.bound:
             heed()
@@ -102,7 +103,7 @@ class Exploration:
                         test(one.key) for one in step.passed
                     ):
                         met.append((node, label))
-                target = self._seen(step.to, node, label, limit)
+                target = self._seen(step.to, node, label)
                 if target == NOWHERE:
                     return
                 self._targets.append(target)
@@ -110,13 +111,13 @@ class Exploration:
             self._first.append(len(self._targets))
             node += 1
 
-    def _seen(self, key: Key, origin: int, label: int, limit: int) -> int:
+    def _seen(self, key: Key, origin: int, label: int) -> int:
         """Return the number of a configuration, ``NOWHERE`` if it is one too many."""
         number = self._number.get(key)
         if number is not None:
             return number
-        if len(self.keys) >= limit:
-            self.bound = f"{limit:,} configurations"
+        if len(self.keys) >= self._limit:
+            self.bound = self._limit_words
             return NOWHERE
         number = self._number[key] = len(self.keys)
         self.keys.append(key)

@@ -40,6 +40,9 @@ class Step(NamedTuple):
     passed: tuple[Passed, ...]
 
 
+MOST_STORED = 20_000_000
+"""The largest number of active states of SBs in all configurations that are stored (160 MB)."""
+
 _KEPT_STEPS = 20_000
 """The stepper keeps all steps that it was asked for. After so many it is made anew."""
 
@@ -68,6 +71,12 @@ class Space:
         self.blueprint = blueprint
         self._terms = Terms() if routed else Terms(failing=None)
         self._start = start or start_configuration(self.hierarchy, {})
+        self._alone = frozenset[str]()
+        """SBs whose operations move nothing else, so that all of them may be asked."""
+        if not routed:
+            coupled = {name for name, subs in self.hierarchy.subs.items() if subs}
+            coupled |= {name for name, bases in self.hierarchy.bases.items() if bases}
+            self._alone = frozenset(self.order) - coupled
         self._shut = [self.test(one) for one in hazards] if routed else []
         self._renew()
 
@@ -78,6 +87,17 @@ class Space:
 
     def _renew(self) -> None:
         self._stepper, self._made = Stepper(self.hierarchy, self._terms), 0
+
+    def storable(self, limit: int) -> tuple[int, str]:
+        """Return how many configurations may be stored, and this bound in words.
+
+        They are ``limit``, or fewer if there are so many SBs that these would fill the memory.
+        """
+        size = max(len(self.order), 1)
+        most = max(MOST_STORED // size, 1)
+        if most >= limit:
+            return limit, f"{limit:,} configurations"
+        return most, f"{most:,} configurations of {size:,} SBs, which would fill the memory"
 
     def start(self) -> Key:
         """Return the configuration in which a run starts."""
@@ -95,7 +115,11 @@ class Space:
         here = self.whole(key)
         found = []
         for name in self.order:
+            alone = name in self._alone
             for edge in self._stepper.edges.out(name, here[name]):
+                if alone and not edge.requires:
+                    found.append(Step(edge.address, self._after(key, {name: edge.target}), ()))
+                    continue
                 step = self._written(here, edge)
                 if step is not None:
                     one = Step(edge.address, self._after(key, step.after), self._passed(key, step))

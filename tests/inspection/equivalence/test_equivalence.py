@@ -226,6 +226,19 @@ def test_limits_are_told() -> None:
         flatten(whole, limit=5)
 
 
+def test_many_sbs_fill_no_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """2 to the power of 40 configurations are fewer than a limit may be, and each is large."""
+    monkeypatch.setattr("smsl_studio.inspection.proof.space.MOST_STORED", 4_000)
+    one = {"HEADER": {"ACTIVATING": "S1"}, "S0": {"on": "S1"}, "S1": {"off": "S0"}}
+    many = blueprint({f"B{number}": one for number in range(40)})
+    words = "100 configurations of 40 SBs, which would fill the memory"
+    with pytest.raises(PlanningError, match=words):
+        flatten(many, limit=2**50)
+    found = diff_behaviour(many, many, limit=2**50)
+    assert found.equal is None
+    assert words in found.reason
+
+
 def test_other_facts_differ_at_the_start() -> None:
     one = {"A": {"State0": {"go": "State1"}, "State1": {}}}
     other = {"A": {"State00": {"go": "State11"}, "State11": {}}}
