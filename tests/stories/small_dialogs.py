@@ -12,9 +12,9 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-from PySide6.QtCore import QRect
+from PySide6.QtCore import QRect, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractScrollArea, QDialog, QPushButton
+from PySide6.QtWidgets import QAbstractScrollArea, QDialog, QFileDialog, QPushButton
 
 from smsl_studio.blueprint import editing
 from smsl_studio.front.revisions import Revision
@@ -93,6 +93,22 @@ def _scrolls(button: QPushButton, dialog: QDialog) -> bool:
     return False
 
 
+def file_dialog(window: Window) -> dict[str, Any]:
+    """Where the dialog is that asks for a file, with its buttons. It blocks, so it is looked at
+    from within."""
+    told: dict[str, Any] = {}
+
+    def look() -> None:
+        dialog = window.findChild(QFileDialog)
+        assert dialog is not None
+        told.update(frame=box(dialog.frameGeometry()), buttons=buttons_of(dialog))
+        dialog.reject()
+
+    QTimer.singleShot(300, look)
+    window.actions_table["open"].trigger()
+    return told
+
+
 def main(file: str) -> dict[str, Any]:
     application = make_application(sys.argv)
     dress(application, LIGHT)
@@ -102,6 +118,7 @@ def main(file: str) -> dict[str, Any]:
     window = make_window(windows, file)
     until(lambda: windows.plugins.known)
     told: dict[str, Any] = {"screen": box(window.screen().availableGeometry())}
+    told["open"] = file_dialog(window)
     for name, dialog in (*by_action(windows, window), *by_themselves(windows, window)):
         dialog.show()
         QTest.qWait(50)

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
@@ -44,6 +44,13 @@ def stop_of(window: Window) -> QPushButton:
     ]
     assert len(found) == 1, f"{window.mode}: {len(found)} Stops"
     return found[0]
+
+
+def seen_of(part: QWidget) -> Box:
+    """What is seen of a part; it must be the whole of it."""
+    seen = part.visibleRegion().boundingRect()
+    assert seen.size() == part.size(), f"{part.accessibleName()} is cut: {seen} of {part.size()}"
+    return box(QRect(part.mapToGlobal(seen.topLeft()), seen.size()))
 
 
 def until(condition: Callable[[], bool]) -> None:
@@ -84,9 +91,24 @@ def main(file: str) -> dict[str, Box]:
             told["findings by key"] = box(
                 docks.bottom.geometry() if docks.bottom_shown() else QRect()
             )
+    QTest.keyClick(window, Qt.Key.Key_3, Qt.KeyboardModifier.ControlModifier)
+    pane = window.features.supervise.pane
+    # A run that is stopped before its world stands is over at once.
+    until(lambda: window.features.run.pane.run.phase == "paused")
+    QTest.qWait(50)
+    for part in (pane.bar.phase, pane.step_in.veto, pane.step_in.prune, pane.step_in.hand):
+        told[f"seen: {part.accessibleName()}"] = seen_of(part)
     stop = stop_of(window)
     QTest.mouseClick(stop, Qt.MouseButton.LeftButton, pos=QPoint(stop.width() - 4, 20))
     until(lambda: window.features.run.pane.run.phase == "stopped")
+    until(lambda: "Stopped" in pane.bar.phase.text())
+    QTest.keyClick(window, Qt.Key.Key_F5)
+    asking = pane.step_in.asking
+    until(asking.isVisible)
+    QTest.qWait(50)
+    for name, shown in (("Reset", asking.do), ("Do nothing", asking.leave)):
+        told[f"seen: {name}"] = seen_of(shown)
+    told[f"seen: {pane.bar.phase.accessibleName()}"] = seen_of(pane.bar.phase)
     return told
 
 

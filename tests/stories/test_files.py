@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMess
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
+from smsl_studio.studio.document.files import dialogs
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.shell.window import Window
 from tests.stories.at_outline import texts
@@ -295,7 +296,7 @@ def test_a_name_without_an_ending_does_not_replace_a_file_unasked(
     other = copy_of("hanoi.json", tmp_path)
     before = other.read_bytes()
     typed = str(tmp_path / "hanoi"), ""
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: typed)
+    monkeypatch.setattr(dialogs, "ask_to_save", lambda *_: typed)
     answer(person, "Cancel")
     assert not person.window.files.save_as()
     assert other.read_bytes() == before

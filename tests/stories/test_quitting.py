@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from smsl_studio.blueprint import editing
+from smsl_studio.studio.document.files import dialogs
 from smsl_studio.studio.shell.window import Window
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
@@ -120,7 +121,7 @@ def test_a_save_that_is_called_off_closes_nothing(
     first, second = sit(copy_of("hfsm.json", tmp_path)), sit()
     draw(first, "State_new")
     draw(second, "State_0")
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    monkeypatch.setattr(dialogs, "ask_to_save", lambda *_: ("", ""))
     quit_and_answer(second, "Discard changes", "Save")
     assert stands(first, "State_new")
     assert stands(second, "State_0")

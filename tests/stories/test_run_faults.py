@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog
 
 from smsl_studio import front
 from smsl_studio.front.script.lines import read_script
 from smsl_studio.runlog.events import Commanded, Disturbed, FaultInjected, Held
+from smsl_studio.studio.document.files import dialogs
 from smsl_studio.studio.features.run.fault_dialog import FaultDialog
 from smsl_studio.studio.running import operation_time
 from tests.stories.at_run import AtRun
@@ -69,7 +69,7 @@ def _same_again(run: AtRun, script: Path, blueprint: Path = HANOI, **asked: Any)
 
 
 def _save(run: AtRun, monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(dialogs, "ask_to_save", lambda *_: (str(path), ""))
     run.person.click(run.pane.scene.script)
     assert path.exists()
 
@@ -216,7 +216,7 @@ def test_a_run_by_hand_is_saved_and_done_again(
     run.person.until(lambda: not run.pane.run.exists)
     assert run.pane.scene.script.text().strip() == "Script 5…"
     path = tmp_path / "by-hand"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(dialogs, "ask_to_save", lambda *_: (str(path), ""))
     run.person.window.actions_table["save_script"].trigger()
     _same_again(run, path.with_suffix(".jsonl"), HFSM)
     first = json.loads(path.with_suffix(".jsonl").read_text().splitlines()[0])

@@ -60,13 +60,17 @@ def test_stop_is_whole_in_every_mode_on_a_screen_of_1280_by_720(scale: str, tmp_
         assert inside(told[f"frame in {mode}"], told["screen"]), (mode, told)
         assert inside(told[mode], told["screen"]), (mode, told)
         assert told[mode][2:] == STOP, (mode, told)
+    seen = {name: where for name, where in told.items() if name.startswith("seen: ")}
+    assert {"seen: The run: Stopped", "seen: Reset", "seen: Prune", "seen: Take over"} <= set(seen)
+    for name, where in seen.items():
+        assert inside(where, told["screen"]), (name, where, told)
 
 
 @pytest.mark.parametrize("scale", ["1", "2"])
 def test_every_dialog_is_whole_on_a_screen_of_1280_by_720(scale: str, tmp_path: Path) -> None:
     told = sit_at(1280, 720, scale, tmp_path, "small_dialogs")
     screen = told.pop("screen")
-    assert len(told) == 14
+    assert len(told) == 15
     for name, dialog in told.items():
         assert inside(dialog["frame"], screen), (name, dialog, screen)
         for words, button in dialog["buttons"].items():

@@ -27,7 +27,7 @@ class KeyButton(QPushButton):
     ) -> None:
         super().__init__(words)
         self._key, self._icon, self._role, self._tokens = key, name, role, tokens
-        self._short = False
+        self._short = self._bare = False
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
@@ -41,10 +41,10 @@ class KeyButton(QPushButton):
         self.updateGeometry()
         self.update()
 
-    def set_short(self, short: bool) -> None:
-        """Show only icon and key, where there is little room."""
-        if short != self._short:
-            self._short = short
+    def set_short(self, short: bool, bare: bool = False) -> None:
+        """Show only icon and key, where there is little room; ``bare`` shows the icon alone."""
+        if (short, bare) != (self._short, self._bare):
+            self._short, self._bare = short, bare
             self.setMinimumWidth(0)
             self.updateGeometry()
             self.update()
@@ -81,7 +81,8 @@ class KeyButton(QPushButton):
             room = QRectF(left, 0, wide + 1, self.height())
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self.text()))
             left += wide + GAP
-        self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
+        if not self._bare:
+            self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
         painter.end()
 
     def _paint_key(self, painter: QPainter, box: QRectF) -> None:
@@ -113,6 +114,8 @@ class KeyButton(QPushButton):
         return QFontMetricsF(text_font(11, 500)).horizontalAdvance(self._key) + 12
 
     def _wide(self) -> float:
+        if self._bare:
+            return ICON
         if self._short:
             return ICON + GAP + self._chip()
         wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.execution.status import DispatchStatus, Offer
@@ -20,6 +21,8 @@ from smsl_studio.studio.running.decisions import Decision, offered, offers
 BUTTON = 132
 WIDEST, AROUND = 280, 30
 """Largest width of a button with a long name, and what a button needs beside its words (pixels)."""
+NARROW = 280
+"""In a card narrower than this what a button does stands below it (pixels)."""
 MOST = 180
 """Largest height of the list of reasons; a longer list scrolls (pixels)."""
 
@@ -51,6 +54,7 @@ class HoldCard(QFrame):
         self._buttons = QVBoxLayout()
         self._buttons.setSpacing(6)
         self._shown: tuple[Offer, ...] = ()
+        self._below = False
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 10, 12, 12)
         column.setSpacing(6)
@@ -104,9 +108,10 @@ class HoldCard(QFrame):
             self.style().polish(self)
 
     def _offer(self, found: Sequence[Offer]) -> None:
-        if tuple(found) == self._shown:
+        told = (tuple(found), self.width() < NARROW)
+        if told == (self._shown, self._below):
             return
-        self._shown = tuple(found)
+        self._shown, self._below = told
         while self._buttons.count():
             item = self._buttons.takeAt(0)
             old = item.widget() if item else None
@@ -134,8 +139,9 @@ class HoldCard(QFrame):
         button.clicked.connect(lambda _=False: self._want(decision))
         said = label(decision.detail, "hint")
         across = row(button)
-        if not whole:
-            # A button with a long name takes the whole line, and the explanation stands below.
+        if not whole or self.width() < NARROW:
+            # A long button takes the whole line, and the explanation stands below, as it does in
+            # a narrow card.
             across.addStretch(1)
             both = QVBoxLayout(line)
             both.setContentsMargins(0, 0, 0, 0)
@@ -146,6 +152,11 @@ class HoldCard(QFrame):
         across.addWidget(said, 1)
         line.setLayout(across)
         return line
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Put the explanations below their buttons where the card is narrow."""
+        super().resizeEvent(event)
+        self._offer(self._shown)
 
     def _want(self, decision: Decision) -> None:
         self.wanted.emit(decision)

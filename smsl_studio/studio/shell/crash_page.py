@@ -10,7 +10,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
-    QFileDialog,
     QPlainTextEdit,
     QPushButton,
     QVBoxLayout,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.file_dialogs import ask_to_save
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import mono_font
@@ -74,7 +74,7 @@ class CrashPage(QDialog):
 
     def _ask(self, name: str) -> str:
         place = str(Path.home() / name)
-        return QFileDialog.getSaveFileName(self, "Keep the report", place)[0]
+        return ask_to_save(self, "Keep the report", place)[0]
 
     def _keep(self) -> None:
         name = self.ask(file_name(self._when))

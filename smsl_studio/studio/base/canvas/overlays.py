@@ -148,7 +148,15 @@ class Overlays:
         sheet = self._canvas.sheet
         compact = sheet is not None and sheet.level is Level.COMPACT and self._canvas.editing
         self.key.show_picture(sheet.picture if sheet is not None else None, compact)
-        self.key.move(self._canvas.width() - self.key.width() - EDGE, 12)
+        self._place_key()
+
+    def _place_key(self) -> None:
+        """Put the key at the top right, or below the breadcrumb where that leaves no room."""
+        key = self.key
+        place = QRect(QPoint(self._canvas.width() - key.width() - EDGE, 12), key.size())
+        if place.intersects(self.breadcrumb.geometry()):
+            place.moveTop(self.breadcrumb.geometry().bottom() + 6)
+        key.move(place.topLeft())
 
     def fitted(self) -> None:
         """A movement of the camera has ended: place the widgets for the new view."""
@@ -173,6 +181,7 @@ class Overlays:
         else:
             at = corner
         crumb.setGeometry(QRect(at, crumb.sizeHint()))
+        self._place_key()
 
     def _place_dense(self) -> None:
         """Put the legend of a dense drawing where it covers no state, best at the bottom left."""

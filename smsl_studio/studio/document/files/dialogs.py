@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QMessageBox, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.studio.base.file_dialogs import ask_to_open, ask_to_save
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.files.questions import Answer, Interrupted
@@ -40,7 +41,7 @@ class Dialogs:
 
     def file_to_open(self, folder: Path) -> Path | None:
         """Ask for a blueprint file; None if the person cancels."""
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), OPEN)
+        name = ask_to_open(self._window, "Open blueprint", str(folder), OPEN)
         return Path(name) if name else None
 
     def file_to_save(self, suggested: Path) -> Path | None:
@@ -50,7 +51,7 @@ class Dialogs:
         """
         first = suggested.suffix if suggested.suffix in KINDS else ".json"
         kinds = [KINDS[first], *(words for words in KINDS.values() if words != KINDS[first]), ALL]
-        name, chosen = QFileDialog.getSaveFileName(
+        name, chosen = ask_to_save(
             self._window, "Save blueprint as", str(suggested), ";;".join(kinds)
         )
         if not name:
@@ -65,7 +66,7 @@ class Dialogs:
     def script_to_save(self, suggested: Path) -> Path | None:
         """Ask where to save a script; None if the person cancels."""
         kinds = ";;".join((SCRIPTS, ALL))
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save script", str(suggested), kinds)
+        name, _ = ask_to_save(self._window, "Save script", str(suggested), kinds)
         path = Path(name)
         if not name or path.suffix:
             return path if name else None

@@ -15,6 +15,7 @@ from smsl_studio.front.outputs import picture_form
 from smsl_studio.legible import one_line
 from smsl_studio.picture.paper import png_scale, size_of
 from smsl_studio.smsl.files import save_document
+from smsl_studio.studio.base.file_dialogs import fit_to_screen
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.export.picture_dialog import PictureDialog
 from smsl_studio.studio.features.export.preview import PaperSheet, as_image
@@ -144,6 +145,7 @@ class ExportDialog(PictureDialog):
         dialog.selectNameFilter(next(one for one in kinds.split(";;") if f"*{form}" in one))
         dialog.setDefaultSuffix(form.removeprefix("."))
         dialog.selectFile(suggested.name)
+        fit_to_screen(dialog)
         chosen = dialog.selectedFiles() if dialog.exec() else []
         dialog.deleteLater()
         return Path(chosen[0]) if chosen else None

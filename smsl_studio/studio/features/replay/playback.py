@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.recordings import (
@@ -16,6 +16,7 @@ from smsl_studio.front.recordings import (
     recording_words,
     recordings_in,
 )
+from smsl_studio.studio.base.file_dialogs import ask_to_open
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
@@ -68,7 +69,7 @@ class ReplayVerbs(QObject):
         """Show a recording when it has been read; without ``path`` ask for one."""
         if path is None:
             start = str(self._folder if self._folder.is_dir() else Path.home())
-            name, _ = QFileDialog.getOpenFileName(self._window, "Open recording", start, KINDS)
+            name = ask_to_open(self._window, "Open recording", start, KINDS)
             if not name:
                 return
             path = Path(name)

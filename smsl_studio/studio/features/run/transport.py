@@ -20,9 +20,9 @@ from smsl_studio.studio.running.runner import FASTEST
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
 LONGEST = 150
-WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
-"""Widths (pixels) from which choices have labels, buttons have words, the seed is shown, and
-choices are shown at all."""
+WIDE, NARROW, SEEDED, NARROWEST, BARE = 1140, 990, 850, 720, 400
+"""Widths (pixels) from which choices have labels, buttons have words, the seed is shown, choices
+are shown at all, and buttons have their keys."""
 
 
 class Transport(QWidget):
@@ -74,7 +74,7 @@ class Transport(QWidget):
         for part in (self.by_hand, self.speed, self.step, self.play, line, self.stop):
             across.addWidget(part)
         self._precedence = Precedence(
-            self, self._choices, line, self.speed, self.by_hand, self.phase, self.step, self.play
+            self, self._choices, line, self.speed, self.by_hand, self.step, self.phase, self.play
         )
         self._name_play()
         self.show_phase("", exists=False)
@@ -141,7 +141,8 @@ class Transport(QWidget):
         for words in self._labels:
             words.setVisible(wide >= WIDE)
         for button in (self.step, self.play):
-            button.set_short(wide < NARROW)
+            button.set_short(wide < NARROW, wide < BARE)
+        self.phase.set_brief(wide < BARE)
         self.seed.setVisible(wide >= SEEDED)
         self.play.setMinimumWidth(112 if wide >= NARROW else 0)
         self._precedence.want(self._choices, wide >= NARROWEST)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QListWidget, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QListWidget, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.library.folders import plugin_path
 from smsl_studio.studio.base.controls import NameDelegate, label, row
+from smsl_studio.studio.base.file_dialogs import ask_folder
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.settings import Settings
 
@@ -55,7 +56,7 @@ class PluginPart(QWidget):
         self._fill()
 
     def _ask(self) -> str:
-        return QFileDialog.getExistingDirectory(self, "Add a plugin folder")
+        return ask_folder(self, "Add a plugin folder")
 
     def _fill(self) -> None:
         self.list.clear()

@@ -15,8 +15,8 @@ from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.phase_badge import PhaseBadge
 
-NARROW = 620
-"""The width from which the buttons have words (pixels)."""
+NARROW, BARE = 620, 400
+"""The widths from which the buttons have words, and keys (pixels)."""
 LONGEST = 170
 """Largest width of the goal and of the name (pixels); in a wide bar a quarter of it."""
 
@@ -73,8 +73,8 @@ class SuperviseBar(QWidget):
         across.addWidget(line)
         across.addWidget(self.stop)
         self._precedence = Precedence(
-            self, self._said[1], self._person, self._said[0], self._goal, line, self.phase,
-            self.step, self.end, self.play, self.reset,
+            self, self._said[1], self._person, self._said[0], self._goal, line,
+            self.step, self.end, self.phase, self.play, self.reset,
         )  # fmt: skip
         self.show_run("", exists=False, tip="", goal="", person="")
 
@@ -122,7 +122,8 @@ class SuperviseBar(QWidget):
         """In a narrow row first words are hidden, then buttons; Stop never is."""
         super().resizeEvent(event)
         for button in (self.step, self.play):
-            button.set_short(self.width() < NARROW)
+            button.set_short(self.width() < NARROW, self.width() < BARE)
+        self.phase.set_brief(self.width() < BARE)
         self._precedence.fit()
 
     def _play_or_pause(self) -> None:

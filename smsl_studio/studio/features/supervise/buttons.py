@@ -11,7 +11,7 @@ from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.paint.ink import Type
 from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens, text_font
 
-SIDE, ICON, CHIP = 12, 16, 20
+SIDE, NARROW_SIDE, ICON, CHIP = 12, 6, 16, 20
 
 
 class StepInButton(QPushButton):
@@ -19,10 +19,22 @@ class StepInButton(QPushButton):
 
     def __init__(self, words: str, key: str, name: str, tokens: Tokens, hint: str = "") -> None:
         super().__init__(words)
-        self._key, self._icon, self._tokens, self._hint = key, name, tokens, hint
+        self._letter, self._icon, self._tokens, self._hint = key, name, tokens, hint
+        self._narrow = False
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(plain_text(words.rstrip("…")))
+
+    @property
+    def _key(self) -> str:
+        return "" if self._narrow else self._letter
+
+    def set_narrow(self, narrow: bool) -> None:
+        """Leave out the key, where there is little room."""
+        if narrow != self._narrow:
+            self._narrow = narrow
+            self.updateGeometry()
+            self.update()
 
     def set_words(self, words: str, hint: str, name: str) -> None:
         """Give the button other words, another hint and another icon."""
@@ -55,8 +67,9 @@ class StepInButton(QPushButton):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         t, middle = self._tokens, self.height() / 2
         ink = t.tx if self.isEnabled() else t.tx3
-        draw(painter, self._icon, QRectF(SIDE, middle - 8, ICON, ICON), ink, t.surf)
-        right = float(self.width() - SIDE)
+        side = NARROW_SIDE if self._narrow else SIDE
+        draw(painter, self._icon, QRectF(side, middle - 8, ICON, ICON), ink, t.surf)
+        right = float(self.width() - side)
         if self._key:
             right -= CHIP
             painter.setPen(QPen(t.line, 1))
@@ -64,9 +77,9 @@ class StepInButton(QPushButton):
             box = QRectF(right, middle - CHIP / 2, CHIP, CHIP)
             painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
             Type(text_font(11, 500)).draw(painter, box.center().x(), middle, self._key, t.tx2)
-        left = SIDE + ICON + 8.0
+        left = side + ICON + side * 2 / 3
         strong, soft = Type(text_font(13, 500)), Type(text_font(12))
-        shown = strong.elided(self.text(), right - 8 - left)
+        shown = strong.elided(self.text(), right - (8 if self._key else 0) - left)
         strong.draw_from(painter, left, middle, shown, ink)
         left += strong.width(shown) + 12
         if self._hint and soft.width(self._hint) < right - 8 - left:

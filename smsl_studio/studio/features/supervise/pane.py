@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QShowEvent
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
+    QFrame,
+    QScrollArea,
     QSplitter,
     QStackedWidget,
     QVBoxLayout,
@@ -17,9 +19,6 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
-from smsl_studio.studio.base.controls import rule
-from smsl_studio.studio.base.panels import empty_panel
-from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.supervise.bar import SuperviseBar
@@ -29,6 +28,7 @@ from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
 from smsl_studio.studio.features.supervise.facts import sensed_marks
 from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
 from smsl_studio.studio.features.supervise.notice import Notice
+from smsl_studio.studio.features.supervise.right_column import RightColumn
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.hold_card import HoldCard
@@ -36,6 +36,9 @@ from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession
 
 RIGHT = 396
+NARROW, LOW_PAGE, TWO = 900, 420, 640
+"""A page narrower than the first has a narrow column at the right, one lower than the second
+scrolls in both columns; below the third the panels below stand below each other (pixels)."""
 BELOW = 246
 """The designed height of the panels below the partial view (pixels)."""
 KEYS = {Qt.Key(ord(row.key)): row.word for row in COMMANDS.values() if len(row.key) == 1}
@@ -202,42 +205,14 @@ class SupervisePane(QWidget):
         left = _split(Qt.Orientation.Vertical, top, self.below)
         left.setStretchFactor(0, 1)
         left.setSizes([560, BELOW])
-        right = self._right()
-        right.setMinimumWidth(330)
-        self._sides = _split(Qt.Orientation.Horizontal, left, right)
+        self._right = RightColumn(self.hold, self.step_in)
+        self.task_slot = self._right.task_slot
+        self._sides = _split(Qt.Orientation.Horizontal, _Rolled(left), self._right)
         self._sides.setStretchFactor(0, 1)
         self._sides.setSizes([1044, RIGHT])
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self._sides)
-
-    def _right(self) -> QWidget:
-        """The column at the right.
-
-        Task and hold card scroll if they need more room; Step in stays visible below.
-        """
-        inner = QWidget()
-        column = QVBoxLayout(inner)
-        column.setContentsMargins(12, 12, 12, 0)
-        column.setSpacing(12)
-        self.task_slot = QVBoxLayout()
-        self.task_slot.setContentsMargins(0, 0, 0, 0)
-        self.task_slot.setSpacing(12)
-        column.addLayout(self.task_slot)
-        column.addWidget(self.hold)
-        below = QVBoxLayout()
-        below.setContentsMargins(12, 12, 12, 12)
-        below.addWidget(self.step_in)
-        right, whole = empty_panel()
-        room, edge = Room(inner), rule()
-        edge.hide()
-        # The line shows that the part above can be scrolled.
-        room.verticalScrollBar().rangeChanged.connect(lambda _, most: edge.setVisible(most > 0))
-        whole.addWidget(room)
-        whole.addWidget(edge)
-        whole.addLayout(below)
-        whole.addStretch(1)
-        return right
 
     def add_levels(self, widget: QWidget) -> None:
         """Put the panel of levels beside the state check."""
@@ -255,6 +230,7 @@ class SupervisePane(QWidget):
         self.head.branch_wanted.connect(self.show_branch)
         self.head.map_wanted.connect(self.set_full_map)
         self.deciding.changed.connect(self.refresh)
+        self.deciding.changed.connect(self._right.see_question)
         self.hold.wanted.connect(self.deciding.ask)
         self.notice.pressed.connect(self.begin_wanted)
         bar.play_wanted.connect(lambda: run.resume() if run.exists else self.begin_wanted.emit())
@@ -313,6 +289,18 @@ class SupervisePane(QWidget):
         named = "" if person == "a person" else person
         self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the columns to the new size."""
+        super().resizeEvent(event)
+        narrow, low = self.width() < NARROW, self.height() < LOW_PAGE
+        self._right.fit(narrow, low)
+        left = self.width() - self._right.minimumWidth()
+        way = Qt.Orientation.Vertical if left < TWO else Qt.Orientation.Horizontal
+        if self.below.orientation() != way:
+            self.below.setOrientation(way)
+        if narrow:
+            self._sides.setSizes([left, self._right.minimumWidth()])
+
     def showEvent(self, event: QShowEvent) -> None:
         """Show the present state of the run."""
         super().showEvent(event)
@@ -359,6 +347,27 @@ class SupervisePane(QWidget):
             focus.click()
             return True
         return self.deciding.confirm()
+
+
+class _Rolled(QScrollArea):
+    """The left side; in a low page it scrolls, so that the question at the right stays."""
+
+    def __init__(self, inner: QWidget) -> None:
+        super().__init__()
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(inner)
+
+    def sizeHint(self) -> QSize:
+        """The size that the parts would like to have."""
+        inner = self.widget()
+        return inner.sizeHint() if inner is not None else super().sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Wide enough for the partial view; it scrolls sideways by itself."""
+        return QSize(300, 160)
 
 
 def _column(*parts: QWidget) -> QWidget:

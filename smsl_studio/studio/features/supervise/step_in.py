@@ -79,6 +79,11 @@ class StepIn(QWidget):
         for button in (self.veto, self.prune, self.hand):
             button.set_tokens(tokens)
 
+    def set_narrow(self, narrow: bool) -> None:
+        """In a narrow column the buttons leave out their keys, which their tooltips have."""
+        for button in (self.veto, self.prune, self.hand):
+            button.set_narrow(narrow)
+
     def show_status(
         self,
         blueprint: Blueprint | None,

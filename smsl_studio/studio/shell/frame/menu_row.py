@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QMenuBar, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Actions
-from smsl_studio.studio.base.controls import Label, label, name_parts, row
+from smsl_studio.studio.base.controls import Elided, Label, label, name_parts, row
 from smsl_studio.studio.base.icons import draw, pixmap
 from smsl_studio.studio.base.theme import MENU_BAR, Tokens, text_font
 
@@ -124,7 +124,8 @@ class MenuRow(QWidget):
 class _Title(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._name = label("", "heading")
+        self._name = Elided()
+        self._name.setProperty("role", "heading")
         self._dot = Label()
         self._edited = label("", "second")
         self.setLayout(row(self._name, self._dot, self._edited, spacing=6))

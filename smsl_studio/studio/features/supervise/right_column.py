@@ -1,0 +1,78 @@
+"""The column at the right of Supervise: questions to people, the reason of a hold, and Step in."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.studio.base.controls import rule
+from smsl_studio.studio.base.panels import empty_panel
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.features.supervise.step_in import StepIn
+from smsl_studio.studio.running.hold_card import HoldCard
+
+WIDE, NARROW = 330, 240
+"""The smallest width of the column, and that in a narrow page (pixels)."""
+
+
+class RightColumn(QWidget):
+    """Task and hold card scroll if they need more room; Step in stays visible below.
+
+    In a low page all of it scrolls as one, and what is asked comes into view. ``task_slot`` is the
+    layout for the task card.
+    """
+
+    def __init__(self, hold: HoldCard, step_in: StepIn) -> None:
+        super().__init__()
+        self._step_in, self._low = step_in, False
+        inner = QWidget()
+        self._column = QVBoxLayout(inner)
+        self._column.setContentsMargins(12, 12, 12, 0)
+        self._column.setSpacing(12)
+        self.task_slot = QVBoxLayout()
+        self.task_slot.setContentsMargins(0, 0, 0, 0)
+        self.task_slot.setSpacing(12)
+        self._column.addLayout(self.task_slot)
+        self._column.addWidget(hold)
+        self._below = QVBoxLayout()
+        self._below.setContentsMargins(12, 12, 12, 12)
+        self._below.addWidget(step_in)
+        panel, whole = empty_panel()
+        self._room, self._edge = Room(inner), rule()
+        self._edge.hide()
+        # The line shows that the part above can be scrolled.
+        self._room.verticalScrollBar().rangeChanged.connect(lambda _, most: self._ranged(most))
+        whole.addWidget(self._room)
+        whole.addWidget(self._edge)
+        whole.addLayout(self._below)
+        whole.addStretch(1)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(panel)
+        self.setMinimumWidth(WIDE)
+
+    def fit(self, narrow: bool, low: bool) -> None:
+        """Need less width in a narrow page, and scroll as a whole in a low one."""
+        self.setMinimumWidth(NARROW if narrow else WIDE)
+        self._step_in.set_narrow(narrow)
+        if low == self._low:
+            return
+        self._low = low
+        (self._column if low else self._below).addWidget(self._step_in)
+        edge = 12 if low else 0
+        self._column.setContentsMargins(12, 12, 12, edge)
+        self._below.setContentsMargins(12, 12 - edge, 12, 12 - edge)
+        self._room.updateGeometry()
+
+    def see_question(self) -> None:
+        """Scroll so far that the open question is seen, as soon as it has its size."""
+        QTimer.singleShot(0, self, self._see)
+
+    def _ranged(self, most: int) -> None:
+        self._edge.setVisible(most > 0 and not self._low)
+        self._see()
+
+    def _see(self) -> None:
+        asking = self._step_in.asking
+        if self._low and asking.isVisible():
+            self._room.ensureWidgetVisible(asking, 0, 8)
