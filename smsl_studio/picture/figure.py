@@ -13,11 +13,13 @@ from functools import cached_property
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
+from smsl_studio.legible import one_line
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.labels import AsideRect
 from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, rest_mark, spacing_of
+from smsl_studio.picture.node_rows import TITLED
 from smsl_studio.picture.picture import Chip, Face, Picture
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.picture.words import elided, mono_width, width
@@ -259,8 +261,9 @@ def chip_width(chip: Chip) -> float:
 def full_width(face: Face) -> float:
     """Return the width of a node with its name and facts (pixels), 108 or more."""
     chips = sum(chip_width(chip) + GAP for chip in face.chips) - GAP
-    words = face.title if face.title and not face.chips else ""
-    wanted = max(width(face.name, NAME), width(words, LABEL)) + 24.0
+    title = width(one_line(face.title), LABEL)
+    words = min(title + 16.0, TITLED) if face.chips else title + 24.0
+    wanted = max(width(face.name, NAME) + 24.0, words)
     return min(max(round(wanted), chips + 20.0, FULL_SIZE[0]), WIDEST)
 
 

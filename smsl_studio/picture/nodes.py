@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from smsl_studio.legible import markup
+from smsl_studio.legible import markup, one_line
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import (
-    CHIP,
     CHIP_TEXT,
     GAP,
     LABEL,
@@ -17,7 +16,8 @@ from smsl_studio.picture.figure import (
     Figure,
     chip_places,
 )
-from smsl_studio.picture.levels import FULL_SIZE, Level, rest_mark
+from smsl_studio.picture.levels import Level, rest_mark
+from smsl_studio.picture.node_rows import Rows, rows_of
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.picture.shape import Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
@@ -84,37 +84,36 @@ def _short(face: Face, wide: float, colours: Colours) -> Iterator[str]:
 
 
 def _words(face: Face, wide: float, colours: Colours) -> Iterator[str]:
-    baseline = 19.0 - FULL_SIZE[1] / 2
-    if not face.chips:
-        baseline = -2.0 if face.title else 4.2
+    rows = rows_of(face)
     name = elided(face.name, NAME, wide - 16.0)
-    yield text((0.0, baseline), name, NAME, colours["tx"], 600)
-    if not face.chips and face.title:
-        yield text((0.0, 15.0), elided(face.title, LABEL, wide - 16.0), LABEL, colours["tx2"])
+    yield text((0.0, rows.name), name, NAME, colours["tx"], 600)
+    if face.title:
+        title = elided(one_line(face.title), LABEL, wide - 12.0)
+        yield text((0.0, rows.title), title, LABEL, colours["tx2"])
     places = chip_places(face, wide)
     for chip, (left, across) in zip(face.chips, places, strict=False):
-        yield from _chip(chip, left, across, colours)
+        yield from _chip(chip, left, across, rows, colours)
     if rest := len(face.chips) - len(places):
         mark = rest_mark(rest)
         half = mono_width(mark, CHIP_TEXT) / 2
         middle = places[-1][0] + places[-1][1] + GAP + half if places else 0.0
-        y = 27.0 - FULL_SIZE[1] / 2 + CHIP / 2 + 4.2
+        y = rows.chips + rows.chip / 2 + 4.2
         yield mono_text((middle, y), mark, CHIP_TEXT, colours["tx2"], 500)
 
 
-def _chip(chip: Chip, left: float, across: float, colours: Colours) -> Iterator[str]:
-    top = 27.0 - FULL_SIZE[1] / 2
+def _chip(chip: Chip, left: float, across: float, rows: Rows, colours: Colours) -> Iterator[str]:
+    top, high = rows.chips, rows.chip
     if chip.kind == "on":
-        yield box((left, top, across, CHIP), 4.0, colours["slate"])
+        yield box((left, top, across, high), 4.0, colours["slate"])
         ink = colours["onslate"]
     elif chip.kind == "off":
-        edge = (left + 0.6, top + 0.6, across - 1.2, CHIP - 1.2)
+        edge = (left + 0.6, top + 0.6, across - 1.2, high - 1.2)
         yield box(edge, 4.0, colours["surf"], colours["line2"])
         ink = colours["tx2"]
     else:
-        yield box((left, top, across, CHIP), 4.0, colours["sunk"])
+        yield box((left, top, across, high), 4.0, colours["sunk"])
         ink = colours["tx"]
     middle = left + across / 2
-    yield mono_text((middle, top + CHIP / 2 + 4.2), chip.text, CHIP_TEXT, ink, 500)
+    yield mono_text((middle, top + high / 2 + 4.2), chip.text, CHIP_TEXT, ink, 500)
     if chip.sub:
-        yield box((middle - 6.5, top + CHIP + 1.5, 13.0, 2.0), 1.0, colours["acc"])
+        yield box((middle - 6.5, top + high + 1.5, 13.0, 2.0), 1.0, colours["acc"])

@@ -20,6 +20,7 @@ from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.plain_words import is_plain_word
 from smsl_studio.picture.bundles import NO_BUNDLES, Bundles, bundles_of, chip_size, with_lane
 from smsl_studio.picture.chip_kinds import chip_kind
+from smsl_studio.picture.chip_words import ChipWords
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
@@ -56,9 +57,6 @@ class Face:
 MOST_CHIPS = 64
 """The largest number of facts of a state with a chip. A node is never wide enough for more."""
 
-LONGEST_WORD = 10
-"""The largest number of characters of a meaning on a chip. A node has room for some of these."""
-
 
 class Picture:
     """States and operations of one SB as integer arrays. Faces and labels are made when they are
@@ -78,8 +76,9 @@ class Picture:
         self, blueprint: Blueprint, branch: str, crowd: int = 0, words: bool = False
     ) -> None:
         """``words`` shows on the chips what values mean, if the blueprint says it."""
-        self.blueprint, self.crowd, self._words = blueprint, crowd, words
+        self.blueprint, self.crowd = blueprint, crowd
         self.branch: StateBranch = blueprint[branch]
+        self._words = ChipWords(self.branch) if words else None
         self.names = tuple(self.branch.table)
         numbers, table = numbers_of(self.branch), self.branch.table
         self.index, targets = numbers.of, numbers.targets
@@ -348,32 +347,8 @@ class Picture:
 
     def _chip(self, digit: int, value: str) -> Chip:
         sub = self.branch.subs.get(digit, "")
-        text = self._meaning(digit, value) if self._words else value
+        text = self._words.text(digit, value) if self._words is not None else value
         key = digit, value
         if key not in self._chip_kinds:
             self._chip_kinds[key] = chip_kind(self.branch, digit, value)
         return Chip(text, self._chip_kinds[key], sub)
-
-    def _meaning(self, digit: int, value: str) -> str:
-        note = self.branch.fact_note(digit)
-        meaning = note.values.get(value, "") if note is not None else ""
-        if meaning:
-            return _cut(meaning, LONGEST_WORD)
-        if not self._has_words:
-            return value
-        # Other chips show words. A digit alone would say nothing, so the name of its fact is added.
-        room = max(LONGEST_WORD - len(value) - 2, 4)
-        return f"{_cut(self.branch.fact_name(digit), room)}: {value}"
-
-    @cached_property
-    def _has_words(self) -> bool:
-        return has_words(self.branch)
-
-
-def has_words(branch: StateBranch) -> bool:
-    """Return whether any fact of an SB has a name or a value with a meaning."""
-    return any(note.name or note.values for note in branch.notes.facts.values())
-
-
-def _cut(text: str, most: int) -> str:
-    return f"{text[: most - 1]}…" if len(text) > most else text

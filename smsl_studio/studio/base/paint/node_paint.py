@@ -11,8 +11,9 @@ from dataclasses import dataclass, field
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
-from smsl_studio.legible import plain_text
+from smsl_studio.legible import one_line, plain_text
 from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE, rest_mark
+from smsl_studio.picture.node_rows import TITLED, rows_of
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.studio.base.paint.change_signs import (
     change_colours,
@@ -32,7 +33,7 @@ from smsl_studio.studio.base.paint.ink import (
 )
 from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE
 
-CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0
+CHIP, GAP = 18.0, 4.0
 GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
 BAND = 9.0
 """How far the band around the hit of a search reaches beyond the border (mark pixels)."""
@@ -83,7 +84,8 @@ PLAIN = NodeLook()
 def full_width(face: Face, ink: Ink) -> float:
     """The width of a full node: 108 to 200 mark pixels, as name and facts need."""
     chips = sum(chip_width(c, ink) + GAP for c in face.chips) - GAP
-    wanted = max(ink.name.width(face.name) + 24.0, chips + 20.0, FULL_SIZE[0])
+    title = min(ink.label.width(one_line(face.title)) + 16.0, TITLED) if face.title else 0.0
+    wanted = max(ink.name.width(face.name) + 24.0, title, chips + 20.0, FULL_SIZE[0])
     return min(float(round(wanted)), FULL_MAX)
 
 
@@ -106,10 +108,10 @@ def chip_places(face: Face, ink: Ink, width: float) -> list[QRectF]:
     shown = len(widths)
     while shown and _row(widths, shown, ink) > width - 12.0:
         shown -= 1
-    x = -_row(widths, shown, ink) / 2
+    x, rows = -_row(widths, shown, ink) / 2, rows_of(face)
     places = []
     for wide in widths[:shown]:
-        places.append(QRectF(x, CHIP_TOP - FULL_SIZE[1] / 2, wide - GAP, CHIP))
+        places.append(QRectF(x, rows.chips, wide - GAP, rows.chip))
         x += wide
     return places
 
@@ -251,14 +253,14 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
     name = ink.name.elided(face.name, width - 16.0)
     painter.setFont(ink.name.font)
     painter.setPen(colour)
-    # Without facts the name stands in the middle, with the title below it if there is one.
-    baseline = 19.0 - FULL_SIZE[1] / 2
-    if not face.chips:
-        baseline = -2.0 if face.title else ink.name.rise
-    painter.drawText(QPointF(-ink.name.width(name) / 2, baseline), plain_text(name))
-    if not face.chips and face.title:
+    rows = rows_of(face)
+    painter.drawText(QPointF(-ink.name.width(name) / 2, rows.name), plain_text(name))
+    if face.title:
         soft = tokens.onacc if look.active else tokens.tx2
-        ink.label.draw(painter, 0.0, 13.0, ink.label.elided(face.title, width - 16.0), soft)
+        title = ink.label.elided(one_line(face.title), width - 12.0)
+        painter.setFont(ink.label.font)
+        painter.setPen(soft)
+        painter.drawText(QPointF(-ink.label.width(title) / 2, rows.title), plain_text(title))
     sensed = dict(look.facts)
     places = chip_places(face, ink, width)
     for digit, place in enumerate(places):
@@ -268,7 +270,7 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
         across = ink.chip.width(mark)
         left = places[-1].right() + GAP if places else -across / 2
         soft = tokens.onacc if look.active else tokens.tx2
-        y = CHIP_TOP - FULL_SIZE[1] / 2 + CHIP / 2
+        y = rows.chips + rows.chip / 2
         ink.chip.draw(painter, left + across / 2, y, mark, soft)
 
 
@@ -279,7 +281,7 @@ def paint_chip(
     tokens = ink.tokens
     centre = place.center()
     if sensed == "unknown":
-        draw_unknown(painter, centre.x(), centre.y(), CHIP, ink)
+        draw_unknown(painter, centre.x(), centre.y(), place.height(), ink)
     else:
         fill, line, text = _chip_colours(chip, sensed, active, ink)
         painter.setPen(pen(line, 1.2) if line is not None else NO_PEN)

@@ -67,6 +67,9 @@ class StateSpot(QWidget):
         title = [face.title] if face.title else []
         self.setAccessibleName(plain_text(", ".join([f"{role} state {face.name}", *title, *facts])))
         self.setToolTip(tip_text("\n".join([face.name, *title, *facts])))
+        if self._strong or self._soft:
+            # The words below say it already.
+            self._face = replace(face, title="")
         self.resize(self.sizeHint())
         self.update()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from smsl_studio.picture.picture import has_words
+from smsl_studio.picture.chip_words import has_words
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
 from smsl_studio.studio.features.draw.canvas.collapse_choice import CollapseChoice
