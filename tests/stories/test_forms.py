@@ -283,6 +283,23 @@ def test_an_operation_is_bound_to_a_library_function(sit: Sit) -> None:
     assert person.blueprint.document.text == HANOI.read_text()
 
 
+def test_a_binding_by_name_is_told_only_where_a_plugin_knows_the_procedure(
+    sit: Sit, tmp_path: Path
+) -> None:
+    states = {
+        "HEADER": {"INITIAL": "S0", "ACTIVATING": "S2"},
+        "S0": {"Op_2mount": "S1", "Op_Wash": "S0"},
+        "S1": {"Op_Seal": "S2", "Op_Open": "S0"},
+        "S2": {"Op_Stop": "S0"},
+    }
+    person = sit(written(tmp_path, {"A": states}))
+    person.until(lambda: person.window.properties.operation.binding.field.count() > 1)
+    person.window.session.jump(person.blueprint.resolve("A/S0/Op_2mount"))
+    line = person.window.properties.operation.binding
+    assert "hanoi.move_disk" in [line.field.itemText(at) for at in range(line.field.count())]
+    assert line.field.currentText() == "Not bound"
+
+
 # Header, hazards, file
 
 

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.check import Term
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
+from smsl_studio.front.views.cost_words import cost_words
 from smsl_studio.picture.sub_marks import sub_mark
 
 RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE = (
@@ -31,8 +32,8 @@ class OperationCard:
 
     ``standing`` is one of the words above, and ``reasons`` say why the operation is not permitted.
     ``mark`` is ``rise``, ``fall``, ``mixed`` or empty. ``actor`` is ``human``, ``shared`` or
-    ``robot``. ``needs`` says in few words what it requires. ``unmet`` is ``unknown`` or ``missing``
-    if this is not given now.
+    ``robot``. ``cost`` is empty if the operation only moves a sub-SB. ``needs`` says in few words
+    what it requires. ``unmet`` is ``unknown`` or ``missing`` if this is not given now.
     """
 
     address: Address
@@ -193,7 +194,7 @@ def _card(
         target=branch.table[address.state][address.operation],
         mark=_mark(branch, address),
         risk=(item.risk if item else "") or note.risk or "",
-        cost=f"{cost:.1f}",
+        cost=cost_words(branch, address, cost),
         actor=actor if level in ("automatic", "") or note.actor else ACTORS[level],
         needs=needs,
         standing=_standing(status, address, item),

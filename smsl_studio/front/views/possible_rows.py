@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
+from smsl_studio.front.views.cost_words import cost_words
 from smsl_studio.front.views.states import short_name
 
 CHOOSABLE = ("ready", "paused", "fault_hold", "no_route")
@@ -22,7 +23,8 @@ class PossibleRow:
 
     ``kind`` is ``running``, ``route``, ``possible``, ``waits``, ``refused`` or ``pruned``. For
     operations after the running one it is ``next`` or ``later``. ``words`` explain the kind.
-    ``note`` stands beside the heading of the group.
+    ``cost`` is empty if the
+    operation only moves a sub-SB. ``note`` stands beside the heading of the group.
     """
 
     address: Address
@@ -55,7 +57,7 @@ def _possible_row(blueprint: Blueprint, status: DispatchStatus, item: Possible) 
         target=short_name(blueprint[address.branch], item.target),
         kind=kind,
         words=words,
-        cost=f"{item.cost:.1f}",
+        cost=cost_words(blueprint[address.branch], address, item.cost),
         group=f"From {_named(blueprint, address.branch, address.state)}",
         note="active",
     )
@@ -107,7 +109,7 @@ def _predicted(blueprint: Blueprint, status: DispatchStatus) -> Iterator[Possibl
             target=short_name(branch, target),
             kind=kind,
             words=words,
-            cost=f"{branch.cost(here, name):.1f}",
+            cost=cost_words(branch, address, branch.cost(here, name)),
             group=f"Then, from {_named(blueprint, branch.name, here)}",
             note="predicted",
         )

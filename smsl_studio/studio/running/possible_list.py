@@ -223,9 +223,8 @@ class PossibleList(QScrollArea):
             if row.kind in PRUNABLE:
                 across.addWidget(self._scissors(row))
         line.setToolTip(tip_text(f"{row.address} to {row.target}: {row.words}"))
-        line.setAccessibleName(
-            plain_text(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
-        )
+        cost = f", cost {row.cost}" if row.cost else ""
+        line.setAccessibleName(plain_text(f"{row.name} to {row.target}, {row.words}{cost}"))
         return line
 
     def _fixed(self, widget: QWidget, column: int) -> QWidget:

@@ -138,3 +138,14 @@ def test_what_waits_for_people() -> None:
     assert view is not None
     waits = [card.name for card in view.cards if card.standing == "waits"]
     assert waits == ["Registered"]
+
+
+def test_an_operation_that_only_moves_a_sub_sb_shows_no_cost() -> None:
+    view = partial_view(SAMPLE, status(HERE), REGISTRATION)
+    assert view is not None
+    branch = SAMPLE[REGISTRATION]
+    for card in view.cards:
+        before, after = branch.facts("State110"), branch.facts(card.target)
+        changed = [digit for digit in range(3) if before[digit] != after[digit]]
+        assert (card.cost == "") is (changed in ([digit] for digit in branch.subs)), card.name
+    assert len({card.cost for card in view.cards}) > 1

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.annotations import Binding
+from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.errors import PluginError
+from smsl_studio.library.by_name import function_by_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import Combo, Field
 from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, same
@@ -32,10 +34,13 @@ class BindingLine(FormLine):
     def __init__(self, words: str, tip: str) -> None:
         self.field: Combo = Combo()
         super().__init__(words, self.field, tip)
+        self._loaded = Loaded()
         self._functions: dict[str, OperationEntry] = {}
         self._names: list[str | None] = []
         self._shown: tuple[ShownValue, ...] = ()
         self.operation = ""
+        self.branch: StateBranch | None = None
+        """The SB of the operation; None if the operations stand in several."""
         self.arguments: dict[str, ArgumentLine] = {}
         self._below = QWidget()
         self._column = QVBoxLayout(self._below)
@@ -48,6 +53,7 @@ class BindingLine(FormLine):
 
     def set_plugins(self, loaded: Loaded) -> None:
         """Set the functions that can be chosen."""
+        self._loaded = loaded
         self._functions = {
             entry.name: entry for plugin in loaded.plugins for entry in plugin.library.operations
         }
@@ -82,9 +88,11 @@ class BindingLine(FormLine):
         inherited = self._shown[0].standard if self._shown else None
         if inherited is not None:
             return f"{inherited.function} ({self._shown[0].origin})"
-        for name, entry in self._functions.items():
-            if self.operation and entry.pattern and entry.pattern.match(self.operation) is not None:
-                return f"By its name: {name}"
+        name = ""
+        if self.operation and self.branch is not None:
+            name = function_by_name(self._loaded, self.branch, self.operation)
+        if name:
+            return f"By its name: {name}"
         return "Not bound" if self._functions else "No function is loaded"
 
     def _show_arguments(self, written: Binding | None) -> None:

@@ -197,9 +197,9 @@ class CardButton(QAbstractButton):
         word = self.card.risk or "not rated"
         plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
         left += 33 + max(plain.width(word), plain.width("medium")) + 8
-        cost = f"cost {self.card.cost}"
+        cost = f"cost {self.card.cost}" if self.card.cost else ""
         plain.draw_from(painter, left, y, cost, t.tx2)
-        left += max(plain.width(cost), plain.width("cost 0.0")) + 8
+        left += max(plain.width(cost), plain.width("cost 0.0")) + 8 if cost else 0
         icon = ACTOR_ICON.get(self.card.actor, "robot")
         draw(painter, icon, QRectF(left, y - 7, 13, 13), t.tx2, t.surf)
         left += 17
@@ -229,7 +229,8 @@ def card_words(card: OperationCard, chosen: bool = False) -> str:
     words += ["chosen"] if chosen else []
     words.append(BADGES.get(card.standing, "on the route" if card.on_route else "possible"))
     words.append(f"risk {card.risk}" if card.risk else "risk not rated")
-    words += [f"cost {card.cost}", ACTORS.get(card.actor, card.actor)]
+    words += [f"cost {card.cost}"] if card.cost else []
+    words.append(ACTORS.get(card.actor, card.actor))
     if card.needs != "Nothing":
         words.append(f"needs {card.needs}")
     return ", ".join([*words, *card.reasons])

@@ -206,6 +206,8 @@ class OperationForm(NoteForm):
         self.requires.set_blueprint(blueprint)
         names = {edge.operation for edge in self._edges}
         self.binding.operation = next(iter(names)) if len(names) == 1 else ""
+        together = len({edge.branch for edge in self._edges}) == 1
+        self.binding.branch = blueprint[self._edges[0].branch] if together else None
         self.show_entries(entries_of(blueprint, self._edges, self._only_here))
         self._where.say("" if self._only_here else _own_words(blueprint, self._edges))
         branches = [blueprint[edge.branch] for edge in self._edges]
