@@ -3,7 +3,7 @@
 If only some states are tidied, all others stay where they are. If all are tidied, the new drawing
 is moved to where the former one was. It is turned upside down if more states then stand near their
 former places. If the former drawing is about as good as the new one, it is kept, and the local
-search improves it.
+search improves it. A long chain is folded into rows.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from smsl_studio.graph.arrangement import BEST, arranged, part_of, settles, ties
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
+from smsl_studio.graph.folded import folded_chain
 from smsl_studio.graph.layout import free_places, place_anew
 from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.triangle import in_triangle
@@ -41,13 +42,15 @@ def tidied(
     if 0 < len(own) < len(branch.table):
         return _some(branch, former, own, kind)
     fresh = place_anew(branch, kind)
+    chain = folded_chain(branch, fresh) if kind == BEST else None
+    fresh = chain or fresh
     names = list(branch.table)
     before = np.array([former[name] for name in names], dtype=np.float64).reshape(-1, 2)
     after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
     if not len(after) or (kind == BEST and in_triangle(branch) is not None):
         return fresh
     # A layout in rows of facts is kept whole, because the search would move states out of rows.
-    free = kind == BEST and in_fact_rows(branch, ties_for(branch)) is None
+    free = kind == BEST and chain is None and in_fact_rows(branch, ties_for(branch)) is None
     kept = _kept(branch, before, after) if free else None
     if kept is None:
         kept = _as_before(before, after)

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
 import statistics
 from random import Random
 
 import pytest
 
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.graph.arrangement import KINDS
+from smsl_studio.graph.arrangement import KINDS, LAYERS
+from smsl_studio.graph.folded import chain_of, folded_chain
 from smsl_studio.graph.layout import place_anew, place_states
 from smsl_studio.graph.tidied import tidied
 from tests.graph.edited import edited, random_branch
-from tests.graph.test_layout import Places, covers, cube, hanoi, sample
+from tests.graph.test_layout import Places, chain, covers, cube, hanoi, sample
 
 FARM = {
     "Home": {"walk": "Field", "drive": "Town"},
@@ -82,3 +84,31 @@ def test_after_random_edits_a_tidy_drawing_is_where_it_was() -> None:
             branch, places, movements = edited(branch, places, chance)
             moved.append(statistics.median(movements))
     assert statistics.median(moved) <= 40.0
+
+
+@pytest.mark.parametrize("count", [7, 8, 12, 13, 30])
+def test_a_long_chain_is_folded_into_rows(count: int) -> None:
+    names = [f"State{number}" for number in range(count)]
+    branch = chain(*names, more={names[3]: {"stay": names[3]}, names[-1]: {"back": names[-2]}})
+    row = {name: (300.0 * number, 50.0) for number, name in enumerate(names)}
+    places = tidied(branch, row)
+    assert list(places) == names
+    assert not covers(places)
+    wide, high = (max(at) - min(at) for at in zip(*places.values(), strict=True))
+    assert wide < 3.2 * high + 500.0
+    for one, other in itertools.pairwise(names):
+        (ax, ay), (bx, by) = places[one], places[other]
+        assert (ax == bx) != (ay == by), "neighbours stay neighbours"
+    assert tidied(branch, places) == places
+    assert len({y for _, y in tidied(branch, row, kind=LAYERS).values()}) == 1, "as asked for"
+
+
+def test_what_is_no_long_chain_is_not_folded() -> None:
+    assert chain_of(chain("A", "B", "C")) == ["A", "B", "C"]
+    assert chain_of(farm()) == []
+    ring = chain("A", "B", "C", more={"C": {"back": "A"}})
+    assert chain_of(ring) == []
+    two = StateBranch("SB", {"A": {"go": "B"}, "B": {}, "C": {"go": "D"}, "D": {}})
+    assert chain_of(two) == []
+    six = chain("A", "B", "C", "D", "E", "F")
+    assert folded_chain(six, place_anew(six)) is None

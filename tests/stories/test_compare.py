@@ -317,3 +317,16 @@ def test_each_side_says_which_version_it_is_and_where(sit: Sit, tmp_path: Path) 
         assert side.title.text().startswith(words)
         assert side.title.toolTip().startswith(words), "a cut name can be read whole"
         assert side.canvas.camera.fitted
+
+
+def test_a_note_alone_is_told_as_one_difference_in_words(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    person.select("SB1/State100")
+    person.window.actions_table["add_note"].trigger()
+    person.type("Ask the clinic")
+    person.ctrl(Qt.Key.Key_Return)
+    person.press(Qt.Key.Key_Escape)
+    dialog = asked(person, "compare_saved")
+    assert dialog.summary == "Same meaning: only 1 note differs."
+    rows = [row.text for row in dialog.changes.rows.rows if row.kind != "section"]
+    assert rows == ["The note “Ask the clinic” is added to SB1."]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtTest import QTest
@@ -248,3 +250,30 @@ def test_the_buttons_of_a_state_cover_no_label_and_no_node(hanoi: Drawer, zoom: 
             assert not (left < area.right() and area.left() < right
                         and top < area.bottom() and area.top() < bottom), name  # fmt: skip
     assert found > 20, "most states have their buttons"
+
+
+# Chains
+
+
+def test_a_chain_by_tab_goes_on_in_the_next_row_and_back(sit: Sit) -> None:
+    person = sit()
+    view = person.window.canvas.viewport()
+    person.double_click_canvas(QPoint(view.width() // 2, view.height() // 2))
+    names = [f"S{number}" for number in range(12)]
+    for number, name in enumerate(names):
+        person.type(name)
+        person.press(Key.Key_Return)
+        if name != names[-1]:
+            person.press(Key.Key_Tab)
+            person.type(f"Op{number}")
+            person.press(Key.Key_Tab)
+    places = person.window.canvas.positions
+    assert list(places) == names
+    rows = [[name for name in names if places[name][1] == y]
+            for y in dict.fromkeys(y for _, y in places.values())]  # fmt: skip
+    assert len(rows) > 1
+    assert max(map(len, rows)) <= max(4, view.width() // 218)
+    for row, after in itertools.pairwise(rows):
+        assert places[row[-1]][0] == places[after[0]][0], "the next row begins below"
+    steps = [places[b][0] - places[a][0] for row in rows[:2] for a, b in itertools.pairwise(row)]
+    assert steps[0] > 0 > steps[-1], "and leads back"

@@ -10,6 +10,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.values import said
+from smsl_studio.blueprint.drawn import GROUPS, NOTES
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
 
@@ -147,10 +148,15 @@ class Difference:
 
     @property
     def _fields_differ(self) -> str:
-        """The names of the fields without meaning that differ."""
-        names = [said(name) for name in dict.fromkeys(one.field for one in self.fields)]
+        """How many notes and groups differ, and the names of other fields without meaning."""
+        counts = Counter(map(_subject, self.fields))
+        names = [
+            said(one) if one.startswith("_") else f"1 {one}" if count == 1 else f"{count} {one}s"
+            for one, count in counts.items()
+        ]
         if len(names) == 1:
-            return f"{names[0]} differs"
+            one_only = names[0].startswith(("_", "1 "))
+            return f"{names[0]} {'differs' if one_only else 'differ'}"
         told, left = names[:_TOLD], len(names) - _TOLD
         last = f"{left} more" if left > 0 else told.pop()
         return f"{', '.join(told)} and {last} differ"
@@ -175,6 +181,15 @@ class Difference:
             "place_before": _line_and_column(self.place_before(change)),
             "place_after": _line_and_column(self.place_after(change)),
         }
+
+
+def _subject(change: Change) -> str:
+    """Return ``note`` or ``group`` for what is on the drawing, else the name of the field."""
+    path = change.path_after or change.path_before
+    for table, word in ((NOTES, "note"), (GROUPS, "group")):
+        if len(path) > 1 and path[-2] == table:
+            return word
+    return change.field if change.field.startswith("_") else f"_{change.field}"
 
 
 def _place(blueprint: Blueprint, path: Path) -> Place | None:

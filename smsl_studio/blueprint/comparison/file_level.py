@@ -19,7 +19,7 @@ from smsl_studio.blueprint.project import real_path
 
 Json = Any
 _OWN = ("_hazards", "_imports", "_levels")
-_TOLD = 8
+_TOLD, _ENTRIES = 8, 4
 
 
 def compare_fields(sides: Sides) -> None:
@@ -61,9 +61,19 @@ def kind_of(here: bool, there: bool) -> ChangeKind:
 
 def value_words(here: bool, there: bool, old: Json, new: Json) -> str:
     """Return the words for a change of a value, such as ``is 2 instead of 1``."""
+    if here and there and isinstance(old, dict) and isinstance(new, dict) and old and new:
+        told = [_entry_words(key, old, new) for key, *_ in fields_that_differ(old, new)]
+        more = f", and {len(told) - _ENTRIES} more" if len(told) > _ENTRIES else ""
+        return f"differ: {', '.join(told[:_ENTRIES])}{more}"
     if here and there:
         return f"is {said(new)} instead of {said(old)}"
     return f"is removed (it was {said(old)})" if here else f"is added: {said(new)}"
+
+
+def _entry_words(key: str, old: Json, new: Json) -> str:
+    if key not in new:
+        return f"{key} is removed (it was {said(old[key])})"
+    return f"{key} is {said(new[key])}" + (f" instead of {said(old[key])}" if key in old else "")
 
 
 def compare_order(sides: Sides) -> None:

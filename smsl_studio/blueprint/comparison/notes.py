@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.comparison.difference import Change, Path
+from smsl_studio.blueprint.comparison.drawn_words import drawn_words
 from smsl_studio.blueprint.comparison.file_level import changed_fields, kind_of, value_words
 from smsl_studio.blueprint.comparison.sides import BranchSides
 from smsl_studio.blueprint.comparison.values import fields_that_differ, merged
@@ -50,9 +52,14 @@ def _compare_drawn(pair: BranchSides, path: Path, old: Json, new: Json) -> None:
         where, inside = f"{key} of {where}", [*path]
     else:
         old, new = {key: old}, {key: new}
-    pair.sides.changes.extend(changed_fields(
+    for change in changed_fields(
         old or {}, new or {}, where, (*at.path, *inside), (*to.path, *inside),
-        before=at, after=to))  # fmt: skip
+        before=at, after=to
+    ):  # fmt: skip
+        words = (
+            drawn_words(key, pair.after.name, change.old, change.new) if inside == [*path] else ""
+        )
+        pair.sides.changes.append(replace(change, words=words) if words else change)
 
 
 def _compare_table(

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
+from itertools import islice
 from typing import Any, TypeVar
 
 Json = Any
 T = TypeVar("T")
-_LONGEST = 60
+_LONGEST, _DEEPEST, _MOST = 60, 3, 30
 
 
 def alike(one: Json, other: Json) -> bool:
@@ -54,8 +55,26 @@ def merged(before: list[T], after: list[T]) -> list[T]:
 
 
 def said(value: Json) -> str:
-    """Return a value for a sentence, cut if it is long."""
+    """Return a value for a sentence, in words and not as JSON, and cut if it is long."""
+    text = _in_words(value, _DEEPEST)
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+
+
+def _in_words(value: Json, depth: int) -> str:
+    """Return a value as words. Of long lists the first items are enough, as the text is cut."""
+    if isinstance(value, str):
+        return value
+    if value is None:
+        return "nothing"
+    if isinstance(value, Mapping | list | tuple) and not value:
+        return "nothing"
+    if depth and isinstance(value, Mapping):
+        pairs = islice(value.items(), _MOST)
+        return ", ".join(f"{key}: {_in_words(one, depth - 1)}" for key, one in pairs)
+    if depth and isinstance(value, list | tuple):
+        return ", ".join(_in_words(one, depth - 1) for one in value[:_MOST])
+    if isinstance(value, Mapping | list | tuple):
+        return f"{len(value)} entries"
     if isinstance(value, float) and value.is_integer():
         value = int(value)
-    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    return json.dumps(value, ensure_ascii=False)

@@ -332,3 +332,45 @@ def test_a_difference_as_json_has_places_on_both_sides() -> None:
     assert (found["same"], found["layout_only"], len(found["changes"])) == (False, False, 2)
     assert found["changes"][0]["place_after"]["line"] == 73
     assert found["changes"][0]["old"] == "Op_1c"
+
+
+def test_notes_and_groups_are_counted_and_told_in_words() -> None:
+    note = {"text": "Hello\nthere", "author": "A", "date": "2026-01-01", "at": [10, 20]}
+    group = {"title": "Near", "states": ["A"]}
+    plain = {"A": {"go": "B"}, "B": {"go": "A"}}
+    before = of({"S": plain, "T": plain})
+    drawn = {**plain, "_notes": {"1": note}, "_layout": {"_groups": {"1": group}}}
+    after = of({"S": drawn, "T": {**plain, "_notes": {"1": note}}})
+    found = compare(before, after)
+    assert found.words == "Same meaning: only 2 notes and 1 group differ."
+    assert [one.words for one in found.fields] == [
+        "The note “Hello” is added to S.",
+        "The group “Near” is added to S.",
+        "The note “Hello” is added to T.",
+    ]
+    moved = {**drawn, "_notes": {"1": {**note, "text": "Bye", "state": "B"}}}
+    again = compare(after, of({"S": moved, "T": plain}))
+    assert again.words == "Same meaning: only 2 notes differ."
+    assert [one.words for one in again.fields] == [
+        "The note “Bye” of S said “Hello” before and hangs on B.",
+        "The note “Hello” of T is removed.",
+    ]
+    wider = {**drawn, "_layout": {"_groups": {"1": {"title": "Near", "states": ["B", "A"]}}}}
+    assert [one.words for one in compare(after, of({"S": wider, "T": drawn})).fields][:1] == [
+        "The group “Near” of S has B too."
+    ]
+
+
+def test_values_are_told_in_words_and_not_as_json() -> None:
+    def with_values(values: dict[str, str], sensors: list[str]) -> Blueprint:
+        facts = {"0": {"values": values, "sensors": sensors}}
+        return of({"S": {"S0": {"go": "S1"}, "S1": {}, "_facts": facts}})
+
+    found = compare(
+        with_values({"0": "open", "1": "shut"}, ["a"]),
+        with_values({"0": "open", "1": "fixed"}, ["a", "b"]),
+    )
+    told = [change.words for change in found.changes]
+    assert any(words.endswith("differ: 1 is fixed instead of shut.") for words in told), told
+    assert any(words.endswith("is a, b instead of a.") for words in told), told
+    assert not any("{" in words or "[" in words for words in told)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.chain_places import chain_offsets
 from smsl_studio.studio.features.draw.canvas.free_places import AROUND, SIBLINGS, free_place
 
 Connect = Callable[[Address, Address | None, QPointF], object]
@@ -41,7 +42,9 @@ class QuickAdd:
             self._canvas.reveal(states[0], smooth=False)
             self._connect(states[0], states[1], QPointF((ax + bx) / 2, (ay + by) / 2))
         else:
-            self._begin(states[0], states[0].state, AROUND)
+            row = self._session.blueprint[states[0].branch].table
+            around = chain_offsets(self._canvas, row, states[0].state)
+            self._begin(states[0], states[0].state, around)
 
     def sibling(self) -> None:
         """Add an operation to a new state from where the selected operation starts.
