@@ -51,6 +51,7 @@ BENCHES = (
     "mental_map",
     "plans",
     "proof",
+    "shapes",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

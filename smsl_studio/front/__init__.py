@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
-    from smsl_studio.front.shapes import diff_behaviour, flatten
+    from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
     from smsl_studio.front.single_edge import try_edge
     from smsl_studio.front.suitable_worlds import worlds_for
     from smsl_studio.front.sweeps import sweep
@@ -48,11 +48,14 @@ __all__ = [
     "diff_behaviour",
     "digest",
     "explore",
+    "extract",
     "flatten",
     "fmt",
     "forbid_plugin",
     "from_multidigraph",
     "git_setup",
+    "identify",
+    "inline",
     "inspect",
     "merge",
     "multidigraph",
@@ -101,6 +104,9 @@ VERBS = {
     "explore": Verb("all configurations of all SBs together: disagreements and traps",
                     ("explore",)),
     "flatten": Verb("write a blueprint as one SB that behaves alike", ("flatten",)),
+    "extract": Verb("write a blueprint in which some states are a sub-SB", ("extract",)),
+    "inline": Verb("write a blueprint in which a sub-SB and its base are one SB", ("inline",)),
+    "identify": Verb("list the states that could be a sub-SB", ("identify",)),
     "run": Verb("run a blueprint in a world, headless", ("run",)),
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -122,7 +128,10 @@ _HOMES = {
     "plan_route": "routes",
     "explore": "exploration",
     "diff_behaviour": "shapes",
+    "extract": "shapes",
     "flatten": "shapes",
+    "identify": "shapes",
+    "inline": "shapes",
     "from_multidigraph": "graphs",
     "multidigraph": "graphs",
     "Run": "runs",

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
-from smsl_studio.generate.flat import flat_values
+from smsl_studio.generate.flat import FlatBranch
+from smsl_studio.generate.shapes.extract import cut_out
+from smsl_studio.generate.shapes.identify import FoundCut, found_cuts
+from smsl_studio.generate.shapes.inline import put_back
 from smsl_studio.inspection.equivalence.equivalence import Equivalence, equivalence
 from smsl_studio.inspection.explorer.part import restricted
 from smsl_studio.smsl.json_form import parse_json, write_json
@@ -43,8 +48,55 @@ def flatten(blueprint: Blueprint, branch: str | None = None, limit: int = LIMIT)
     (4, True)
     """
     part = blueprint if branch is None else _below(blueprint, branch)
-    text = write_json(flat_values(part, limit))
+    text = write_json(FlatBranch(part, limit).values())
     return read_blueprint(parse_json(text, blueprint.file))
+
+
+def extract(
+    blueprint: Blueprint, branch: str, states: Collection[str], name: str, limit: int = LIMIT
+) -> Blueprint:
+    """Return a blueprint in which some states of an SB are a sub-SB ``name`` of it.
+
+    The base has one state for them. The sub-SB has them, with the facts in which they differ or
+    that change when they are left, and one more state, ACTIVATING. CutRefused (an EditRefused),
+    with a run that shows why, if the result would not behave as before. PlanningError if there are
+    more than ``limit`` configurations, RunRefused if there is no start.
+
+    >>> flat = flatten(read("registration-digitization.json"))
+    >>> cut = extract(flat, "REGISTRATION", ["State100+State0"], "DIGITIZATION")
+    >>> list(cut["DIGITIZATION"].table)
+    ['State100+State0', 'State_done']
+    """
+    return cut_out(blueprint, branch, states, name, limit)[0]
+
+
+def inline(blueprint: Blueprint, sub: str, limit: int = LIMIT) -> Blueprint:
+    """Return a blueprint in which a sub-SB and its base are one SB that behaves alike.
+
+    EditRefused if it has not exactly one base, if operations of the two require facts of other
+    SBs, or if a property names one of their states. PlanningError if there are more than ``limit``
+    configurations, RunRefused if there is no start.
+
+    >>> whole = inline(read("hfsm.json"), "SB2")
+    >>> list(whole.branches), diff_behaviour(read("hfsm.json"), whole).equal
+    (['SB1'], True)
+    """
+    return put_back(blueprint, sub, limit)
+
+
+def identify(blueprint: Blueprint, limit: int = LIMIT) -> list[FoundCut]:
+    """Return the states that could be a sub-SB, what each cut saves, and why; the best first.
+
+    Only cuts after which the blueprint behaves as before are listed, at most 100 (paper, "SB
+    identification"). PlanningError if there are more than ``limit`` configurations, RunRefused if
+    there is no start.
+
+    >>> [cut.why for cut in identify(flatten(read("registration-digitization.json")))][0][:70]
+    '1 state is entered at State100+State0 and left through REGISTRATION.La'
+    >>> identify(read("hanoi-corrected.json"))
+    []
+    """
+    return found_cuts(blueprint, limit)
 
 
 def _below(blueprint: Blueprint, branch: str) -> Blueprint:

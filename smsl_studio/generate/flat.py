@@ -13,7 +13,6 @@ from smsl_studio.blueprint.configuration import Hierarchy, standing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.equivalence.transitions import (
-    Transitions,
     fact_keys,
     label_of,
     transitions_of,
@@ -23,24 +22,19 @@ from smsl_studio.inspection.proof.space import Key
 Json = Any
 
 
-def flat_values(blueprint: Blueprint, limit: int) -> dict[str, Json]:
-    """Return a blueprint as the plain values of one SB that behaves alike.
+class FlatBranch:
+    """A blueprint as one SB that behaves alike.
 
     PlanningError if it has more than ``limit`` configurations, RunRefused if it has no start.
     """
-    found = transitions_of(blueprint, limit)
-    if found.bound:
-        raise PlanningError(
-            f"it was not flattened: it has more than {found.bound}",
-            advice="Take a larger --limit, or flatten one SB and what is below it with --sb.",
-        )
-    return _Flat(blueprint, found).values()
 
-
-class _Flat:
-    """The one SB, while it is written."""
-
-    def __init__(self, blueprint: Blueprint, found: Transitions) -> None:
+    def __init__(self, blueprint: Blueprint, limit: int) -> None:
+        found = transitions_of(blueprint, limit)
+        if found.bound:
+            raise PlanningError(
+                f"it was not flattened: it has more than {found.bound}",
+                advice="Take a larger --limit, or flatten one SB and what is below it with --sb.",
+            )
         self._blueprint, self._found = blueprint, found
         self._hierarchy = Hierarchy(blueprint)
         self._keys = list(found.keys)
@@ -52,8 +46,17 @@ class _Flat:
         self._goal, *self._more = goals
         self._names = _names(self._keys)
 
+    @property
+    def places(self) -> dict[str, dict[str, str]]:
+        """For each state the states of the former SBs."""
+        order = self._found.order
+        return {
+            name: dict(zip(order, key, strict=True))
+            for name, key in zip(self._names, self._keys, strict=True)
+        }
+
     def values(self) -> dict[str, Json]:
-        """Return the values of the file."""
+        """Return the plain values of a file with the one SB."""
         several = len(self._blueprint.branches) > 1
         header = {"INITIAL": self._names[0], "ACTIVATING": self._names[self._goal]}
         table: dict[str, dict[str, str]] = {name: {} for name in self._names}

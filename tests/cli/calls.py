@@ -13,7 +13,14 @@ from importlib import import_module
 from smsl_studio.cli.arguments import COMMANDS, ArgumentParser
 from smsl_studio.cli.output import Output
 
-VALUES = {"--world": "table", "--from": "FROM", "--to": "TO"}
+VALUES = {
+    "--world": "table",
+    "--from": "FROM",
+    "--to": "TO",
+    "--sb": "SB",
+    "--states": "FROM",
+    "--as": "NEW",
+}
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""

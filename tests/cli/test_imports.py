@@ -68,7 +68,8 @@ def test_what_is_named_is_neither_quoted_nor_drawn_nor_recorded(
         answer = shell(name, str(hostile), *more)
         assert answer.status == status, (words, answer.err)
         assert SECRET not in answer.out + answer.err, words
-    values = {"FILE": str(hostile), "OTHER": str(other), "FROM": "State0", "TO": "State1"}
+    values = {"FILE": str(hostile), "OTHER": str(other)}
+    values |= {"SB": "SB1", "FROM": "State0", "TO": "State1"}
     for line in (*calls().values(), *json_calls().values()):
         answer = shell(*filled(line, {**values, "OUT": f"{out}-any"}))
         assert answer.status in (0, 1), (line, answer.err)

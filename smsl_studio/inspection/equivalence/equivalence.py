@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.equivalence.refinement import Refinement
 from smsl_studio.inspection.equivalence.transitions import (
     FactAt,
+    Label,
     Transitions,
     fact_keys,
     transitions_of,
@@ -22,6 +23,19 @@ Json = Any
 Facts = Sequence[tuple[str, ...]]
 Labels = tuple[str, ...]
 Pair = tuple[int, int]
+Keys = tuple[dict[str, FactAt], dict[str, FactAt]]
+"""The facts of both sides that are compared, under the same keys."""
+
+
+class ComparedView(NamedTuple):
+    """The names under which the facts and the operations of both sides are compared.
+
+    ``names`` stand for the two sides in sentences.
+    """
+
+    keys: Keys
+    labels: tuple[Label, Label]
+    names: tuple[str, str] = ("the file", "the result")
 
 
 @dataclass(frozen=True)
@@ -49,32 +63,41 @@ class Equivalence:
         }
 
 
-def equivalence(first: Blueprint, second: Blueprint, limit: int) -> Equivalence:
+def equivalence(
+    first: Blueprint, second: Blueprint, limit: int, view: ComparedView | None = None
+) -> Equivalence:
     """Compare two blueprints. At most ``limit`` configurations of each are stored.
 
-    INITIAL, facts and permitted operations count; ACTIVATING, costs and titles do not. RunRefused
-    if one of them has no start.
+    INITIAL, facts and permitted operations count; ACTIVATING, costs and titles do not. ``view``
+    gives other names to facts and operations than the two have. RunRefused if one of them has no
+    start.
     """
-    sides = transitions_of(first, limit), transitions_of(second, limit)
+    labels = view.labels if view else (None, None)
+    sides = transitions_of(first, limit, labels[0]), transitions_of(second, limit, labels[1])
     counts = len(sides[0].keys), len(sides[1].keys)
     for side in sides:
         if side.bound:
             reason = f"{side.blueprint.file} met the limit of {side.bound}"
             return Equivalence(None, (), reason, counts)
+    if view is not None:
+        return _Compared(sides, view.keys, limit, view.names).equivalence(counts)
     keys = fact_keys(first), fact_keys(second)
     if keys[0].keys() != keys[1].keys():
         keys = fact_keys(first, named=False), fact_keys(second, named=False)
-    return _Compared(sides, keys, limit).equivalence(counts)
-
-
-Keys = tuple[dict[str, FactAt], dict[str, FactAt]]
+    return _Compared(sides, keys, limit, (first.file, second.file)).equivalence(counts)
 
 
 class _Compared:
     """Two transition systems, and the facts that are compared."""
 
-    def __init__(self, sides: tuple[Transitions, Transitions], keys: Keys, limit: int) -> None:
-        self._sides, self._keys, self._limit = sides, keys, limit
+    def __init__(
+        self,
+        sides: tuple[Transitions, Transitions],
+        keys: Keys,
+        limit: int,
+        names: tuple[str, str],
+    ) -> None:
+        self._sides, self._keys, self._limit, self._names = sides, keys, limit, names
         self._both = sorted(keys[0].keys() & keys[1].keys())
         first, second = (
             list(side.facts({key: known[key] for key in self._both}))
@@ -100,7 +123,7 @@ class _Compared:
         return Equivalence(False, path, self._reason(path), counts)
 
     def _file(self, side: int) -> str:
-        return self._sides[side].blueprint.file
+        return self._names[side]
 
     def _is_plain(self, side: int) -> bool:
         """Whether each label leads to one configuration at most."""

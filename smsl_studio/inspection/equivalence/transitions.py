@@ -8,7 +8,7 @@ be compared with the single SB that it is flattened to.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,6 +20,8 @@ from smsl_studio.stop import heed
 
 FactAt = tuple[str, int]
 """An SB and a digit, counted from 0."""
+Label = Callable[[Address], str]
+"""Gives the label of an operation."""
 
 
 @dataclass(frozen=True)
@@ -29,22 +31,35 @@ class Transitions:
     ``order`` are the SBs in the order of each configuration in ``keys``. ``steps`` has for each
     configuration the operations that may be asked there, with the number of the configuration that
     each leads to. ``bound`` says in words why some are missing; it is empty if there are all.
+    ``label`` gives the label of an operation.
     """
 
     blueprint: Blueprint
     order: tuple[str, ...]
     keys: Sequence[Key]
     steps: Sequence[Sequence[tuple[Address, int]]]
+    label: Label
     bound: str = ""
 
     @cached_property
     def labels(self) -> Sequence[Sequence[tuple[str, int]]]:
         """For each configuration the labels of its steps and where they lead, in order."""
-        several = len(self.blueprint.branches) > 1
         return [
-            sorted((label_of(address, several), target) for address, target in steps)
+            sorted({(self.label(address), target) for address, target in steps})
             for steps in self.steps
         ]
+
+    def run_to(self, address: Address) -> tuple[str, ...]:
+        """Return the labels of a shortest run that ends with an operation. Empty if there is
+        none."""
+        way: dict[int, tuple[str, ...]] = {0: ()}
+        for node, steps in enumerate(self.steps):
+            for one, target in steps:
+                path = (*way[node], self.label(one))
+                if one == address:
+                    return path
+                way.setdefault(target, path)
+        return ()
 
     def facts(self, keys: Mapping[str, FactAt]) -> Iterator[tuple[str, ...]]:
         """Yield for each configuration the values of some facts, in the order of ``keys``."""
@@ -54,11 +69,15 @@ class Transitions:
             yield tuple(_value(branch, key[place], digit) for place, branch, digit in columns)
 
 
-def transitions_of(blueprint: Blueprint, limit: int) -> Transitions:
+def transitions_of(blueprint: Blueprint, limit: int, label: Label | None = None) -> Transitions:
     """Explore a blueprint from its start. At most ``limit`` configurations are stored.
+
+    Without a ``label`` it is the operation's name, with its SB if there are several SBs.
 
     Hazards and failures are not left out. RunRefused if there is no start.
     """
+    several = len(blueprint.branches) > 1
+    label = label or (lambda address: label_of(address, several))
     space = Space(blueprint)
     start, (most, bound) = space.start(), space.storable(limit)
     number, keys = {start: 0}, [start]
@@ -70,15 +89,15 @@ def transitions_of(blueprint: Blueprint, limit: int) -> Transitions:
         try:
             onward = space.steps(key)
         except PlanningError as error:
-            return Transitions(blueprint, space.order, keys, steps, error.sentence)
+            return Transitions(blueprint, space.order, keys, steps, label, error.sentence)
         for step in onward:
             if step.to not in number:
                 if len(keys) >= most:
-                    return Transitions(blueprint, space.order, keys, steps, bound)
+                    return Transitions(blueprint, space.order, keys, steps, label, bound)
                 number[step.to] = len(keys)
                 keys.append(step.to)
             found.append((step.address, number[step.to]))
-    return Transitions(blueprint, space.order, keys, steps)
+    return Transitions(blueprint, space.order, keys, steps, label)
 
 
 def label_of(address: Address, several: bool) -> str:

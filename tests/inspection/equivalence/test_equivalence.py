@@ -2,113 +2,25 @@
 
 from __future__ import annotations
 
-import json
-from copy import deepcopy
 from random import Random
 from typing import Any
 
 import pytest
 
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, PlanningError, RunRefused
 from smsl_studio.front.inputs import read
 from smsl_studio.front.shapes import diff_behaviour, flatten
 from smsl_studio.inspection.equivalence.refinement import Refinement
-from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
-from tests.inspection.proof.brute import Brute
+from tests.inspection.equivalence.pairs import blueprint, changed
+from tests.inspection.equivalence.plain import (
+    after,
+    bisimilar,
+    naive_system,
+    told_apart,
+)
 from tests.stories.person import SAMPLES
-
-Rows = list[list[tuple[str, int]]]
-System = tuple[list[Any], Rows]
-"""The facts of each node, and its labels with where they lead. Node 0 is the start."""
-
-
-def blueprint(values: dict[str, Any]) -> Blueprint:
-    return read_blueprint(parse_json(json.dumps(values, indent=1), "file.json"))
-
-
-def naive_system(plain: dict[str, Any], start: dict[str, str]) -> System:
-    """The transition system of a blueprint, by steps that share no code with the program."""
-    brute = Brute(plain, start)
-    number = {brute.key(one): at for at, one in enumerate(brute.configs)}
-    facts, rows = [], []
-    for here in brute.configs:
-        facts.append(tuple((sb, here[sb][1:]) for sb in sorted(plain)))
-        row = []
-        for sb in plain:
-            for name, _ in brute.naive.edges(sb, here[sb]):
-                carried = brute.naive.carry(here, sb, name, {})
-                if carried is not None:
-                    label = f"{sb}.{name}" if len(plain) > 1 else name
-                    row.append((label, number[brute.key(carried[0])]))
-        rows.append(row)
-    return facts, rows
-
-
-def bisimilar(one: System, other: System) -> bool:
-    """The greatest bisimulation, by taking out pairs until nothing changes."""
-    pairs = {
-        (a, b)
-        for a, facts in enumerate(one[0])
-        for b, others in enumerate(other[0])
-        if facts == others
-    }
-
-    def fits(a: int, b: int) -> bool:
-        return all(
-            any(label == name and (x, y) in pairs for name, y in other[1][b])
-            for label, x in one[1][a]
-        ) and all(
-            any(label == name and (x, y) in pairs for name, x in one[1][a])
-            for label, y in other[1][b]
-        )
-
-    while wrong := {pair for pair in pairs if not fits(*pair)}:
-        pairs -= wrong
-    return (0, 0) in pairs
-
-
-def after(system: System, path: tuple[str, ...]) -> set[int]:
-    """Where a run leads."""
-    here = {0}
-    for label in path:
-        here = {target for node in here for name, target in system[1][node] if name == label}
-    return here
-
-
-def told_apart(one: System, other: System, path: tuple[str, ...]) -> bool:
-    """Whether two deterministic systems differ at the end of a run, and not before."""
-    for end in range(len(path)):
-        if not (after(one, path[:end]) and after(other, path[:end])):
-            return False
-    ends = after(one, path), after(other, path)
-    if not (ends[0] and ends[1]):
-        return bool(ends[0] or ends[1])
-    ((a,), (b,)) = ends
-    return bool(one[0][a] != other[0][b])
-
-
-def changed(plain: dict[str, Any], chance: Random) -> dict[str, Any]:
-    """A blueprint with one operation deleted or retargeted, or as it was with other costs."""
-    found = deepcopy(plain)
-    sb = chance.choice(list(found))
-    state = chance.choice([name for name in found[sb] if name.startswith("S")])
-    if not found[sb][state]:
-        return found
-    name = chance.choice(list(found[sb][state]))
-    kind = chance.randrange(3)
-    if kind == 0:
-        del found[sb][state][name]
-    elif kind == 1:
-        states = [one for one in found[sb] if one.startswith("S")]
-        found[sb][state][name] = chance.choice(states)
-    else:
-        for note in found[sb]["_operations"].values():
-            note["cost"] = 7
-    return found
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -1,0 +1,39 @@
+"""``extract``: writes a blueprint in which some states of an SB are a sub-SB of it."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.cli.blueprint_argument import read_argument
+from smsl_studio.cli.output import Output
+from smsl_studio.cli.shape_output import add_output, save_shape, tell_alike, tell_refusal
+from smsl_studio.front.outputs import form_of
+from smsl_studio.front.shapes import LIMIT, extract
+from smsl_studio.generate.shapes.chosen import CutRefused
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the arguments of ``extract``."""
+    parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
+    parser.add_argument("--sb", metavar="SB", required=True, help="the SB of the states")
+    parser.add_argument(
+        "--states", metavar="S,S,...", required=True, help="the states, with commas between them"
+    )
+    parser.add_argument(
+        "--as", metavar="NAME", required=True, dest="name", help="the name of the new sub-SB"
+    )
+    add_output(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    """Write it if it behaves as before. Otherwise print the run that shows why not (exit 1)."""
+    form_of(options.output)
+    blueprint = read_argument(options.file)
+    states = [state.strip() for state in options.states.split(",")]
+    try:
+        after = extract(blueprint, options.sb, states, options.name, options.limit or LIMIT)
+    except CutRefused as error:
+        return tell_refusal(error, "extract", options, out)
+    save_shape(blueprint, after, options.output)
+    return tell_alike(options, out)

@@ -1,0 +1,54 @@
+"""What the commands that change the shape of a blueprint share: where OUT goes, and a refusal."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit
+from smsl_studio.cli.blueprint_argument import inputs_of
+from smsl_studio.cli.output import Output, note, report
+from smsl_studio.errors import EditRefused
+from smsl_studio.front.outputs import converted
+from smsl_studio.generate.shapes.chosen import CutRefused
+from smsl_studio.legible import one_line
+from smsl_studio.smsl.files import save_document
+from smsl_studio.smsl.forms import SUFFIXES
+
+
+def add_output(parser: ArgumentParser, required: bool = True) -> None:
+    """Add ``-o OUT``, ``--limit`` and ``--format``."""
+    add_limit(parser, "store at most N configurations (default 1,000,000)")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        required=required,
+        help=f"where it goes; its suffix names the form: {', '.join(SUFFIXES)}",
+    )
+    add_format(parser)
+
+
+def save_shape(before: Blueprint, after: Blueprint, output: str) -> None:
+    """Write a blueprint to OUT, and say how large it is."""
+    made = converted(after, output)
+    save_document(made.document, output, made_of=inputs_of(before))
+    note(f"{output} has {after.state_count:,} states, {after.operation_count:,} operations.")
+
+
+def tell_alike(options: argparse.Namespace, out: Output) -> int:
+    """Tell that OUT was written. Return the exit status."""
+    if options.format == "json":
+        out.json({"equal": True, "path": [], "reason": ""})
+    return 0
+
+
+def tell_refusal(error: EditRefused, command: str, options: argparse.Namespace, out: Output) -> int:
+    """Tell why nothing was written, with the run that shows it. Return the exit status."""
+    run = error.run if isinstance(error, CutRefused) else ()
+    report(error, f"smsl-studio {command}")
+    if options.format == "json":
+        out.json({"equal": False, "path": list(run), "reason": error.sentence})
+    elif run:
+        out.line(one_line(f"run: {', '.join(run)}"))
+    return 1

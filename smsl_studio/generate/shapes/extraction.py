@@ -1,0 +1,386 @@
+"""Writes a blueprint in which chosen states of an SB are a sub-SB of it.
+
+An operation that only brings the sub-SB to ACTIVATING stands in both SBs; an operation that changes
+other facts of the base too brings those of the sub-SB about by itself (``"subs": "load"``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
+from smsl_studio.blueprint.editing.draft import Draft, free_name
+from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.facts import fact_string, shape_of
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.properties import FactTerm, Term
+from smsl_studio.blueprint.properties.follow import terms_of
+from smsl_studio.blueprint.properties.meaning import fact_of
+from smsl_studio.blueprint.properties.property import Property, properties_of
+from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.generate.shapes.chosen import CutRefused
+from smsl_studio.generate.shapes.claims import named_places
+from smsl_studio.generate.shapes.cut import Cut, Values, is_loaded
+
+Json = Any
+OFF, ON = "0", "1"
+
+
+def extracted(blueprint: Blueprint, cut: Cut, name: str) -> Blueprint:
+    """Return the blueprint with the chosen states in an SB of their own.
+
+    EditRefused if ``name`` is not free, or if a condition could not follow.
+    """
+    free_name(name, blueprint.branches, "a State Branch")
+    return _Extraction(blueprint, cut, name).blueprint()
+
+
+class _Extraction:
+    """The two SBs, while they are written."""
+
+    def __init__(self, blueprint: Blueprint, cut: Cut, name: str) -> None:
+        self._before, self._cut, self._name = blueprint, cut, name
+        self._branch, self._chosen = cut.chosen.branch, cut.chosen
+        self._base = self._branch.name
+        self._facts = {(self._base, d): (self._base, at) for at, d in enumerate(cut.kept)}
+        self._facts |= {(self._base, d): (name, at) for at, d in enumerate(cut.digits)}
+        self._outer = _named(self._branch.table, self._base_facts(), self._branch)
+        inner = {one: self._chosen.values(one, cut.digits) for one in self._chosen.states}
+        self._done = _free("State_done", inner)
+        self._inner = _named(inner, inner | {self._done: cut.done}, self._branch)
+        self._place = self._outer[self._chosen.entry]
+
+    def blueprint(self) -> Blueprint:
+        """Return the blueprint."""
+        self._refuse_named()
+        draft = Draft(self._before)
+        conditions_follow(draft, self._moved_facts)
+        properties_follow(draft, self._moved_term, self._moved_goal)
+        levels_follow(draft, self._moved_level)
+        file = draft.file(self._before.home(self._base))
+        raw = draft.at(self._base)
+        written = {self._base: self._written_base(raw), self._name: self._written_sub(raw)}
+        values = [
+            pair
+            for key, value in file.items()
+            for pair in (written.items() if key == self._base else [(key, value)])
+        ]
+        file.clear()
+        file.update(values)
+        after = draft.done()
+        self._refuse_lost(after)
+        return after
+
+    def _base_facts(self) -> dict[str, Values]:
+        """Return the facts of the states of the base; the entry stands for all chosen ones."""
+        found = {}
+        for state in (*self._chosen.outside, self._chosen.entry):
+            digit = ON if state in self._cut.on else OFF
+            found[state] = (*self._chosen.values(state, self._cut.kept), digit)
+        return {state: found[state] for state in self._branch.table if state in found}
+
+    # the base
+
+    def _written_base(self, raw: dict[str, Json]) -> dict[str, Json]:
+        facts = self._base_facts()
+        header = dict(raw.get(HEADER) or {})
+        header["INITIAL"] = self._at(self._branch.initial)
+        header["ACTIVATING"] = self._at(self._branch.activating)
+        if "NUM_FACTS" in header:
+            header["NUM_FACTS"] = len(self._cut.kept) + 1
+        if "NUM_STATES" in header:
+            header["NUM_STATES"] = len(facts)
+        moved = {digit: at for at, digit in enumerate(self._cut.kept)}
+        subs = {sub: moved[digit] for digit, sub in self._branch.subs.items()}
+        header["SUB_SBS"] = {**subs, self._name: len(self._cut.kept)}
+        states: dict[str, Json] = {}
+        for key, value in raw.items():
+            if key == self._chosen.entry:
+                states[self._place] = {e.name: self._at(e.target) for e in self._chosen.leaving}
+            elif key in facts:
+                states[self._outer[key]] = {
+                    op: target if op.startswith("_") else self._at(target)
+                    for op, target in value.items()
+                }
+        notes = {key: value for key, value in raw.items() if key.startswith("_")}
+        notes["_facts"] = self._fact_notes(raw, self._cut.kept) | {
+            str(len(self._cut.kept)): {"name": self._name, "on": ON}
+        }
+        notes["_states"] = self._state_notes(raw, facts, self._outer)
+        notes["_operations"] = self._base_notes(raw)
+        notes["_layout"] = {
+            self._outer[key]: at for key, at in _table(raw, "_layout").items() if key in facts
+        }
+        return {HEADER: header, **_filled(notes), **states}
+
+    def _at(self, state: str) -> str:
+        """Return the state of the base in which it is when it was in a state before."""
+        return self._place if self._chosen.contains(state) else self._outer.get(state, state)
+
+    def _base_notes(self, raw: dict[str, Json]) -> dict[str, Json]:
+        written = _table(raw, "_operations")
+        edges = [*self._chosen.leaving, *self._chosen.around]
+        used = {edge.name for edge in edges}
+        found = {
+            key: self._touched(note, self._base) for key, note in written.items() if key in used
+        }
+        for edge in edges:
+            own = dict(_note(written, note_key(edge.name, edge.source)))
+            if self._chosen.contains(edge.source):
+                own = self._same_note(written, edge)
+            needs = self._needed(edge)
+            if needs:
+                own["requires"] = {**self._required(written, edge), **needs}
+            if is_loaded(self._cut, edge):
+                own["subs"] = "load"
+            if own:
+                key = note_key(edge.name, self._at(edge.source))
+                found[key] = self._touched(own, self._base)
+        return found
+
+    def _needed(self, edge: Operation) -> dict[str, str]:
+        """Return the state of the sub-SB, as facts, from which an edge of the base may begin."""
+        if not self._chosen.contains(edge.source):
+            return {}
+        facts = self._cut.condition(self._cut.sources[edge.name])
+        return {fact_text(*self._facts[self._base, digit]): value for digit, value in facts.items()}
+
+    def _same_note(self, written: Mapping[str, Json], edge: Operation) -> dict[str, Json]:
+        """Return the note of an edge that leaves. CutRefused if chosen states have other ones."""
+        sources = self._cut.sources[edge.name]
+        notes = [_note(written, note_key(edge.name, source)) for source in sources]
+        if any(note != notes[0] for note in notes):
+            raise CutRefused(
+                f"{edge.name} has other annotations in {sources[0]} than in another chosen state, "
+                "and the base has one state for them",
+                edge.address,
+            )
+        return dict(notes[0])
+
+    # the sub-SB
+
+    def _written_sub(self, raw: dict[str, Json]) -> dict[str, Json]:
+        cut = self._cut
+        own: dict[str, Json] = {
+            self._inner[state]: {
+                op: value for op, value in raw[state].items() if op.startswith("_")
+            }
+            for state in self._chosen.states
+        }
+        own[self._inner[self._done]] = {}
+        for edge in self._sub_edges():
+            own[edge.source][edge.name] = edge.target
+        facts = {state: self._chosen.values(state, cut.digits) for state in self._chosen.states}
+        facts[self._done] = cut.done
+        header: Json = {
+            "INITIAL": self._inner[self._chosen.entry],
+            "ACTIVATING": self._inner[self._done],
+        }
+        if self._branch.header.num_facts is not None:
+            header["NUM_FACTS"] = len(cut.digits)
+        notes = {
+            "_facts": self._fact_notes(raw, cut.digits),
+            "_states": self._state_notes(raw, facts, self._inner),
+            "_operations": self._sub_notes(raw),
+            "_layout": {
+                self._inner[key]: at
+                for key, at in _table(raw, "_layout").items()
+                if self._chosen.contains(key)
+            },
+        }
+        return {HEADER: header, **_filled(notes), **own}
+
+    def _sub_edges(self) -> Iterator[Operation]:
+        """Yield the operations of the sub-SB, with its names of states."""
+        done, entry = self._inner[self._done], self._inner[self._chosen.entry]
+        exits = self._cut.exits or tuple(
+            edge for edge in self._chosen.leaving if edge.target in self._cut.on
+        )
+        for edge in self._chosen.inner:
+            yield replace(edge, source=self._inner[edge.source], target=self._inner[edge.target])
+        for edge in exits:
+            yield replace(edge, source=self._inner[edge.source], target=done)
+        for edge in self._cut.returns:
+            yield replace(edge, source=done, target=entry)
+
+    def _sub_notes(self, raw: dict[str, Json]) -> dict[str, Json]:
+        """Return the notes of its operations. Each requires the base to be where it stands for the
+        chosen states."""
+        written = _table(raw, "_operations")
+        place = self._chosen.facts(self._chosen.entry)
+        guard = {
+            fact_text(*self._facts[self._base, digit]): place[digit] for digit in self._cut.guard
+        }
+        found: dict[str, Json] = {}
+        names = {edge.name: None for edge in self._sub_edges()}
+        for name in names:
+            note = dict(_note(written, name))
+            if guard:
+                note["requires"] = {**(note.get("requires") or {}), **guard}
+            if note:
+                found[name] = self._touched(note, self._name)
+        for state in self._chosen.states:
+            for name in self._branch.table[state]:
+                own = _note(written, note_key(name, state))
+                if own and name in names:
+                    note = dict(own)
+                    if guard and "requires" in note:
+                        note["requires"] = {**(note["requires"] or {}), **guard}
+                    found[note_key(name, self._inner[state])] = self._touched(note, self._name)
+        return found
+
+    # both
+
+    def _required(self, written: Mapping[str, Json], edge: Operation) -> dict[str, str]:
+        """Return what an operation requires already."""
+        common, own = _note(written, edge.name), _note(written, note_key(edge.name, edge.source))
+        found = own.get("requires", common.get("requires"))
+        return dict(found) if isinstance(found, dict) else {}
+
+    def _touched(self, note: Mapping[str, Json], branch: str) -> dict[str, Json]:
+        """Return a note whose ``touches`` are digits of the SB in which it stands now."""
+        touches = note.get("touches")
+        if not isinstance(touches, list):
+            return dict(note)
+        now = [self._facts.get((self._base, digit)) for digit in touches]
+        return {**note, "touches": [one[1] for one in now if one is not None and one[0] == branch]}
+
+    def _fact_notes(self, raw: dict[str, Json], digits: tuple[int, ...]) -> dict[str, Json]:
+        written = _table(raw, "_facts")
+        pairs = [(str(at), written.get(str(digit))) for at, digit in enumerate(digits)]
+        return {at: note for at, note in pairs if note is not None}
+
+    def _state_notes(
+        self, raw: dict[str, Json], facts: Mapping[str, Values], names: Mapping[str, str]
+    ) -> dict[str, Json]:
+        """Return the notes of states under their new names, with their facts where the names do
+        not show them."""
+        written, found = _table(raw, "_states"), {}
+        show = shape_of([names[state] for state in facts], _written(self._branch, facts))
+        given = show.opaque or any(
+            show.values(names[state]) != values for state, values in facts.items()
+        )
+        for state, values in facts.items():
+            note = {key: one for key, one in _note(written, state).items() if key != "facts"}
+            if given:
+                note["facts"] = list(values)
+            if note:
+                found[names[state]] = note
+        return found
+
+    def _moved_facts(self, facts: Facts) -> Facts:
+        texts = {}
+        for text in facts:
+            fact = split_fact(text)
+            if fact is not None and fact in self._facts:
+                texts[text] = fact_text(*self._facts[fact])
+        return {texts.get(text, text): value for text, value in facts.items()} if texts else facts
+
+    def _moved_term(self, term: Term) -> Term:
+        if not isinstance(term, FactTerm):
+            if (term.branch or self._first) == self._base and term.state in self._outer:
+                return replace(term, state=self._outer[term.state])
+            return term
+        fact = fact_of(term, self._before)
+        if fact is None or fact not in self._facts:
+            return term
+        branch, digit = self._facts[fact]
+        named = replace(term, branch=branch if term.branch else term.branch)
+        return named if term.digit is None else replace(named, digit=digit)
+
+    def _moved_goal(self, goal: Address) -> Address:
+        if goal.branch == self._base and goal.state in self._outer:
+            return replace(goal, state=self._outer[goal.state])
+        return goal
+
+    def _moved_level(self, key: tuple[str, ...]) -> tuple[str, ...] | None:
+        if key[0] != self._base or len(key) not in (2, 3):
+            return key
+        if len(key) == 3:
+            return (self._base, self._at(key[1]), key[2])
+        fact = self._facts.get((self._base, int(key[1]))) if key[1].isdecimal() else None
+        return key if fact is None else (fact[0], str(fact[1]))
+
+    @property
+    def _first(self) -> str:
+        return next(iter(self._before.branches))
+
+    def _refuse_named(self) -> None:
+        """Raise CutRefused if a property names what is not in the base any more."""
+        for one in named_places(self._before):
+            if one.branch != self._base or (one.state and not self._chosen.contains(one.state)):
+                continue
+            what = one.state or f"operations of {self._base}"
+            raise CutRefused(
+                f"the property {one.claim!r} names {what}",
+                None,
+                "Write the property with facts, or take it out first.",
+            )
+
+    def _refuse_lost(self, after: Blueprint) -> None:
+        """Raise CutRefused if a property does not name the same facts afterwards."""
+        pairs = zip(properties_of(self._before), properties_of(after), strict=True)
+        for one, other in pairs:
+            named = _named_facts(one, self._before)
+            meant = [self._facts.get(fact, fact) if fact else None for fact in named]
+            if meant != _named_facts(other, after):
+                raise CutRefused(
+                    f"the property {one.name!r} does not say in which State Branch its facts are",
+                    None,
+                    f"Write its facts with their State Branch, such as {self._base}.name.",
+                )
+
+
+def _named_facts(claim: Property, blueprint: Blueprint) -> list[tuple[str, int] | None]:
+    """Return the facts that a property names, None for one that does not exist."""
+    terms = (term for formula in claim.formulas for term in terms_of(formula))
+    return [fact_of(term, blueprint) for term in terms if isinstance(term, FactTerm)]
+
+
+def _named(
+    states: Iterable[str], facts: Mapping[str, Values], branch: StateBranch
+) -> dict[str, str]:
+    """Return the new name of each state. Names that show facts show those of now."""
+    kept = {state: state for state in facts}
+    if branch.shape.width != 1 or branch.shape.opaque:
+        return kept
+    named = {}
+    for state in facts:
+        of = state if state in branch.table else next(iter(states))
+        text = fact_string(of, branch.shape.written)
+        named[state] = of[: len(of) - len(text)] + "".join(facts[state])
+    shape = shape_of(named.values(), _written(branch, facts))
+    fits = not shape.opaque and all(shape.values(named[s]) == facts[s] for s in facts)
+    return named if fits and len(set(named.values())) == len(named) else kept
+
+
+def _written(branch: StateBranch, facts: Mapping[str, Values]) -> int | None:
+    """Return NUM_FACTS, if it was written before too."""
+    return None if branch.header.num_facts is None else len(next(iter(facts.values())))
+
+
+def _free(name: str, taken: Iterable[str]) -> str:
+    found, number = name, 1
+    while found in set(taken):
+        number += 1
+        found = f"{name}_{number}"
+    return found
+
+
+def _table(raw: Mapping[str, Json], key: str) -> Mapping[str, Json]:
+    found = raw.get(key)
+    return found if isinstance(found, dict) else {}
+
+
+def _note(table: Mapping[str, Json], key: str) -> Mapping[str, Json]:
+    found = table.get(key)
+    return found if isinstance(found, dict) else {}
+
+
+def _filled(notes: Mapping[str, Json]) -> dict[str, Json]:
+    """Return the notes without empty tables."""
+    return {key: value for key, value in notes.items() if value != {}}
