@@ -113,21 +113,22 @@ class Space:
         PlanningError if one of them is too large to be worked out.
         """
         here = self.whole(key)
-        found = []
+        found: list[tuple[str, Step]] = []
         for name in self.order:
             alone = name in self._alone
             for edge in self._stepper.edges.out(name, here[name]):
                 if alone and not edge.requires:
-                    found.append(Step(edge.address, self._after(key, {name: edge.target}), ()))
+                    one = Step(edge.address, self._after(key, {name: edge.target}), ())
+                    found.append((edge.text, one))
                     continue
                 step = self._written(here, edge)
                 if step is not None:
                     one = Step(edge.address, self._after(key, step.after), self._passed(key, step))
                     if not self._meets(one):
-                        found.append(one)
+                        found.append((edge.text, one))
         if self._made > _KEPT_STEPS:
             self._renew()
-        return sorted(found, key=lambda step: str(step.address))
+        return [step for _, step in sorted(found, key=lambda pair: pair[0])]
 
     def crossings(self, configuration: Mapping[str, str]) -> Iterator[Edge]:
         """Yield the edges of quiet SBs that would enter or leave ACTIVATING."""
