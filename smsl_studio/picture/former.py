@@ -7,44 +7,21 @@ a whole.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from smsl_studio.blueprint.edge_layout import EdgeLayout
-from smsl_studio.picture.curves import Between, LineStyle, breadth
+import numpy as np
+
+from smsl_studio.picture.curves import Between, breadth
 from smsl_studio.picture.detours import GAP
+from smsl_studio.picture.kept_routing import HeldPair, Routing
 from smsl_studio.picture.label_candidates import FARTHEST
-from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.label_rooms import LabelRooms, meeting
+from smsl_studio.picture.labels import Rect, meet
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 
 NEAR = 16.0
 """A change within so many pixels of a line or label can move it."""
-
-
-@dataclass
-class Routing:
-    """The routing of a picture, before any state was dragged."""
-
-    picture: Picture
-    boxes: Floats
-    style: LineStyle
-    drawn: Mapping[int, EdgeLayout]
-    """The edges whose line or label is drawn by hand."""
-    shapes: dict[int, EdgeShape] = field(default_factory=dict)
-    labels: dict[int, Rect | None] = field(default_factory=dict)
-    sizes: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """The sizes of labels for which the places were chosen."""
-    clear: dict[tuple[int, int], bool] = field(default_factory=dict)
-    """For each pair of states whether the straight line between them meets no other node."""
-    bent: dict[tuple[int, int], Rect] = field(default_factory=dict)
-    """The pairs whose usual lines meet other nodes. Only nodes inside the rectangle of a pair can
-    change its lines.
-    """
-    readable: list[Rect] = field(default_factory=list)
-    """The rectangles of notes and of the titles of groups."""
-    mark: Rect | None = None
-    """The rectangle of the mark of the initial state."""
 
 
 class FormerLines:
@@ -61,12 +38,11 @@ class FormerLines:
         self._edges = _matched(former, now)
         self._far: list[Rect] = []
         """The places at which something changed, each with a margin."""
-        self._quiet: dict[int, int] = {}
-        """For each kept label how many of these places are known to be away from its line."""
-        self._same = [
-            old >= 0 and bool((now.boxes[state] == former.boxes[old]).all())
-            for state, old in enumerate(self._state)
-        ]
+        self._labels = LabelRooms({}, {}, 0.0)
+        old = np.array(self._state, dtype=np.intp)
+        same = old >= 0
+        same[same] = (now.boxes[same] == former.boxes[old[same]]).all(axis=1)
+        self._same: list[bool] = same.tolist()
         kept = {old for old, same in zip(self._state, self._same, strict=True) if same}
         self.moved(_rects(former.boxes, (s for s in range(len(before)) if s not in kept)))
         self.moved(_rects(now.boxes, (s for s, same in enumerate(self._same) if not same)))
@@ -89,6 +65,46 @@ class FormerLines:
         self._far += [(r[0] - m, r[1] - m, r[2] + m, r[3] + m) for r in rects if r is not None]
 
     # Lines
+
+    def plain_pairs(self, box: Callable[[int], NodeBox]) -> list[HeldPair]:
+        """Return the pairs with usual lines or detours that the edit cannot have changed.
+
+        This is the answer of ``pair`` for all of them together. ``box`` gives the box of a state.
+        """
+        former, touched = self._former, self._touched_pairs()
+        now_of = {old: state for state, old in enumerate(self._state) if self._same[state]}
+        edge_of = {old: edge for edge, old in enumerate(self._edges)}
+        found: list[HeldPair] = []
+        for key, old in former.plain.items():
+            a, b = now_of.get(old.a, -1), now_of.get(old.b, -1)
+            if a < 0 or b < 0 or key in touched:
+                continue
+            there = tuple([edge_of[edge] for edge in old.there])
+            pair = Between(a, b, there, tuple([edge_of[edge] for edge in old.back]))
+            shapes = {edge: former.shapes[self._edges[edge]] for edge in (*there, *pair.back)}
+            reach, around = former.bent.get(key), former.rects.get(key)
+            around = reach or around or self._between(pair, box(a), box(b))
+            clear = former.clear.get(key) if reach is None else None
+            found.append(HeldPair(pair, shapes, around, reach, clear))
+        quiet = ~meeting([one.around for one in found], self._far)
+        return [one for one, ok in zip(found, quiet.tolist(), strict=True) if ok]
+
+    def _touched_pairs(self) -> set[tuple[int, int]]:
+        """Return the former pairs of states with an edge that is new, gone, or drawn otherwise."""
+        before, after = self._former.picture, self._now.picture
+        gone, found = set(range(len(before.operations))), set[tuple[int, int]]()
+        hidden, was_hidden = after.bundles.hidden, before.bundles.hidden
+        for edge, old in enumerate(self._edges):
+            gone.discard(old)
+            if old < 0:
+                ends = self._state[after.source[edge]], self._state[max(after.target[edge], 0)]
+                found.add((min(ends), max(ends)))
+            elif (edge in hidden) != (old in was_hidden):
+                gone.add(old)
+        for old in gone:
+            ends = int(before.source[old]), int(before.target[old])
+            found.add((min(ends), max(ends)))
+        return found
 
     def clear(self, pair: Between, source: NodeBox, target: NodeBox) -> bool | None:
         """Return whether the straight line of a pair meets no other node, or None if this is not
@@ -198,18 +214,24 @@ class FormerLines:
         """Return the old place of an edge's label, None if it was hidden."""
         return self._former.labels[self._edges[edge]]
 
-    def has_label(self, edge: int, shape: EdgeShape, size: tuple[float, float]) -> bool:
-        """Return whether the label of an edge keeps its place."""
-        old = self._edges[edge]
-        if self._former.shapes.get(old) is not shape or self._former.sizes.get(old) != size:
-            return False
-        left, top, right, bottom = shape.bounds
-        wide, high = (side + FARTHEST * self._now.style.unit for side in size)
-        around = left - wide, top - high, right + wide, bottom + high
-        quiet = self._is_quiet(around, self._quiet.get(edge, 0))
-        if quiet:
-            self._quiet[edge] = len(self._far)
-        return quiet
+    def look_at_labels(
+        self, shapes: Mapping[int, EdgeShape], sizes: Mapping[int, tuple[float, float]]
+    ) -> None:
+        """Prepare ``kept_labels`` for these edges, with the sizes of their labels."""
+        former, edges = self._former, self._edges
+        kept = {
+            edge: shape.bounds
+            for edge, shape in shapes.items()
+            if former.shapes.get(edges[edge]) is shape
+            and former.sizes.get(edges[edge]) == sizes[edge]
+        }
+        self._labels = LabelRooms(kept, sizes, FARTHEST * self._now.style.unit)
+
+    def kept_labels(self) -> frozenset[int]:
+        """Return the edges whose labels keep their places (see ``look_at_labels``), as far as it
+        is known by now.
+        """
+        return self._labels.quiet(self._far)
 
     def label_moved(self, edge: int, rect: Rect | None) -> None:
         """Note the new place of an edge's label."""
@@ -222,13 +244,9 @@ class FormerLines:
         drawn, loops = self._former.drawn, _loops(self._former.picture, self._state[state])
         return sum(edge not in drawn or not drawn[edge].bends for edge in loops)
 
-    def _is_quiet(self, rect: Rect, known: int = 0) -> bool:
-        """Return whether no change is at this place. The first ``known`` ones are not there."""
-        left, top, right, bottom = rect
-        return not any(
-            left < far[2] and far[0] < right and top < far[3] and far[1] < bottom
-            for far in self._far[known:]
-        )
+    def _is_quiet(self, rect: Rect) -> bool:
+        """Return whether no change is at this place."""
+        return not any(meet(rect, far) for far in self._far)
 
 
 def _matched(former: Routing, now: Routing) -> list[int]:
@@ -236,20 +254,22 @@ def _matched(former: Routing, now: Routing) -> list[int]:
     if its line is drawn in another way.
     """
     before, after = former.picture, now.picture
-    names, sources = after.names, after.source.tolist()
-    found = []
-    for edge, (operation, source, target) in enumerate(
-        zip(after.operations, sources, after.target.tolist(), strict=True)
-    ):
-        old = before.numbered(names[source], operation)
-        led = old >= 0 and _name(before, int(before.target[old])) == _name(after, target)
-        alike = led and former.drawn.get(old) == now.drawn.get(edge)
-        found.append(old if alike else -1)
+    old_of = {key: edge for edge, key in enumerate(_keys(before))}
+    found = [old_of.get(key, -1) for key in _keys(after)]
+    if former.drawn or now.drawn:
+        drawn, was = now.drawn.get, former.drawn.get
+        found = [old if was(old) == drawn(edge) else -1 for edge, old in enumerate(found)]
     return found
 
 
-def _name(picture: Picture, state: int) -> str:
-    return picture.names[state] if state >= 0 else ""
+def _keys(picture: Picture) -> Iterator[tuple[str, str, str]]:
+    """Yield source, operation and target of each edge by name."""
+    names = (*picture.names, "")
+    source, target = picture.source.tolist(), picture.target.tolist()
+    return zip(
+        map(names.__getitem__, source), picture.operations, map(names.__getitem__, target),
+        strict=True,
+    )  # fmt: skip
 
 
 def _loops(picture: Picture, state: int) -> list[int]:

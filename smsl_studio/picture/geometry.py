@@ -6,7 +6,6 @@ Small pictures are routed as a whole. In large ones each edge is routed when it 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -22,7 +21,8 @@ from smsl_studio.picture.curves import (
     strands_of,
     stub,
 )
-from smsl_studio.picture.former import FormerLines, Routing
+from smsl_studio.picture.former import FormerLines
+from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
@@ -234,19 +234,17 @@ class Geometry:
             self._former = held if held.fits else None
         self._route_all(work)
         self._former = None
-        self.routing = replace(
-            work,
-            boxes=self.boxes.copy(),
-            shapes=dict(self._shapes),
-            labels=dict(self._labels),
-            sizes=dict(work.sizes),
-            clear=dict(self._clears.known),
-            bent=dict(work.bent),
-        )
+        work.shapes, work.labels, work.clear = self._shapes, self._labels, self._clears.known
+        self.routing = work.copied()
 
     def _route_all(self, work: Routing) -> None:
-        if self._former is None and self.picture.careful:
+        if self._former is not None:
+            self._shapes |= work.keep(self._former.plain_pairs(self.box))
+            self._pairs |= work.plain
+            self._clears.known |= work.clear
+        elif self.picture.careful:
             self._clears.look([self._pair(a, b) for a, b in self.picture.pairs()])
+        held = set(self._shapes)
         passing: list[Passing] = []
         looping: dict[int, None] = {}
         back, hidden = self.picture.bundles.back, self.picture.bundles.hidden
@@ -265,18 +263,20 @@ class Geometry:
                 passing.append(Passing(edge, a, b))
             else:
                 self._plan(edge)
-        boxes = list(map(self.box, range(len(self.picture))))
-        self._shapes |= in_lanes(passing, boxes, self.style.unit, self._obstacles)
+                work.note_plain(self._pairs.get((min(a, b), max(a, b))))
+        if passing:
+            boxes = list(map(self.box, range(len(self.picture))))
+            self._shapes |= in_lanes(passing, boxes, self.style.unit, self._obstacles)
         self._route_each(one.edge for one in passing)
         own = [edge for edge in back if edge not in hidden and edge not in self._drawn]
         self._shapes |= self._ways_back(own)
         self._route_each(own)
         if self._former is not None:
             same = self._former.shape
-            self._shapes = {edge: same(edge, shape) for edge, shape in self._shapes.items()}
+            self._shapes |= {e: same(e, s) for e, s in self._shapes.items() if e not in held}
             self._former.lines_known(self._shapes)
         self._lines = labels.LinePieces(self._shapes)
-        self.places = self._fresh_places()
+        self.places = self._fresh_places(work.readable)
         self._mark_initial(work, self.places)
         for edge, layout in self._drawn.items():
             if layout.label is not None and edge in self._shapes:
@@ -285,17 +285,27 @@ class Geometry:
             self._route_loops(state)
         if looping:
             self._lines = labels.LinePieces(self._shapes)
-        order = sorted(self._shapes, key=lambda edge: labels.rank_of(edge, self._shapes[edge]))
-        # The places of all new labels are worked out together, which is much quicker.
-        self._choice = self._choice_of(edge for edge in order if not self._keeps_label(edge))
-        for edge in order:
-            self._place(edge)
+        self._label_all(work, self.places)
 
-    def _keeps_label(self, edge: int) -> bool:
-        """Return whether an edge has its label, or can have that of before the edit so far."""
-        size, former = self._label_size(edge), self._former
-        old = former is not None and former.has_label(edge, self._shapes[edge], size)
-        return old or edge in self._labels
+    def _label_all(self, work: Routing, places: labels.LabelPlaces) -> None:
+        """Place all labels that have no place yet, in the order of their ranks."""
+        ranks = {edge: labels.rank_of(edge, shape) for edge, shape in self._shapes.items()}
+        order = [edge for edge in sorted(ranks, key=ranks.__getitem__) if edge not in self._labels]
+        work.sizes |= {edge: self._label_size(edge) for edge in order}
+        former, kept = self._former, frozenset[int]()
+        if former is not None:
+            former.look_at_labels({edge: self._shapes[edge] for edge in order}, work.sizes)
+            kept = former.kept_labels()
+        # The places of all new labels are worked out together, which is much quicker.
+        self._choice = self._choice_of(edge for edge in order if edge not in kept)
+        for edge in order:
+            if former is None or edge not in kept:
+                self._place(edge)
+                kept = kept if former is None else former.kept_labels()
+            else:
+                rect = self._labels[edge] = former.label(edge)
+                if rect is not None:
+                    places.take(rect)
 
     def _ways_back(self, edges: Sequence[int]) -> dict[int, EdgeShape]:
         """Return the lines of edges that lead back to the start by the lane."""
@@ -334,11 +344,6 @@ class Geometry:
             return
         choice = self._choice
         if choice is None or not choice.knows(edge):
-            if former is not None and former.has_label(edge, shape, size):
-                if (rect := former.label(edge)) is not None:
-                    places.take(rect)
-                self._labels[edge] = rect
-                return
             choice = self._choice_of([edge])
         rect = self._labels[edge] = choice.take(edge)
         if former is not None:
@@ -352,9 +357,10 @@ class Geometry:
             self.places = self._fresh_places()
         return labels.LabelChoice(shapes, sizes, self.places, compact, self.picture.careful)
 
-    def _fresh_places(self) -> labels.LabelPlaces:
+    def _fresh_places(self, readable: Sequence[labels.Rect] | None = None) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
-        readable = readable_of(self.picture, self.boxes, self.style, self.box)
+        if readable is None:
+            readable = readable_of(self.picture, self.boxes, self.style, self.box)
         for rect in (*readable, *self._labels.values()):
             if rect is not None:
                 places.take(rect)
@@ -363,7 +369,7 @@ class Geometry:
 
     def _route_loops(self, state: int) -> None:
         """Draw the loops of a state at the corner where they and their labels cover least."""
-        picture, unit = self.picture, self.style.unit
+        picture = self.picture
         at_state = picture.edges_of(state)
         own = [e for e in at_state if picture.source[e] == picture.target[e] == state]
         own = [e for e in own if e not in self._drawn or self._by_hand(e) is None]
@@ -382,18 +388,10 @@ class Geometry:
             return
         # A line of other states that comes or goes must not move a loop.
         lines = [e for e in at_state if picture.source[e] != picture.target[e]] * self.small
-        corner = loops.best_corner(
-            box, sizes, places, labels.LinePieces({e: self.shape(e) for e in lines})
-        )
-        for rank, edge in enumerate(own):
-            self._shapes[edge] = loops.arc(corner, box, rank, unit)
-        stacked = loops.label_boxes(corner, sizes, unit)
-        for edge, size, beside in zip(own, sizes, stacked, strict=True):
-            at = self._drawn[edge].label if edge in self._drawn else None
-            rect = beside if at is None else labels.by_hand(self._shapes[edge], at, size)
-            free = size[0] > 0.0 and (at is not None or places.is_free(rect))
-            self._labels[edge] = rect if free else None
-            if free:
-                places.take(rect)
+        pieces = labels.LinePieces({e: self.shape(e) for e in lines})
+        by_hand = {e: self._drawn[e].label for e in own if e in self._drawn}
+        found = loops.placed(dict(zip(own, sizes, strict=True)), box, places, pieces, by_hand)
+        for edge, (shape, rect) in found.items():
+            self._shapes[edge], self._labels[edge] = shape, rect
         if former is not None:
-            former.loops_moved(state, {e: (self._shapes[e], self._labels[e]) for e in own})
+            former.loops_moved(state, found)

@@ -55,6 +55,10 @@ class LabelPlaces:
         self.unit = unit
         self._cell = 96.0 * unit
         self._cells: dict[tuple[int, int], list[Rect]] = {}
+        self._waiting: list[Rect] = []
+        """The places that are taken and not in their cells yet. Many together are put there
+        quicker.
+        """
         margin = 2.0 * unit
         self._nodes = np.hstack(
             [boxes[:, :2] - boxes[:, 2:] - margin, boxes[:, :2] + boxes[:, 2:] + margin]
@@ -63,9 +67,7 @@ class LabelPlaces:
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
         m = margin * self.unit
-        wide = (rect[0] - m, rect[1] - m, rect[2] + m, rect[3] + m)
-        for cell in self._over(wide):
-            self._cells.setdefault(cell, []).append(wide)
+        self._waiting.append((rect[0] - m, rect[1] - m, rect[2] + m, rect[3] + m))
 
     def is_free(self, rect: Rect) -> bool:
         """Return whether a rectangle covers no node and no taken place."""
@@ -73,6 +75,8 @@ class LabelPlaces:
 
     def is_untaken(self, rect: Rect) -> bool:
         """Return whether a rectangle covers no place that is taken."""
+        if self._waiting:
+            self._settle()
         for cell in self._over(rect):
             if any(meet(rect, other) for other in self._cells.get(cell, ())):
                 return False
@@ -94,6 +98,15 @@ class LabelPlaces:
             covers &= one[:, 3] > near[:, 1]
             found[some] = ~covers.any(axis=1)
         return found
+
+    def _settle(self) -> None:
+        """Put all places that wait into their cells."""
+        waiting, self._waiting = self._waiting, []
+        spans = np.floor_divide(np.array(waiting), self._cell).astype(int).tolist()
+        for rect, (left, top, right, bottom) in zip(waiting, spans, strict=True):
+            for x in range(left, right + 1):
+                for y in range(top, bottom + 1):
+                    self._cells.setdefault((x, y), []).append(rect)
 
     def _over(self, rect: Rect) -> list[tuple[int, int]]:
         left, top, right, bottom = (int(v // self._cell) for v in rect)

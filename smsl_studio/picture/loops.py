@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.picture.labels import LabelPlaces, LinePieces
+from smsl_studio.blueprint.edge_layout import LabelPlace
+from smsl_studio.picture.labels import LabelPlaces, LinePieces, Rect
+from smsl_studio.picture.labels import by_hand as moved
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 
 INNER, STEP = 8.0, 5.0
@@ -73,6 +76,31 @@ def best_corner(
             best = cost, corner
     assert best is not None
     return best[1]
+
+
+def placed(
+    sizes: Mapping[int, tuple[float, float]],
+    box: NodeBox,
+    places: LabelPlaces,
+    lines: LinePieces,
+    by_hand: Mapping[int, LabelPlace | None],
+) -> dict[int, tuple[EdgeShape, Rect | None]]:
+    """Return the lines of a node's loops, and the places of their labels, which are taken then.
+
+    ``sizes`` has the size of each loop's label, ``lines`` the other lines of the node, ``by_hand``
+    the labels that somebody has moved. A label without a free place has None.
+    """
+    wanted, found = list(sizes.values()), dict[int, tuple[EdgeShape, Rect | None]]()
+    corner = best_corner(box, wanted, places, lines)
+    stacked = label_boxes(corner, wanted, places.unit)
+    for rank, (edge, beside) in enumerate(zip(sizes, stacked, strict=True)):
+        shape, at = arc(corner, box, rank, places.unit), by_hand.get(edge)
+        rect = beside if at is None else moved(shape, at, sizes[edge])
+        free = sizes[edge][0] > 0.0 and (at is not None or places.is_free(rect))
+        found[edge] = shape, rect if free else None
+        if free:
+            places.take(rect)
+    return found
 
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:

@@ -14,8 +14,8 @@ from smsl_studio.errors import StudioError
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle
-from smsl_studio.picture.former import Routing
 from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.picture import Picture
 from tests.stories.at_canvas import sample
 
