@@ -6,7 +6,7 @@ import argparse
 
 from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.cli.blueprint_argument import read_argument
-from smsl_studio.cli.output import Output
+from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.shape_output import add_output, save_shape
 from smsl_studio.front.outputs import form_of
 from smsl_studio.front.shapes import LIMIT, identify
@@ -27,15 +27,17 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     blueprint = read_argument(options.file)
     found = identify(blueprint, options.limit or LIMIT)
     if options.format == "json":
-        out.json({"cuts": [one.as_json() for one in found]})
-    for one in found if options.format == "text" else ():
+        out.json(found.as_json())
+    for one in found.cuts if options.format == "text" else ():
         _print(one, out)
-    if not found:
+    if found.bound:
+        note(f"not all states were tried: the limit is {found.bound}")
+    if not found.cuts:
         if options.format == "text":
             out.line("no states could be a sub-SB that saves states or facts")
         return 1
     if options.output is not None:
-        save_shape(blueprint, found[0].after, options.output)
+        save_shape(blueprint, found.cuts[0].after, options.output)
     return 0
 
 

@@ -11,7 +11,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.generate.flat import FlatBranch
 from smsl_studio.generate.shapes.extract import cut_out
-from smsl_studio.generate.shapes.identify import FoundCut, found_cuts
+from smsl_studio.generate.shapes.identify import Identification, identification
 from smsl_studio.generate.shapes.inline import put_back
 from smsl_studio.inspection.equivalence.equivalence import Equivalence, equivalence
 from smsl_studio.inspection.explorer.part import restricted
@@ -84,19 +84,20 @@ def inline(blueprint: Blueprint, sub: str, limit: int = LIMIT) -> Blueprint:
     return put_back(blueprint, sub, limit)
 
 
-def identify(blueprint: Blueprint, limit: int = LIMIT) -> list[FoundCut]:
+def identify(blueprint: Blueprint, limit: int = LIMIT) -> Identification:
     """Return the states that could be a sub-SB, what each cut saves, and why; the best first.
 
     Only cuts after which the blueprint behaves as before are listed, at most 100 (paper, "SB
     identification"). PlanningError if there are more than ``limit`` configurations, RunRefused if
     there is no start.
 
-    >>> [cut.why for cut in identify(flatten(read("registration-digitization.json")))][0][:70]
+    >>> found = identify(flatten(read("registration-digitization.json")))
+    >>> found.cuts[0].why[:70]
     '1 state is entered at State100+State0 and left through REGISTRATION.La'
-    >>> identify(read("hanoi-corrected.json"))
-    []
+    >>> identify(read("hanoi-corrected.json")).cuts
+    ()
     """
-    return found_cuts(blueprint, limit)
+    return identification(blueprint, limit)
 
 
 def _below(blueprint: Blueprint, branch: str) -> Blueprint:

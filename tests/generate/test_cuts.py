@@ -30,7 +30,7 @@ def test_a_random_cut_behaves_as_before(number: int) -> None:
 
 def test_digitization_is_found_in_the_flat_registration() -> None:
     found = identify(flatten(read(SAMPLES / "registration-digitization.json")))
-    best = found[0]
+    best = found.cuts[0]
     assert best.cut.chosen.states == ("State100+State0",)
     assert best.fact_names == (
         "REGISTRATION.Landmarks digitized", "DIGITIZATION.All landmarks digitized",
@@ -46,8 +46,8 @@ def test_digitization_is_found_in_the_flat_registration() -> None:
 
 
 def test_a_flat_hanoi_has_no_part() -> None:
-    assert identify(read(SAMPLES / "hanoi-corrected.json")) == []
-    assert identify(flatten(read(SAMPLES / "hanoi-2.json"))) == []
+    assert identify(read(SAMPLES / "hanoi-corrected.json")) == ((), "")
+    assert identify(flatten(read(SAMPLES / "hanoi-2.json"))) == ((), "")
 
 
 def test_a_planted_procedure_is_found_and_saves_states() -> None:
@@ -55,7 +55,7 @@ def test_a_planted_procedure_is_found_and_saves_states() -> None:
     saved = []
     for case in cases:
         if case.sound and len(case.states) > 2:
-            found = {one.cut.chosen.states: one for one in identify(case.origin)}
+            found = {one.cut.chosen.states: one for one in identify(case.origin).cuts}
             saved.append(found[case.states].states_saved == len(case.states) - 1)
     assert saved
     assert all(saved)
@@ -179,7 +179,14 @@ def test_a_cut_that_saves_nothing_is_not_listed() -> None:
         "P": {"HEADER": {"ACTIVATING": "State01"}, **table, "State11": {}, "State01": {}}
     }
     assert len(extract(blueprint(values), "P", ["State10"], "SUB").branches) == 2
-    assert identify(blueprint(values)) == []
+    assert identify(blueprint(values)) == ((), "")
+
+
+def test_a_bound_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("smsl_studio.generate.shapes.identify.MOST_LOOKED", 20)
+    found = identify(flatten(read(SAMPLES / "registration-digitization.json")))
+    assert found.bound == "20 states looked at, over all sets of states"
+    assert found.as_json()["bound"] == found.bound
 
 
 def test_inline_of_two_sbs_is_flatten() -> None:

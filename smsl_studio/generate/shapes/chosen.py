@@ -99,11 +99,8 @@ class ChosenStates:
     @cached_property
     def leaves(self) -> tuple[int, ...]:
         """The digits without a sub-SB in which all chosen states are alike."""
-        return tuple(
-            digit
-            for digit in range(self.branch.num_facts)
-            if digit not in self.branch.subs and digit not in self.varying
-        )
+        others = frozenset((*self.branch.subs, *self.varying))
+        return tuple(digit for digit in range(self.branch.num_facts) if digit not in others)
 
     def _edges(self, states: Collection[str]) -> Iterator[Operation]:
         name = self.branch.name

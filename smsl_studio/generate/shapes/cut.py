@@ -32,10 +32,11 @@ class Cut:
     done: Values
     on: frozenset[str]
 
-    @property
+    @cached_property
     def kept(self) -> tuple[int, ...]:
         """The facts that the base keeps."""
-        return tuple(d for d in range(self.chosen.branch.num_facts) if d not in self.digits)
+        taken = frozenset(self.digits)
+        return tuple(d for d in range(self.chosen.branch.num_facts) if d not in taken)
 
     @cached_property
     def place(self) -> Values:
@@ -76,8 +77,8 @@ class Cut:
         in INITIAL too. CutRefused if there are none."""
         rest = [name for name in self.chosen.outside if name not in self.on]
         found: list[int] = []
-        leaf = [digit for digit in self.kept if digit not in self.chosen.branch.subs]
-        for digit in (*leaf, *(digit for digit in self.kept if digit not in leaf)):
+        subs = self.chosen.branch.subs
+        for digit in sorted(self.kept, key=lambda digit: (digit in subs, digit)):
             value = self.chosen.facts(self.chosen.entry)[digit]
             still = [name for name in rest if self.chosen.facts(name)[digit] == value]
             if len(still) < len(rest):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator
 
 from smsl_studio.blueprint.address import Address
@@ -12,6 +13,9 @@ from smsl_studio.generate.shapes.cut import Cut, cuts
 from smsl_studio.generate.shapes.extraction import extracted
 from smsl_studio.inspection.equivalence.equivalence import ComparedView, equivalence
 from smsl_studio.inspection.equivalence.transitions import FactAt, transitions_of
+
+MOST_ALIKE = 500
+"""The largest number of operations from one state to another that are cut out together."""
 
 
 def cut_out(
@@ -50,6 +54,7 @@ def alike(
     refusal: CutRefused | None = None
     found = False
     for cut in cuts(chosen):
+        _must_be_small(cut)
         try:
             after = extracted(blueprint, cut, name)
         except CutRefused as error:
@@ -67,6 +72,18 @@ def alike(
     if not found:
         assert refusal is not None
         raise refusal
+
+
+def _must_be_small(cut: Cut) -> None:
+    """Raise PlanningError if too many operations lead the same way: each is planned over all."""
+    for edges in (cut.exits, cut.returns):
+        most = max(Counter(edge.source for edge in edges).values(), default=0)
+        if most > MOST_ALIKE:
+            raise PlanningError(
+                f"nothing was cut out: {most:,} operations lead from one state to another, and at "
+                f"most {MOST_ALIKE:,} are compared",
+                advice="Give operations that do the same one name.",
+            )
 
 
 def _short(address: Address) -> str:
