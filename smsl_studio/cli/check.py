@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from smsl_studio.inspection.proof.verdict import PropertyVerdict
     from smsl_studio.library.loaded import Loaded
 
+SHOWN = "shown for this blueprint as written, if every operation does what its edge says"
+MOST_HELD = 100
+"""The most hazards and properties that hold and are listed in the text."""
+
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``check``."""
@@ -60,7 +64,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         one = _with_changes(_checked(blueprint, options, loaded), other, options.rule)
         worst = max(worst, one.status)
         if options.format == "text":
-            _print(blueprint, one.findings, out)
+            _print(one, out)
             _print_recoveries(one, out)
         else:
             checked.append(one)
@@ -171,15 +175,17 @@ def _finding(blueprint: Blueprint, finding: Finding) -> dict[str, Any]:
     return finding.as_json() if file == blueprint.file else {**finding.as_json(), "file": file}
 
 
-def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> None:
+def _print(checked: _Checked, out: Output) -> None:
+    blueprint = checked.blueprint
     paint = {Severity.ERROR: out.red, Severity.WARNING: out.yellow, Severity.NOTE: out.plain}
     counts = dict.fromkeys(Severity, 0)
-    for finding in findings:
+    for finding in checked.findings:
         counts[finding.severity] += 1
         mark = paint[finding.severity](f"{finding.severity.value} {finding.rule}")
         said = "; ".join(filter(None, (finding.message, finding.advice, finding.also)))
         words = one_line(f"{finding.address}: {said}")
         out.line(f"{one_line(str(finding.place))}: {mark} {words}")
+    _print_held(checked, out)
     said = ", ".join(
         f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}"
         for severity, word in zip(Severity, ("error", "warning", "note"), strict=True)
@@ -188,6 +194,22 @@ def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> 
         f"{one_line(blueprint.file)}: {blueprint.state_count} states, "
         f"{blueprint.operation_count} operations: {said}"
     )
+
+
+def _print_held(checked: _Checked, out: Output) -> None:
+    """Print a line for each hazard and property that holds; the others are findings."""
+    if not checked.verdicts:
+        return
+    from smsl_studio.front.claim_rows import looked_at
+    from smsl_studio.inspection.proof.verdict import HOLDS
+
+    file = checked.blueprint.file
+    out.line(one_line(f"{file}: {SHOWN}"))
+    held = [one for one in checked.verdicts if one.verdict == HOLDS]
+    for one in held[:MOST_HELD]:
+        out.line(one_line(f"{file}: {one.address}: holds; {looked_at(one)}"))
+    if len(held) > MOST_HELD:
+        out.line(one_line(f"{file}: {len(held) - MOST_HELD} more hold"))
 
 
 def _print_recoveries(checked: _Checked, out: Output) -> None:

@@ -96,7 +96,7 @@ def _row(blueprint: Blueprint, claim: Claim, verdict: PropertyVerdict) -> ClaimR
         claim.document.file,
         int(claim.path[1]),
         verdict.verdict,
-        _looked_at(verdict),
+        looked_at(verdict),
         verdict.engine,
         verdict.counterexample,
         frozenset(_met(blueprint, claim, verdict.counterexample)),
@@ -136,7 +136,8 @@ def _facts_of(claim: Claim) -> Mapping[str, str]:
     return read_hazards([written])[0][0].facts
 
 
-def _looked_at(verdict: PropertyVerdict) -> str:
+def looked_at(verdict: PropertyVerdict) -> str:
+    """How much was looked at, in words, or the bound that was met."""
     if verdict.verdict == UNKNOWN and verdict.bound:
         limit = "configurations" in verdict.bound
         return f"{verdict.bound}, limit" if limit else verdict.bound

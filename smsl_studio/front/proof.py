@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.terms import Terms
@@ -14,7 +15,14 @@ from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute, Scope
 from smsl_studio.inspection.proof.prove import prove as proved
-from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, UNKNOWN, PropertyVerdict
+from smsl_studio.inspection.proof.verdict import (
+    FAILS,
+    HAZARD,
+    HOLDS,
+    UNKNOWN,
+    Counterexample,
+    PropertyVerdict,
+)
 from smsl_studio.inspection.rules.finding import Finding, Remark, Severity
 from smsl_studio.inspection.selection import listed
 
@@ -45,7 +53,7 @@ def prove(blueprint: Blueprint, limit: int = LIMIT, with_failures: bool = False)
         return Proof((), ())
     claims = {(one.path[0], one.name): one for one in claims_of(blueprint)}
     by_claim = [(claims[one.address.path[0], one.name], one) for one in verdicts]
-    return Proof(verdicts, tuple(listed(blueprint, _remarks(by_claim))))
+    return Proof(verdicts, tuple(listed(blueprint, _remarks(blueprint, by_claim))))
 
 
 class _Routes:
@@ -76,7 +84,9 @@ class _Routes:
         )
 
 
-def _remarks(verdicts: Sequence[tuple[Claim, PropertyVerdict]]) -> Iterator[Remark]:
+def _remarks(
+    blueprint: Blueprint, verdicts: Sequence[tuple[Claim, PropertyVerdict]]
+) -> Iterator[Remark]:
     for sentence, verdict in verdicts:
         if verdict.verdict == HOLDS or sentence.meanings is None:
             continue
@@ -84,20 +94,24 @@ def _remarks(verdicts: Sequence[tuple[Claim, PropertyVerdict]]) -> Iterator[Rema
             RULES.get(verdict.kind, "R30"),
             Severity(verdict.severity),
             verdict.address,
-            _words(verdict),
+            _words(verdict, blueprint),
             _advice(verdict),
             spot=(sentence.document, sentence.path),
         )
 
 
-def _words(verdict: PropertyVerdict) -> str:
+def _words(verdict: PropertyVerdict, blueprint: Blueprint) -> str:
     """Return the sentence of a finding."""
     if verdict.verdict == UNKNOWN:
         return f"it is unknown whether {verdict.name} holds: {verdict.bound}"
     assert verdict.verdict == FAILS
     run = verdict.counterexample
     many = len(run.path) if run else 0
-    after = "at the start" if not many else f"after {many} operation{'' if many == 1 else 's'}"
+    failed = _failed(run, blueprint)
+    if failed:
+        after = f"{_after(many)} from {failed}" if many else f"as soon as {failed} is entered"
+    else:
+        after = _after(many) if many else "at the start"
     if verdict.kind == HAZARD:
         return f"the facts of the hazard {verdict.name} hold together {after}"
     if verdict.kind == "reachable":
@@ -106,6 +120,22 @@ def _words(verdict: PropertyVerdict) -> str:
         route = f"the cheapest route has {many} operations" if many else "there is no route"
         return f"{verdict.name} fails: {route}"
     return f"{verdict.name} fails {after}"
+
+
+def _after(many: int) -> str:
+    return f"after {many} operation{'' if many == 1 else 's'}"
+
+
+def _failed(run: Counterexample | None, blueprint: Blueprint) -> str:
+    """Return the failure state in which a run begins; empty if nothing has failed there.
+
+    A run that begins at INITIAL is not said to begin with a failure, whatever INITIAL holds.
+    """
+    for name, state in run.start.items() if run else ():
+        branch = blueprint[name]
+        if state != branch.initial and state in failing_states(branch):
+            return str(Address(name, state))
+    return ""
 
 
 def _advice(verdict: PropertyVerdict) -> str:

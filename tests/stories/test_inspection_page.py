@@ -11,6 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from smsl_studio.studio.document.files.dialogs import Dialogs
+from smsl_studio.studio.features.help.pages import HelpPlace
 from smsl_studio.studio.features.inspection.panel import SHOWN, InspectionPanel
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
@@ -80,6 +81,15 @@ def test_each_hazard_and_property_has_a_verdict_and_a_sentence(sit: Sit, tmp_pat
     assert page(person).sum.text() == "1 fails, 1 holds"
     texts = [row.sentence for row in page(person).table.claims.rows]
     assert not any("safe" in text.lower() for text in texts)
+
+
+def test_f1_on_a_verdict_tells_what_holds_means(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    choose(person, "Blind")
+    person.press(Key.Key_F1)
+    person.until(lambda: any(one.isVisible() for one in person.window.features.help.windows))
+    (help_,) = person.window.features.help.windows
+    assert help_.page.place == HelpPlace("shown.md")
 
 
 def test_a_file_without_them_says_what_they_are(sit: Sit, tmp_path: Path) -> None:

@@ -11,9 +11,9 @@ from pathlib import Path
 from smsl_studio.shipped import docs_dir
 
 GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
-    ("First steps", ("engineer.md", "clinician.md", "plugin-author.md")),
+    ("First steps", ("engineer.md", "clinician.md", "shown.md", "plugin-author.md")),
     ("The window", ("window.md", "access.md", "gestures.md", "pictures.md")),
-    ("Blueprints", ("language.md", "inspection.md")),
+    ("Blueprints", ("language.md", "inspection.md", "drilling.md")),
     ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "failures.md",
               "record.md")),
     ("Commands and plugins", ("command-line.md", "plugins.md")),

@@ -38,6 +38,8 @@ PARTS = {
     "Findings": _panel("Findings"),
     "SourcePane": _window("the-source"),
     "InspectionPanel": _window("inspection"),
+    "ClaimTable": HelpPlace("shown.md"),
+    "RunView": HelpPlace("shown.md"),
     "History": _panel("History"),
     "BranchTable": _panel("Table"),
     "DrawingFindBar": _window("finding"),

@@ -1,0 +1,59 @@
+"""The sample about drilling: what a surgeon asks of it, with and without failures, and its run."""
+
+from __future__ import annotations
+
+import smsl_studio as smsl
+from smsl_studio.front.proof import prove
+from smsl_studio.front.recovery import recoverability
+from smsl_studio.shipped import samples_dir
+
+OCCLUDED, MOVED = "Drilling while the tracker sees nothing", "Drilling while the head has moved"
+DIGITIZED = "Digitized before registered"
+
+
+def _sample() -> smsl.Blueprint:
+    return smsl.read(samples_dir() / "registration-drilling.json")
+
+
+def test_its_states_and_operations_are_those_of_the_paper() -> None:
+    ours = _sample()["REGISTRATION"]
+    paper = smsl.read(samples_dir() / "registration.json")["REGISTRATION"]
+    assert (ours.table, ours.initial, ours.activating) == (
+        paper.table,
+        paper.initial,
+        paper.activating,
+    )
+
+
+def test_all_but_one_hold_and_two_more_fail_with_failures() -> None:
+    verdicts = prove(_sample()).verdicts
+    assert len(verdicts) == 8
+    assert {one.name for one in verdicts if one.verdict == "fails"} == {DIGITIZED}
+    failed = {one.name: one for one in prove(_sample(), with_failures=True).verdicts}
+    assert {name for name, one in failed.items() if one.verdict != "holds"} == {
+        DIGITIZED,
+        OCCLUDED,
+        MOVED,
+    }
+    run = failed[OCCLUDED].counterexample
+    assert run is not None
+    assert (run.path, run.start["TRACKER"]) == ((), "State_o")
+    assert all(one.is_complete for one in recoverability(_sample()))
+
+
+def test_a_finding_names_the_failure_state_from_which_its_run_begins() -> None:
+    found = {one.address.state: one.message for one in prove(_sample(), 1000, True).findings}
+    assert found[OCCLUDED].endswith("hold together as soon as TRACKER/State_o is entered")
+
+
+def test_its_script_holds_within_one_tick_and_comes_to_the_goal() -> None:
+    blueprint = _sample()
+    script = smsl.read_script(samples_dir() / "scripts/registration-drilling.jsonl", blueprint)
+    done = smsl.run(blueprint, script=script)
+    told = [one.as_json() for one in done.events]
+    (put,) = (one["t"] for one in told if one["event"] == "fault_injected")
+    met = [one for one in told if one["event"] == "hazard_met"]
+    assert {one["name"] for one in met} == {OCCLUDED}
+    assert met[0]["t"] == round(put + 0.05, 6)
+    assert [one["kind"] for one in told if one["event"] == "held"] == ["hazard", "hazard"]
+    assert done.reason == "goal_reached"
