@@ -52,6 +52,7 @@ BENCHES = (
     "plans",
     "proof",
     "shapes",
+    "spin",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -13,6 +13,7 @@ from smsl_studio.generate.shapes.cut import Cut, cuts
 from smsl_studio.generate.shapes.extraction import extracted
 from smsl_studio.inspection.equivalence.equivalence import ComparedView, equivalence
 from smsl_studio.inspection.equivalence.transitions import FactAt, transitions_of
+from smsl_studio.inspection.explorer.part import restricted, touching
 
 MOST_ALIKE = 500
 """The largest number of operations from one state to another that are cut out together."""
@@ -40,7 +41,7 @@ def cut_out(
     except CutRefused as error:
         if error.at is None or error.run:
             raise
-        run = transitions_of(blueprint, limit, _short).run_to(error.at)
+        run = transitions_of(touching(blueprint, branch), limit, _short).run_to(error.at)
         raise CutRefused(error.sentence, error.at, error.advice, run) from None
 
 
@@ -60,7 +61,10 @@ def alike(
         except CutRefused as error:
             refusal = refusal or error
             continue
-        told = equivalence(blueprint, after, limit, _view(blueprint, cut, name))
+        before = touching(blueprint, chosen.branch.name)
+        names = [one for one in after.branches if one == name or one in before.branches]
+        view = _view(before, cut, name)
+        told = equivalence(before, restricted(after, names), limit, view)
         if told.equal:
             found = True
             yield after, cut

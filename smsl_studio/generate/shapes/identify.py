@@ -16,7 +16,7 @@ from smsl_studio.stop import heed
 Json = Any
 MOST = 100
 """The largest number of cuts that are listed."""
-MOST_LOOKED = 4_000_000
+MOST_LOOKED = 3_000_000
 """The largest number of states that are looked at, over all sets of states."""
 
 

@@ -23,6 +23,7 @@ from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.generate.shapes.claims import named_places
 from smsl_studio.inspection.equivalence.equivalence import ComparedView, equivalence
 from smsl_studio.inspection.equivalence.transitions import FactAt, label_of
+from smsl_studio.inspection.explorer.part import restricted, touching
 
 Json = Any
 Places = Mapping[str, Mapping[str, str]]
@@ -40,7 +41,9 @@ def put_back(blueprint: Blueprint, sub: str, limit: int) -> Blueprint:
     """
     inlined = _Inlined(blueprint, sub, limit)
     after = inlined.blueprint()
-    told = equivalence(blueprint, after, limit, inlined.view())
+    before = touching(blueprint, sub)
+    kept = [name for name in after.branches if name in before.branches]
+    told = equivalence(before, restricted(after, kept), limit, inlined.view(before))
     if told.equal is None:
         raise PlanningError(f"{sub} was not put back: {told.reason}", advice="Raise --limit.")
     if not told.equal:
@@ -82,15 +85,15 @@ class _Inlined:
         del file[self._sub.name]
         return draft.done()
 
-    def view(self) -> ComparedView:
-        """Return what is compared: all facts, and operations with their former SBs."""
+    def view(self, part: Blueprint) -> ComparedView:
+        """Return what is compared: all facts of a part, and operations with their former SBs."""
         before: dict[str, FactAt] = {}
         after: dict[str, FactAt] = {}
-        for branch in self._before:
+        for branch in part:
             for digit in range(branch.num_facts):
                 key, at = f"{branch.name}/{digit}", (branch.name, digit)
                 before[key], after[key] = at, self._facts.get(at, at)
-        several = len(self._before.branches) > 1
+        several = len(part.branches) > 1
 
         def one(address: Address) -> str:
             return label_of(address, several)

@@ -80,6 +80,12 @@ def restricted(blueprint: Blueprint, names: Iterable[str]) -> Blueprint:
     return replace(blueprint, branches=MappingProxyType({name: blueprint[name] for name in names}))
 
 
+def touching(blueprint: Blueprint, branch: str) -> Blueprint:
+    """Return a blueprint with one SB and all that touch it, directly or by others."""
+    groups = independent(Hierarchy(blueprint))
+    return restricted(blueprint, next(names for names in groups if branch in names))
+
+
 def coupled_part(blueprint: Blueprint, names: tuple[str, ...], limit: int) -> SpacePart:
     """Explore some SBs together, with everything that couples them (docs/running.md).
 
