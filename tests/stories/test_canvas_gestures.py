@@ -12,9 +12,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import unit_at
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from tests.stories.at_canvas import Drawer, sample
+from tests.studio.base.canvas.test_canvas import alike, on_screen
 
 Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton
 
@@ -51,6 +53,34 @@ def test_the_wheel_zooms_and_what_is_under_the_pointer_stays(hanoi: Drawer) -> N
     turn(hanoi, at, 3)
     assert hanoi.canvas.zoom > zoom * 1.5
     assert (hanoi.place("State_bba") - at).manhattanLength() <= 2
+
+
+@pytest.mark.parametrize("notches", [-1, 2])
+def test_marks_keep_their_sizes_while_the_wheel_turns_and_get_new_ones_at_rest(
+    hanoi: Drawer, qtbot: QtBot, notches: int
+) -> None:
+    camera = hanoi.canvas.camera
+    camera.go(camera.centre, 0.5, smooth=False)
+    lines, unit = hanoi.sheet.geometry, hanoi.sheet.unit
+    with qtbot.waitSignal(camera.rested, timeout=20_000):
+        turn(hanoi, hanoi.place("State_bba"), notches)
+        if not camera.is_at_rest:  # a slow machine may have rested already
+            assert hanoi.sheet.geometry is lines
+            assert hanoi.sheet.unit == unit
+    assert hanoi.sheet.unit == unit_at(camera.zoom, hanoi.sheet.level) != unit
+    shown, stand = on_screen(hanoi), camera.stand
+    camera.go(stand.centre, 4.0, smooth=False)
+    camera.go(stand.centre, stand.zoom, smooth=False)
+    assert camera.is_at_rest
+    assert alike(on_screen(hanoi), shown), "as if nobody had turned a wheel"
+
+
+def test_a_picture_that_gets_much_larger_is_drawn_anew_at_once(hanoi: Drawer) -> None:
+    camera = hanoi.canvas.camera
+    camera.go(camera.centre, 0.5, smooth=False)
+    turn(hanoi, hanoi.place("State_bba"), 9)
+    assert camera.zoom > 2.0
+    assert hanoi.sheet.unit == 1.0
 
 
 def test_the_wheel_pans_with_ctrl_and_shift(hanoi: Drawer) -> None:

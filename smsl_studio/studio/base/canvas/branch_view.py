@@ -134,6 +134,23 @@ class BranchView(DrawnStage):
         sheet = self.sheet
         return sheet is None or not len(sheet.at) or self._whole_view.contains(about(sheet))
 
+    @property
+    def positions(self) -> dict[str, Position]:
+        """The places of the states (scene points) by name."""
+        if self.sheet is None:
+            return {}
+        names = self.sheet.picture.names
+        return {n: (x, y) for n, (x, y) in zip(names, self.sheet.at.tolist(), strict=True)}
+
+    @property
+    def outside(self) -> int:
+        """The number of states whose centre is outside the view."""
+        if self.sheet is None:
+            return 0
+        view, (x, y) = self.seen, self.sheet.at.T
+        across, down = abs(x - view.center().x()), abs(y - view.center().y())
+        return int(((across > view.width() / 2) | (down > view.height() / 2)).sum())
+
     def show_all(self) -> None:
         """Show the whole SB. The zoom stays if the SB fits into the view at it."""
         sheet = self.sheet

@@ -9,6 +9,7 @@ from PySide6.QtCore import (
     QObject,
     QPointF,
     QRectF,
+    QTimer,
     QVariantAnimation,
     Signal,
 )
@@ -21,6 +22,8 @@ LEAST, MOST = 0.02, 4.0
 DURATION = 200
 STEP = 1.2
 """The factor of one notch of the wheel and of the zoom buttons."""
+REST = 120
+"""The time after the last turn of the wheel (ms) until the zoom is at rest."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,8 @@ class Camera(QObject):
     zoom_changed = Signal(float)
     arrived = Signal()
     """A movement, or a jump without movement, has ended."""
+    rested = Signal()
+    """The zoom is at rest, after ``turning`` was true."""
 
     def __init__(self, view: QGraphicsView) -> None:
         super().__init__(view)
@@ -52,6 +57,12 @@ class Camera(QObject):
         self.motion = True
         self.fitted = False
         self.keeps = ""
+        self.turning = False
+        """Whether another zoom follows at once: the wheel turns, or a movement goes on."""
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST)
+        self._rest.timeout.connect(self.rested)
         self._animation = QVariantAnimation(self)
         self._animation.setDuration(DURATION)
         self._animation.setEasingCurve(QEasingCurve.Type.OutCubic)
@@ -70,6 +81,11 @@ class Camera(QObject):
     def centre(self) -> QPointF:
         """The scene point in the middle of the view."""
         return self._view.mapToScene(self._view.viewport().rect()).boundingRect().center()
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether the zoom is at rest, or will not say that it is (see ``rested``)."""
+        return not self._rest.isActive()
 
     def keep(self, what: str, fitted: bool = False) -> None:
         """Set ``keeps`` and ``fitted``."""
@@ -98,7 +114,7 @@ class Camera(QObject):
         zoom = min(max(self.zoom * factor, LEAST), MOST)
         anchor = anchor if anchor is not None else self._scene_point(at)
         middle = QPointF(self._view.viewport().rect().center())
-        self._look(anchor + (middle - at) / zoom, zoom)
+        self._look(anchor + (middle - at) / zoom, zoom, turning=True)
         return anchor
 
     def pan(self, dx: float, dy: float) -> None:
@@ -132,16 +148,22 @@ class Camera(QObject):
     def _frame(self, share: float) -> None:
         (a, za), (b, zb) = self._from, self._to
         zoom = za * (zb / za) ** share
-        self._look(a + (b - a) * share, zoom)
+        self._look(a + (b - a) * share, zoom, turning=share < 1.0)
 
-    def _look(self, centre: QPointF, zoom: float) -> None:
+    def _look(self, centre: QPointF, zoom: float, turning: bool = False) -> None:
         # A zoom close to 100 % becomes exactly 1.0, so that texts are sharp.
         if abs(zoom - 1.0) < 0.004:
             zoom = 1.0
         view = self._view
         if zoom != self.zoom:
+            self.turning = turning
             view.setTransform(QTransform.fromScale(zoom, zoom))
             self.zoom_changed.emit(zoom)
+            self.turning = False
+            if turning:
+                self._rest.start()
+            else:
+                self._rest.stop()
         view.centerOn(centre)
 
     def _scene_point(self, at: QPointF) -> QPointF:

@@ -28,7 +28,7 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
             widest = float(sheet.compact_widths.max())
             marks = widest + FAR_MARKS[0], FAR_MARKS[1]
             return centres.center(), fit_zoom(centres, marks, room)
-        if sheet.roomy:
+        if sheet.spacing.roomy:
             sheet.set_zoom(1.0)
             whole = bounds_of(sheet)
             zoom = fit_zoom(whole, MARGIN, room)
@@ -74,7 +74,7 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     Labels and signs keep their size on the screen, so a second step corrects the zoom of the first.
     """
     centres = _centres(sheet)
-    most = FULL_FROM - 0.01 if sheet.roomy else 1.0
+    most = FULL_FROM - 0.01 if sheet.spacing.roomy else 1.0
     zoom = fit_zoom(centres, FAR_MARKS, room, most)
     for _ in range(2 if len(sheet.picture.operations) <= 120 else 1):
         sheet.set_zoom(zoom)

@@ -44,6 +44,8 @@ from smsl_studio.studio.base.paint.looks import Looks
 from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 
 Position = tuple[float, float]
+MOST_HELD = 3.0
+"""How many times as large or as small a picture gets at most while its marks keep their sizes."""
 KEPT_UNITS = 8
 """How many zooms of compact nodes keep their lines and labels."""
 
@@ -66,7 +68,8 @@ class Sheet:
         """The edges whose line or label is drawn by hand."""
         self.looks = Looks(picture, marks)
         self.picture = opened(picture, self.looks)
-        self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
+        self.zoom = self.unit = self._laid_at = 1.0
+        self.level = Level.FULL
         self.version = 0
         """Increased whenever lines or labels change their place."""
         self._measure()
@@ -95,20 +98,21 @@ class Sheet:
         return self.picture.branch.name == branch
 
     @property
-    def roomy(self) -> bool:
-        """Whether this layout has room for full nodes."""
-        return self.spacing.roomy
-
-    @property
     def compact(self) -> bool:
         """Whether nodes show less than their full name and facts."""
         return self.level is not Level.FULL
 
-    def set_zoom(self, zoom: float) -> None:
-        """Set the zoom (1.0 is 100 %) and the level of detail and unit that follow from it."""
-        self.zoom = zoom
-        self.level = level_at(zoom, self.spacing)
-        self.unit = unit_at(zoom, self.level)
+    def set_zoom(self, zoom: float, turning: bool = False) -> None:
+        """Set the zoom (1.0 is 100 %), and the level of detail and unit that follow from it.
+
+        While the zoom is ``turning``, a small picture keeps those for which lines are known.
+        """
+        self.zoom, level = zoom, level_at(zoom, self.spacing)
+        unit = unit_at(zoom, level)
+        known = (level is not Level.FULL, _in_steps(unit)) in self._geometry
+        far = max(zoom / self._laid_at, self._laid_at / zoom) > MOST_HELD
+        if known or far or not turning or not self.picture.small:
+            self.level, self.unit, self._laid_at = level, unit, zoom
 
     def move(self, places: Mapping[int, Position]) -> list[int]:
         """Move states during a drag (scene points by number); returns the edges that changed.

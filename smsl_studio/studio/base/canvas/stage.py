@@ -72,6 +72,7 @@ class Stage(QGraphicsView):
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState)
         self.camera.zoom_changed.connect(self._zoomed)
+        self.camera.rested.connect(self._rested)
 
     # What is shown
 
@@ -92,14 +93,6 @@ class Stage(QGraphicsView):
         self.cover()
         self.refresh_pool()
         self._repaint()
-
-    @property
-    def positions(self) -> dict[str, Position]:
-        """The places of the states (scene points) by name."""
-        if self._sheet is None:
-            return {}
-        names = self._sheet.picture.names
-        return {n: (x, y) for n, (x, y) in zip(names, self._sheet.at.tolist(), strict=True)}
 
     @property
     def ink(self) -> Ink:
@@ -155,15 +148,6 @@ class Stage(QGraphicsView):
     def seen(self) -> QRectF:
         """The visible part of the scene."""
         return self.mapToScene(self.viewport().rect()).boundingRect()
-
-    @property
-    def outside(self) -> int:
-        """The number of states whose centre is outside the view."""
-        if self._sheet is None:
-            return 0
-        view, (x, y) = self.seen, self._sheet.at.T
-        across, down = abs(x - view.center().x()), abs(y - view.center().y())
-        return int(((across > view.width() / 2) | (down > view.height() / 2)).sum())
 
     # Where things are
 
@@ -304,12 +288,17 @@ class Stage(QGraphicsView):
         sheet = self._sheet
         self.cover()
         if sheet is not None:
-            sheet.set_zoom(zoom)
+            sheet.set_zoom(zoom, self.camera.turning)
             self.refresh_pool()
             self.pool.refresh(sheet)
             self.glide.hold()
         self._repaint()
         self.zoom_changed.emit(zoom)
+
+    def _rested(self) -> None:
+        """Give all marks the sizes of the zoom, now that it is at rest."""
+        self._zoomed(self.zoom)
+        self.picture_changed.emit()
 
     def refresh_pool(self) -> None:
         """Give items to near and highlighted nodes, and free those that left the view.
