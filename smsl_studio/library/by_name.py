@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.library.bindings import texts_read
 from smsl_studio.library.loaded import Loaded, Plugin
 
 
@@ -27,6 +26,9 @@ def sensors_by_name(
     loaded: Loaded, blueprint: Blueprint, branch: StateBranch, digit: int
 ) -> tuple[str, ...]:
     """Return the names of the sensors of plugins that read a fact."""
+    # It checks manifests with pydantic, which the first picture of a window does not need.
+    from smsl_studio.library.bindings import texts_read
+
     found: dict[str, None] = {}
     note = branch.fact_note(digit)
     named = note.sensors if note is not None else ()
