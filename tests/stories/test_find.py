@@ -61,7 +61,7 @@ def test_places_are_found_by_name_title_and_facts(
     assert person.window.canvas.hasFocus()
 
 
-def test_facts_and_hazards_open_their_forms(sit: Sit, noted: Path) -> None:
+def test_a_fact_opens_its_form_and_a_hazard_its_row(sit: Sit, noted: Path) -> None:
     person = sit(noted)
     assert find(person, "door")[0] == "Door open"
     person.press(Key.Key_Return)
@@ -69,7 +69,12 @@ def test_facts_and_hazards_open_their_forms(sit: Sit, noted: Path) -> None:
     assert person.window.properties.fact.isVisible()
     assert find(person, "and away")[0] == "Open and away"
     person.press(Key.Key_Return)
-    assert person.window.properties.hazards.cards[0].name.hasFocus()
+    page = person.window.features.inspection.panel
+    assert page.isVisible()
+    person.until(lambda: page.table.chosen is not None)
+    assert page.table.chosen is not None
+    assert page.table.chosen.name == "Open and away"
+    assert page.table.hasFocus()
 
 
 def test_findings_files_and_commands_stand_in_sections_of_their_own(sit: Sit, noted: Path) -> None:

@@ -303,31 +303,36 @@ def test_a_binding_by_name_is_told_only_where_a_plugin_knows_the_procedure(
 # Header, hazards, file
 
 
-def test_hazards_are_added_changed_and_removed(sit: Sit, tmp_path: Path) -> None:
-    odd = {"name": 5}
-    values = {"_hazards": [odd], **json.loads(HFSM.read_text())}
-    person = sit(written(tmp_path, values))
-    properties = person.window.properties
-    form = properties.hazards
-    properties.ensureWidgetVisible(form)
-    person.click(form.add)
-    card = form.cards[-1]
-    person.write(card.name, "Both at once")
-    person.write(card.facts.rows[0].fact, "SB1/0")
-    person.write(card.facts.rows[0].value, "1")
-    assert [hazard.name for hazard in person.blueprint.hazards] == ["Both at once"]
-    card = form.cards[-1]
-    properties.ensureWidgetVisible(card.frame)
-    require(person, card.facts, "SB2/0", "1")
-    assert person.blueprint.hazards[0].facts == {"SB1/0": "1", "SB2/0": "1"}
-    person.write(form.cards[-1].name, "Never both")
+def test_hazards_and_properties_are_counted_and_lead_to_their_page(
+    sit: Sit, tmp_path: Path
+) -> None:
+    odd, good = {"name": 5}, {"name": "Both", "facts": {"SB1/0": "1", "SB2/0": "1"}}
+    person = sit(written(tmp_path, {"_hazards": [odd, good], **json.loads(HFSM.read_text())}))
+    properties, page = person.window.properties, person.window.features.inspection.panel
+    line = properties.claims
+    properties.ensureWidgetVisible(line)
+    assert line.said.text() == "2 hazards."
+    person.until(lambda: person.window.inspector.proof is not None)
+    person.click(line.open)
+    assert page.isVisible()
+    assert page.table.hasFocus()
+    assert page.table.claims.rowCount() == 1
+
+    person.click(page.add)
+    person.write(page.form.name, "Again both")
+    person.write(page.form.first, "SB1/0 = 1 and SB2/0 = 1")
+    assert [hazard.name for hazard in person.blueprint.hazards] == ["Both", "Again both"]
     assert person.blueprint.fields["_hazards"][0] == odd, "what is no hazard is kept"
-    assert person.steps() == [
-        "Add the hazard “Both at once”", "Change the facts of the hazard “Both at once”",
-        "Rename the hazard “Both at once” to “Never both”",
-    ]  # fmt: skip
-    person.click(form.cards[-1].gone)
-    assert person.blueprint.fields["_hazards"] == [odd]
+    assert line.said.text() == "3 hazards."
+
+
+def test_without_hazards_the_line_leads_to_the_empty_page(sit: Sit) -> None:
+    person = sit(HFSM)
+    properties, page = person.window.properties, person.window.features.inspection.panel
+    properties.ensureWidgetVisible(properties.claims)
+    assert properties.claims.said.text().startswith("None.")
+    person.click(properties.claims.open)
+    assert page.add_empty.hasFocus()
 
 
 def test_a_file_is_imported_and_left_again(sit: Sit, tmp_path: Path) -> None:

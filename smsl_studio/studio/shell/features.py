@@ -63,6 +63,8 @@ class Features(QObject):
         self.draw.notes.author = windows.persons.author
         self.inspection = InspectionFeature(parts, shell, self.draw.canvas)
         self.draw.findings.claim_wanted.connect(self.inspection.show_claim)
+        self.draw.going.show_claim = self.inspection.show_claim
+        self.draw.properties.claims.wanted.connect(self.inspection.show_page)
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.branch_map = BranchMapFeature(parts, shell)
         self.merge = MergeFeature(parts, shell)

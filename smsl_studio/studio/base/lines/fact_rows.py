@@ -1,4 +1,4 @@
-"""Rows of facts with the values they must have, for hazards and for ``requires``."""
+"""Rows of facts with the values they must have, for ``requires``."""
 
 from __future__ import annotations
 

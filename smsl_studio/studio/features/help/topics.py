@@ -34,7 +34,7 @@ PARTS = {
     "Library": _panel("Library"),
     "Properties": _window("forms"),
     "HeaderForm": _panel("Branch header"),
-    "HazardForm": _panel("Hazards"),
+    "ClaimsLine": _window("inspection"),
     "Findings": _panel("Findings"),
     "SourcePane": _window("the-source"),
     "InspectionPanel": _window("inspection"),

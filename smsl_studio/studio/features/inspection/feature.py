@@ -44,6 +44,12 @@ class InspectionFeature(Feature):
                    tip="What must hold, and whether it does; once more: back to the drawing"),
         )  # fmt: skip
 
+    def show_page(self) -> None:
+        """Show the page with the keyboard on it."""
+        self._shell.show_tab(NAME)
+        panel = self.panel
+        (panel.table if panel.table.isVisible() else panel.add_empty).setFocus()
+
     def show_claim(self, address: Address) -> None:
         """Show a hazard or a property."""
         self._shell.show_tab(NAME)

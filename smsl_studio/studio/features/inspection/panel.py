@@ -155,7 +155,8 @@ class InspectionPanel(QWidget):
         self.form.name.setFocus()
 
     def choose(self, address: Address) -> None:
-        """Choose a hazard or a property, and show its run."""
+        """Choose a hazard or a property, and show its run: now, or as soon as it is answered."""
+        self._wanted = address if self.table.claims.row_of(address) < 0 else None
         self.table.choose(address)
         self.table.scrollTo(self.table.currentIndex())
         self.table.setFocus()

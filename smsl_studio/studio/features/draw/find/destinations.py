@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.features.draw.panels.library import Library
 from smsl_studio.studio.features.draw.panels.properties import Properties
@@ -18,13 +20,16 @@ class Panels(Protocol):
 
 
 class Destinations:
-    """Shows facts and hazards in Properties and operations in the library, and opens files."""
+    """Shows facts in Properties, hazards on their page and operations in the library, and opens
+    files."""
 
     def __init__(
         self, panels: Panels, properties: Properties, library: Library, files: Files
     ) -> None:
         self._panels, self._properties, self._files = panels, properties, files
         self._library = library
+        self.show_claim: Callable[[Address], None] = lambda address: None
+        """Shows a hazard or a property; another feature has the page."""
 
     def show_fact(self, branch: str, digit: int) -> None:
         """Show a fact in the properties panel."""
@@ -32,9 +37,8 @@ class Destinations:
         self._properties.show_fact(branch, digit)
 
     def show_hazard(self, name: str) -> None:
-        """Show a hazard in the properties panel."""
-        self._panels.show_tab("Properties")
-        self._properties.show_hazard(name)
+        """Show a hazard on the page that answers it."""
+        self.show_claim(Address("_hazards", name))
 
     def show_offered(self, pattern: str) -> None:
         """Show an operation that a plugin offers, in the library."""

@@ -32,7 +32,7 @@ class FinderWindow(Protocol):
         """Show a fact of an SB in the properties panel."""
 
     def show_hazard(self, name: str) -> None:
-        """Show a hazard in the properties panel."""
+        """Show a hazard on the page that answers it."""
 
     def open_file(self, path: Path) -> None:
         """Open a file in this window."""

@@ -14,10 +14,10 @@ from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.claims_line import ClaimsLine
 from smsl_studio.studio.features.draw.panels.fact_form import FactForm
 from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.frame import Panel
-from smsl_studio.studio.features.draw.panels.hazard_form import HazardForm
 from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
 from smsl_studio.studio.features.draw.panels.last_change_form import LastChangeForm
 from smsl_studio.studio.features.draw.panels.line_form import LineForm
@@ -26,7 +26,7 @@ from smsl_studio.studio.features.draw.panels.state_form import StateForm
 
 
 class Properties(QScrollArea):
-    """A form for the selection or a fact, then the branch header, the hazards and the file.
+    """A form for the selection or a fact, then the branch header, the number of hazards, the file.
 
     The selection is one state, one operation, or what several elements share.
     """
@@ -51,11 +51,11 @@ class Properties(QScrollArea):
         self.several = _Several(session)
         # It shows itself; without a parent it would be a window for a moment.
         self.header = HeaderForm(session, tokens, inner)
-        self.hazards = HazardForm(session, tokens)
+        self.claims = ClaimsLine(session)
         self.file = FileForm(session, tokens)
         self._rule = rule()
         above = (self.fact, self.state, self.operation, self.line, self.changed_by, self.several)
-        for widget in (*above, self._rule, self.header, rule(), self.hazards, rule(), self.file):
+        for widget in (*above, self._rule, self.header, rule(), self.claims, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
         self.setWidget(inner)
@@ -74,7 +74,7 @@ class Properties(QScrollArea):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for form in (self.fact, self.state, self.operation, self.header, self.hazards, self.file):
+        for form in (self.fact, self.state, self.operation, self.header, self.file):
             form.set_tokens(tokens)
 
     def set_plugins(self, loaded: Loaded) -> None:
@@ -89,20 +89,6 @@ class Properties(QScrollArea):
         """Show a fact instead of the selection, until something else is selected."""
         self._session.select_fact(branch, digit)
         self.verticalScrollBar().setValue(0)
-
-    def show_hazard(self, name: str) -> None:
-        """Show a hazard of any file.
-
-        The first SB of that file is shown, so that its hazards are listed.
-        """
-        blueprint = self._session.blueprint
-        for branch in blueprint.branches:
-            home = blueprint.home(branch)
-            if any(hazard.name == name for hazard in blueprint.hazards_of(home)):
-                self._session.show_branch(branch)
-                break
-        self.hazards.reveal(name)
-        self.ensureWidgetVisible(self.hazards)
 
     def _show(self) -> None:
         blueprint, selection = self._session.blueprint, self._session.selection
