@@ -46,13 +46,13 @@ def test_removals_come_first_and_every_change_of_meaning_is_a_warning(
     assert answer.status == 0
     assert found == [
         ("R27", "W", "_hazards/Both"),
+        ("R27", "W", "_properties/Never"),
         ("R27", "W", "SB/State_10/back"),
-        ("R27", "W", "_properties"),
         ("R27", "W", "SB/State_00/b"),
         ("R27", "W", "SB"),
         ("R27", "W", "SB/State_01/d"),
     ]
-    removed, retargeted = report["findings"][1], report["findings"][3]
+    removed, retargeted = report["findings"][2], report["findings"][3]
     lines = Path(new).read_text().splitlines()
     assert '"State_10"' in lines[removed["line"] - 1]
     assert removed["message"].startswith(f"since {old} the operation back of SB/State_10 is rem")

@@ -35,10 +35,10 @@ class Change:
     """One change.
 
     ``what`` is the kind of element: ``branch``, ``state``, ``operation``, ``header``, ``fact``,
-    ``note``, ``hazard``, ``level``, ``import``, ``field`` or ``order``. ``before`` and ``after``
-    are the addresses of its element on both sides, None if there is none. ``field`` is the key that
-    changed. ``old`` and ``new`` are its values, or the names after a renaming, or the targets after
-    a retargeting. The paths lead to its place in the text of each side.
+    ``note``, ``hazard``, ``property``, ``level``, ``import``, ``field`` or ``order``. ``before``
+    and ``after`` are the addresses of its element on both sides, None if there is none. ``field``
+    is the key that changed. ``old`` and ``new`` are its values, or the names after a renaming, or
+    the targets after a retargeting. The paths lead to its place in the text of each side.
     """
 
     kind: ChangeKind

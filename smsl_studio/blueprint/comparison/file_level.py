@@ -1,11 +1,12 @@
-"""Compares everything at file level: hazards, levels, imports, other ``_`` fields, the order of
-SBs.
+"""Compares everything at file level: hazards, properties, levels, imports, other ``_`` fields, the
+order of SBs.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
@@ -16,15 +17,18 @@ from smsl_studio.blueprint.continuum import DEFAULTS
 from smsl_studio.blueprint.meaning import levels_written, word_for_word
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import real_path
+from smsl_studio.blueprint.properties.follow import followed
 
 Json = Any
-_OWN = ("_hazards", "_imports", "_levels")
+_OWN = ("_hazards", "_imports", "_levels", "_properties")
 _TOLD, _ENTRIES = 8, 4
 
 
 def compare_fields(sides: Sides) -> None:
-    """Compare hazards, levels and imports one by one, and every other field as a whole."""
-    _compare_hazards(sides)
+    """Compare hazards, properties, levels and imports one by one, and every other field as a
+    whole."""
+    _compare_named(sides, "_hazards", "hazard")
+    _compare_named(sides, "_properties", "property")
     _compare_levels(sides)
     _compare_imports(sides)
     one = {k: v for k, v in sides.before.fields.items() if k not in _OWN}
@@ -92,54 +96,80 @@ def _list(names: list[str]) -> str:
     return ", ".join(names) if len(names) <= _TOLD else ", ".join((*names[:_TOLD], "…"))
 
 
-def _compare_hazards(sides: Sides) -> None:
-    """Compare the hazards of all files by name. Their order has no meaning."""
-    old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(sides.before).items()}
-    new = _by_name(sides.after)
-    for key in merged(list(old), list(new)):
-        here, there = old.get(key), new.get(key)
-        if here is None or there is None or not alike(here[1], there[1]):
-            sides.changes.append(_hazard(key[0], here, there))
+def _compare_named(sides: Sides, key: str, what: str) -> None:
+    """Compare the hazards or the properties of all files by name. Their order has no meaning."""
+    old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(sides.before, key).items()}
+    new = _by_name(sides.after, key)
+    for name in merged(list(old), list(new)):
+        here, there = old.get(name), new.get(name)
+        if here is None or there is None or not alike(_full(here[1]), _full(there[1])):
+            sides.changes.append(_named_change(what, name[0], here, there))
+
+
+def _full(entry: Json) -> Json:
+    """Return an entry with the defaults of a property, which are no change if they are written."""
+    return {"severity": "E", "why": "", **entry} if isinstance(entry, dict) else entry
 
 
 Placed = tuple[Path, Json]
 
 
-def _by_name(blueprint: Blueprint) -> dict[tuple[str, int], Placed]:
-    """Return the hazards by name, and those of the same name by number. An entry of another form
+def _by_name(blueprint: Blueprint, key: str) -> dict[tuple[str, int], Placed]:
+    """Return the entries by name, and those of the same name by number. An entry of another form
     has its text as its name.
 
-    Only hazards of the blueprint's own file have a place in it.
+    Only entries of the blueprint's own file have a place in it.
     """
     found: dict[str, list[Placed]] = {}
     for document in blueprint.documents:
-        raw = document.values.get("_hazards")
+        raw = document.values.get(key)
         items = raw if isinstance(raw, list) else [raw] if raw else []
         for index, item in enumerate(items):
             name = said(item.get("name", item) if isinstance(item, dict) else item)
             own = document is blueprint.document
-            found.setdefault(name, []).append((("_hazards", str(index)) if own else (), item))
+            found.setdefault(name, []).append(((key, str(index)) if own else (), item))
     for same in found.values():
         same.sort(key=lambda one: word_for_word(one[1]))
     return {(name, n): one for name, same in found.items() for n, one in enumerate(same)}
 
 
-def _mapped(sides: Sides, hazard: Json) -> Json:
-    if isinstance(hazard, dict) and isinstance(hazard.get("facts"), dict):
-        return {**hazard, "facts": {sides.fact(k): v for k, v in hazard["facts"].items()}}
-    return hazard
+def _mapped(sides: Sides, entry: Json) -> Json:
+    """Return a hazard or property of the earlier side with the later names of its SBs."""
+    if not isinstance(entry, dict):
+        return entry
+    if isinstance(entry.get("facts"), dict):
+        return {**entry, "facts": {sides.fact(k): v for k, v in entry["facts"].items()}}
+    return {
+        key: value if key in ("name", "why") else _renamed_in(sides, value)
+        for key, value in entry.items()
+    }
 
 
-def _hazard(name: str, here: Placed | None, there: Placed | None) -> Change:
+def _renamed_in(sides: Sides, value: Json) -> Json:
+    """Return the conditions and addresses in a property with the later names of SBs."""
+    if isinstance(value, dict):
+        return {key: _renamed_in(sides, one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_renamed_in(sides, one) for one in value]
+    if not isinstance(value, str):
+        return value
+    after = followed(value, lambda term: replace(term, branch=sides.branch(term.branch)))
+    names = Address.split(value)
+    if after == value and len(names) > 1 and names[0] in sides.before.branches:
+        after = "/".join((str(Address(sides.branch(names[0]))), *value.split("/")[1:]))
+    return after
+
+
+def _named_change(what: str, name: str, here: Placed | None, there: Placed | None) -> Change:
     kind = kind_of(here is not None, there is not None)
     old, new = here[1] if here else None, there[1] if there else None
     told = value_words(here is not None, there is not None, _facts(old), _facts(new))
     return Change(
         kind,
-        "hazard",
+        what,
         None,
         None,
-        f"The hazard {name} {told}.",
+        f"The {what} {name} {told}.",
         name,
         old,
         new,
@@ -148,8 +178,8 @@ def _hazard(name: str, here: Placed | None, there: Placed | None) -> Change:
     )
 
 
-def _facts(hazard: Json) -> Json:
-    return hazard.get("facts", hazard) if isinstance(hazard, dict) else hazard
+def _facts(entry: Json) -> Json:
+    return entry.get("facts", entry) if isinstance(entry, dict) else entry
 
 
 def _compare_levels(sides: Sides) -> None:

@@ -31,8 +31,7 @@ def r27_changed_since(blueprint: Blueprint, other: Blueprint) -> Iterator[Remark
     still there.
     """
     difference = compare(other, blueprint)
-    said = (one for one in difference.fields if one.field == KEY)
-    changes = sorted((*difference.changes, *said), key=lambda one: ORDER.index(one.kind))
+    changes = sorted(difference.changes, key=lambda one: ORDER.index(one.kind))
     for change in changes:
         path = change.path_after or change.path_before
         home = blueprint.home(path[0]) if path else blueprint.document
@@ -53,7 +52,7 @@ def _address(blueprint: Blueprint, change: Change) -> Address:
     the first SB."""
     if change.address is not None:
         return change.address
-    if change.what == "hazard":
-        return Address(HAZARDS, change.field)
+    if change.what in ("hazard", "property"):
+        return Address(HAZARDS if change.what == "hazard" else KEY, change.field)
     path = change.path_after or change.path_before
     return Address(path[0] if path else next(iter(blueprint.branches), change.field))

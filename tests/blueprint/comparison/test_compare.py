@@ -201,6 +201,27 @@ def test_a_default_that_shifts_is_a_change_and_one_that_is_written_out_is_none()
     assert "the first state listed" in shifted.changes[0].words
 
 
+def test_properties_are_part_of_the_meaning() -> None:
+    plain: dict[str, Any] = {"S": {"State0": {}, "State1": {}}}
+    one = {"name": "a", "never": "S/0 = 1"}
+    before = of({**plain, "_properties": [one, {"name": "b", "reachable": "S/0 = 1"}]})
+    same = [{"name": "b", "reachable": "S/0 = 1", "severity": "E"}, {**one, "why": ""}]
+    assert compare(before, of({**plain, "_properties": same})).same
+    after = of({**plain, "_properties": [{**one, "never": "S/0 = 0"}, {**one, "name": "c"}]})
+    found = compare(before, after)
+    assert not found.same
+    assert [
+        (c.kind.value, c.what, c.field, c.path_after or c.path_before) for c in found.changes
+    ] == [
+        ("changed", "property", "a", ("_properties", "0")),
+        ("removed", "property", "b", ("_properties", "1")),
+        ("added", "property", "c", ("_properties", "1")),
+    ]
+    assert "never is S/0 = 0 instead of S/0 = 1" in found.changes[0].words
+    renamed = edit.rename(before, Address("S"), "T")
+    assert {change.what for change in compare(before, renamed).changes} == {"branch"}
+
+
 def test_hazards_are_told_by_name_and_their_order_means_nothing() -> None:
     hazards = [{"name": "a", "facts": {"S/0": v}} for v in "01"]
     before = of({"S": {"State0": {}}, "_hazards": [*hazards, {"name": "b", "facts": {}}]})
