@@ -22,6 +22,11 @@ def branch_now(before: Blueprint, after: Blueprint, branch: str) -> str:
     return first_branch(after)
 
 
+def same_branch(before: Blueprint, after: Blueprint, branch: str) -> str:
+    """The name of an SB after an edit that renamed it; unchanged if it is gone."""
+    return _name_now(before.branches, after.branches, branch)
+
+
 def now_named(before: Blueprint, after: Blueprint, address: Address) -> Address:
     """The address of a state or operation after an edit; unchanged if the element is gone."""
     old, new = before.branches.get(address.branch), after.branches.get(address.branch)

@@ -20,7 +20,7 @@ from smsl_studio.smsl.document import Document
 from smsl_studio.studio.document.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.document.broken import Broken, Reading, read_text, texts_of, under_name
 from smsl_studio.studio.document.places import Places
-from smsl_studio.studio.document.renamed import branch_now, first_branch, now_named
+from smsl_studio.studio.document.renamed import branch_now, first_branch, now_named, same_branch
 
 __all__ = ["Broken", "Fact", "Session"]
 
@@ -309,6 +309,14 @@ class Session(QObject):
             self._selection, self._fact = selection, fact
             self.selection_changed.emit(selection)
 
+    def _fact_now(self, before: Blueprint) -> Fact | None:
+        """Return the selected fact with the name that its SB has now, None if it is gone."""
+        if self._fact is None:
+            return None
+        name, digit = self._fact
+        fact = same_branch(before, self._blueprint, name), digit
+        return fact if self._is_fact(fact) else None
+
     def _is_fact(self, fact: Fact) -> bool:
         branch = self._blueprint.branches.get(fact[0])
         if branch is None:
@@ -357,10 +365,11 @@ class Session(QObject):
         """Announce another blueprint, and keep what is shown and selected if it still exists.
 
         The selection has the new names before the signal is emitted. Otherwise a form would be
-        empty for a moment and lose the keyboard focus.
+        empty for a moment and lose the keyboard focus, or show a fact that no longer exists.
         """
-        blueprint, former = self._blueprint, self._selection
+        blueprint, former, fact = self._blueprint, self._selection, self._fact
         self._selection = tuple(now_named(before, blueprint, one) for one in former)
+        self._fact = self._fact_now(before)
         moved = self._branch not in blueprint.branches
         if moved:
             self._branch = branch_now(before, blueprint, self._branch)
@@ -368,10 +377,9 @@ class Session(QObject):
         if moved:
             self.branch_changed.emit(self._branch)
         kept = tuple(a for a in self._selection if self._stands(a))
-        fact = self._fact
-        if kept == self._selection != former:
+        if (kept == self._selection != former) or self._fact != fact:
             self.selection_changed.emit(kept)
-        self._choose(kept, fact if fact is not None and self._is_fact(fact) else None)
+        self._choose(kept, self._fact)
 
 
 def _drawn(blueprint: Blueprint) -> tuple[str, ...]:

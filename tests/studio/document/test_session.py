@@ -140,3 +140,23 @@ def test_what_was_selected_before_a_fact_and_was_undone_is_extended_no_more(
     assert list(session.extended) == [state, added]
     session.history.undo()
     assert list(session.extended) == [state]
+
+
+def test_a_selected_fact_that_is_gone_is_shown_by_nobody(session: Session) -> None:
+    """A form that is told of the new blueprint asks which fact is selected."""
+    seen = []
+    session.blueprint_changed.connect(lambda *_: seen.append(session.fact))
+    told: list[tuple[Address, ...]] = []
+    session.selection_changed.connect(told.append)
+    session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB2", "State_0"))
+    session.select_fact("SB2", 0)
+    session.edit("Rename", lambda bp: editing.rename(bp, Address("SB2"), "SB3"))
+    assert (seen[-1], session.fact) == (("SB3", 0), ("SB3", 0))
+    session.history.undo()
+    assert (seen[-1], session.fact) == (("SB2", 0), ("SB2", 0))
+    told.clear()
+    session.history.undo()
+    session.history.undo()
+    assert (seen[-1], session.fact, told) == (None, None, [()])
+    assert session.branch == "SB1"
