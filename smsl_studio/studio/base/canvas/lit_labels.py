@@ -64,7 +64,7 @@ class LitLabels:
         """
         looks, marks = sheet.looks, sheet.looks.marks
         seen = view if marks.running or marks.possible or marks.planned or marks.trail else None
-        key = (looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
+        key = (sheet, looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
         if key != self._key:
             self._key = key
             self._found = lit_labels(sheet, by_weight(sheet), view)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QRectF, Qt
@@ -97,9 +98,16 @@ class NodePool:
         for state, item in self.used.items():
             item.show_state(sheet, state)
 
-    def clear(self) -> None:
-        """Hide all items and keep them for later."""
-        for item in self.used.values():
-            item.setVisible(False)
-            self._free.append(item)
-        self.used.clear()
+    def keep(self, sheet: Sheet | None, kept: Mapping[int, int]) -> None:
+        """Keep the items of some states, which look the same on another sheet, and hide the others.
+
+        ``kept`` has the numbers of these states on that sheet, by those before.
+        """
+        used, self.used = self.used, {}
+        for state, item in used.items():
+            if state in kept and sheet is not None:
+                item.sheet, item.state = sheet, kept[state]
+                self.used[item.state] = item
+            else:
+                item.setVisible(False)
+                self._free.append(item)

@@ -91,6 +91,7 @@ class Overlays:
         # During a run the run's own header and buttons take the place of the breadcrumb.
         self.breadcrumb.setVisible(self._canvas.editing)
         self.zoom.setVisible(self._canvas.editing)
+        self.map.update()
         self.place()
 
     def show_marks(self, marks: Marks) -> None:

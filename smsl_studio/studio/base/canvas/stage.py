@@ -15,6 +15,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.camera import Camera
+from smsl_studio.studio.base.canvas.changed_area import ChangedArea, PaintedParts
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
@@ -45,6 +46,8 @@ class Stage(QGraphicsView):
         self._ink = Ink(tokens)
         self._marks = Marks()
         self._sheet: Sheet | None = None
+        self._parts: PaintedParts | None = None
+        """What the sheet looked like when it was shown, if ``ChangedArea`` can use it."""
         self._ready = False
         self.camera = Camera(self)
         self.pool = NodePool()
@@ -82,17 +85,21 @@ class Stage(QGraphicsView):
         return self._sheet
 
     def show_sheet(self, sheet: Sheet | None) -> None:
-        """Show another sheet; zoom and place of the view stay."""
+        """Show another sheet; zoom and place of the view stay. After an edit only what looks
+        different now is painted."""
         self.glide.end()
-        self.pool.clear()
-        self._sheet = sheet
+        before, labels = self._sheet, self.lit_layer.shown()
         if sheet is not None:
             sheet.set_zoom(self.camera.zoom)
-        self.lit_layer.sheet = sheet
+        changed = ChangedArea(before, sheet, self._parts)
+        self._parts = changed.parts
+        self.pool.keep(sheet, changed.kept)
+        self._sheet = self.lit_layer.sheet = sheet
         self.gestures.clear()
         self.cover()
         self.refresh_pool()
-        self._repaint()
+        self._repaint(changed.rect)
+        self.update_lit(labels)
 
     @property
     def ink(self) -> Ink:

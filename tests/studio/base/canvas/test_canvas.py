@@ -49,7 +49,9 @@ def picture(drawer: Drawer) -> QImage:
 
 
 def on_screen(drawer: Drawer) -> QImage:
-    """What stands on the screen, without painting it again."""
+    """What stands on the screen when the zoom is at rest, without painting it again."""
+    while not drawer.canvas.camera.is_at_rest:
+        QApplication.processEvents()
     for _ in range(3):
         QApplication.processEvents()
     return QApplication.primaryScreen().grabWindow(drawer.canvas.winId()).toImage()

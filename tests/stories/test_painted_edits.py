@@ -1,0 +1,101 @@
+"""After an edit only what looks different is painted, and the screen looks as if all of it were."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from PySide6.QtCore import QPointF, QRectF
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing import rename, set_header
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.generate.rules import hanoi
+from tests.picture.test_former import edited
+from tests.stories.at_canvas import Drawer, sample
+from tests.studio.base.canvas.test_canvas import alike, on_screen, painted_anew
+
+
+def headed(blueprint: Blueprint, branch: str, dice: random.Random) -> Blueprint:
+    """The blueprint with another initial or activating state."""
+    state = dice.choice(list(blueprint[branch].table))
+    return set_header(blueprint, branch, dice.choice(["INITIAL", "ACTIVATING"]), state)
+
+
+def some_edit(person: Drawer, dice: random.Random) -> None:
+    """Edit what is shown, chosen by dice, as one step of the history."""
+    session, canvas = person.session, person.canvas
+
+    def change(blueprint: Blueprint) -> Blueprint:
+        try:
+            if dice.random() < 0.3:
+                return headed(blueprint, session.branch, dice)
+            return edited(blueprint, session.branch, dice, dict(canvas.positions))
+        except StudioError:
+            return blueprint
+
+    session.edit("Some edit", change)
+
+
+def some_selection(person: Drawer, dice: random.Random) -> None:
+    """Select a state or an operation, or nothing."""
+    session = person.session
+    table = session.blueprint[session.branch].table
+    state = dice.choice(list(table))
+    some = [(), (Address(session.branch, state),)]
+    some += [(Address(session.branch, state, operation),) for operation in table[state]]
+    session.select(dice.choice(some))
+
+
+@pytest.mark.parametrize("name", ["hanoi-corrected.json", "hfsm.json"])
+@pytest.mark.parametrize("seed", range(3))
+def test_any_edit_leaves_nothing_stale_on_the_screen(qtbot: QtBot, name: str, seed: int) -> None:
+    person, dice = Drawer(qtbot, sample(name)), random.Random(seed)
+    camera, history = person.canvas.camera, person.session.history
+    for step in range(14):
+        what = dice.choice(["edit", "edit", "edit", "select", "undo", "redo", "zoom"])
+        if what == "edit":
+            some_edit(person, dice)
+        elif what == "select":
+            some_selection(person, dice)
+        elif what == "zoom":
+            camera.go(QPointF(400, 300), dice.choice([0.37, 0.5, 0.8, 1.0]), smooth=False)
+        else:
+            getattr(history, what)()
+        seen = on_screen(person)
+        assert alike(painted_anew(person), seen), (step, what, history.undoText())
+
+
+def test_an_edit_paints_only_what_looks_different(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = Drawer(qtbot, hanoi(4))
+    canvas, session = person.canvas, person.session
+    on_screen(person)
+    painted: list[QRectF] = []
+    monkeypatch.setattr(canvas.ground, "paint", lambda *given: painted.append(given[1]))
+    state = list(session.blueprint["SB1"].table)[40]
+    operation = next(iter(session.blueprint["SB1"].table[state]))
+    address = Address("SB1", state, operation)
+    session.edit("Rename", lambda blueprint: rename(blueprint, address, "Op_9z"))
+    on_screen(person)
+    assert painted
+    seen = canvas.seen
+    assert all(area.width() < seen.width() / 2 for area in painted)
+
+
+def test_the_lit_name_of_an_operation_is_new_after_each_rename(qtbot: QtBot) -> None:
+    person = Drawer(qtbot, sample("hfsm.json"))
+    session = person.session
+    state, operations = next(iter(session.blueprint["SB1"].table.items()))
+    session.select((Address("SB1", state),))
+    name = next(iter(operations))
+    for new in ("Op_x", "Op_yy", "Op_zzz"):
+        address = Address("SB1", state, name)
+        session.edit("Rename", lambda bp, at=address, to=new: rename(bp, at, to))  # type: ignore[misc]
+        on_screen(person)
+        texts = {label.text.text for label in person.canvas.lit_layer.shown().values()}
+        assert person.sheet.picture.label(person.sheet.picture.numbered(state, new)) in texts
+        name = new
