@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -29,6 +30,8 @@ class FailureRecovery:
     path: tuple[Address, ...] | None
     cost: float | None
     bound: str = ""
+    start: Mapping[str, str] | None = None
+    """Where the way begins, None if no run can start in the state."""
 
     @property
     def is_complete(self) -> bool:
@@ -71,5 +74,5 @@ def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[FailureRec
                 cost = None if legs is None else round(sum(leg.cost for leg in legs), 9)
             except PlanningError as error:
                 bound = bound or error.sentence
-        found.append(FailureRecovery(way.state, way.path, cost, bound))
+        found.append(FailureRecovery(way.state, way.path, cost, bound, way.start))
     return tuple(found)

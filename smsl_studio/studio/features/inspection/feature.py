@@ -44,6 +44,10 @@ class InspectionFeature(Feature):
                    tip="What must hold, and whether it does; once more: back to the drawing"),
         )  # fmt: skip
 
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self.panel.look.stop()
+
     def show_page(self) -> None:
         """Show the page with the keyboard on it."""
         self._shell.show_tab(NAME)

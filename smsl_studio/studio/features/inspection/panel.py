@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QSplitter,
+    QStackedWidget,
+    QTabBar,
+    QVBoxLayout,
+    QWidget,
+)
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.inspector import LIMIT, Inspector
 from smsl_studio.studio.document.session import Session
@@ -19,6 +29,8 @@ from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.lit_run import LitRun
+from smsl_studio.studio.features.inspection.recovery_look import RecoveryLook
+from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
 
 SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
@@ -29,6 +41,12 @@ EMPTY = (
     "back”. Inspection looks at everything that can happen, and shows the shortest run if it does "
     "not hold.",
 )
+NO_FAILURE = (
+    "No failure value is declared, so nothing can fail. A value of a fact becomes a failure in the "
+    "panel Facts; the failure states and the ways out of them stand here then."
+)
+NARROW = 780
+"""Below this width the sentence has no room for the limit beside it (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
 
@@ -53,6 +71,10 @@ class InspectionPanel(QWidget):
         self.setAccessibleName("Inspection")
         self.table = ClaimTable(tokens)
         self.run = RunView(lit, tokens)
+        self.recovery, self.look = RecoveryTable(tokens), RecoveryLook(session, self)
+        self.above = QStackedWidget()
+        self.above.addWidget(self.table)
+        self.above.addWidget(self.recovery)
         self.said = label("", "hint")
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.said.setContentsMargins(14, 10, 14, 10)
@@ -64,7 +86,7 @@ class InspectionPanel(QWidget):
         split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(1)
         split.setChildrenCollapsible(False)
-        split.addWidget(self.table)
+        split.addWidget(self.above)
         split.addWidget(self.below)
         split.setStretchFactor(0, 1)
         split.setSizes([180, LOWER])
@@ -87,11 +109,22 @@ class InspectionPanel(QWidget):
         bar = QWidget()
         bar.setProperty("role", "bar")
         bar.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.tabs = QTabBar()
+        self.tabs.setDrawBase(False)
+        self.tabs.setExpanding(False)
+        self.tabs.setUsesScrollButtons(False)
+        self.tabs.setElideMode(Qt.TextElideMode.ElideNone)
+        self.tabs.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.tabs.setAccessibleName("Verdicts or recoverability")
+        for name in ("Verdicts", "Recoverability"):
+            self.tabs.addTab(name)
         self.shown: QLabel = Elided(SHOWN)
         self.shown.setProperty("role", "small")
-        self.limit = label(f"Limit {LIMIT:,} configurations", "small")
-        line = row(self.shown, self.limit)
-        line.setContentsMargins(14, 5, 14, 5)
+        self.limit = label(f"Limit {LIMIT:,}", "small")
+        self.limit.setToolTip(tip_text(f"At most {LIMIT:,} configurations are looked at here"))
+        line = row(self.tabs, self.shown, self.limit)
+        line.setContentsMargins(6, 0, 14, 0)
         bar.setLayout(line)
         return bar
 
@@ -139,15 +172,21 @@ class InspectionPanel(QWidget):
         self.table.edit_wanted.connect(self._edit)
         self.table.delete_wanted.connect(self.writing.delete)
         self.writing.ended.connect(self._written)
+        self.tabs.currentChanged.connect(lambda _: self._tab_shown())
+        self.recovery.row_chosen.connect(lambda _: self._show_row(self.table.chosen))
+        self.look.changed.connect(self._recovered)
+        inspector.found.connect(lambda _: self._look())
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self.table.claims.set_tokens(tokens)
+        self.recovery.set_tokens(tokens)
         self.run.set_tokens(tokens)
         self.form.set_tokens(tokens)
 
     def write_new(self) -> None:
         """Show the form for a new hazard or property."""
+        self.tabs.setCurrentIndex(0)
         self._pages.setCurrentIndex(1)
         self.run.clear()
         self.writing.begin()
@@ -156,6 +195,7 @@ class InspectionPanel(QWidget):
 
     def choose(self, address: Address) -> None:
         """Choose a hazard or a property, and show its run: now, or as soon as it is answered."""
+        self.tabs.setCurrentIndex(0)
         self._wanted = address if self.table.claims.row_of(address) < 0 else None
         self.table.choose(address)
         self.table.scrollTo(self.table.currentIndex())
@@ -168,7 +208,13 @@ class InspectionPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Light the run of the chosen row again."""
         super().showEvent(event)
+        self._look()
         self._show_row(self.table.chosen)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the limit out if the sentence needs its place."""
+        super().resizeEvent(event)
+        self.limit.setVisible(self.width() >= NARROW)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Light nothing on the drawing, because nobody looks at the run."""
@@ -190,13 +236,13 @@ class InspectionPanel(QWidget):
         self.below.setCurrentWidget(self.said)
         self._show_row(self.table.chosen)
         rows = bool(self.table.claims.rows) or address is not None
-        self._pages.setCurrentIndex(int(rows))
+        self._show_page(rows)
         (self.table if rows else self.add_empty).setFocus()
 
     def _opened(self) -> None:
         self.writing.drop()
         self.table.show_rows(())
-        self._pages.setCurrentIndex(0)
+        self._show_page(False)
 
     def _changed(self) -> None:
         """Show every verdict as unknown until it is answered for what is drawn now."""
@@ -213,8 +259,57 @@ class InspectionPanel(QWidget):
             self.table.choose(self._wanted)
             self.table.scrollTo(self.table.currentIndex())
             self._wanted = None
-        self._pages.setCurrentIndex(int(bool(rows) or self.writing.open))
+        self._show_page(bool(rows) or self.writing.open)
         self._show_tools()
+
+    @property
+    def _recovering(self) -> bool:
+        """Whether the tab of recoverability is chosen."""
+        return self.tabs.currentIndex() == 1
+
+    def _show_page(self, rows: bool) -> None:
+        """Show the tables, or the page that says what may be written."""
+        self._pages.setCurrentIndex(int(rows or self._recovering))
+
+    def _tab_shown(self) -> None:
+        if self._recovering and self.writing.open:
+            # What is typed stays in its form, which is on the other tab.
+            self.tabs.setCurrentIndex(0)
+            return
+        self.above.setCurrentIndex(self.tabs.currentIndex())
+        self.setFocusProxy(self.recovery if self._recovering else self.table)
+        self._show_page(bool(self.table.claims.rows) or self.writing.open)
+        self._look()
+        self._show_row(self.table.chosen)
+
+    def _look(self) -> None:
+        """Ask for the ways back, if somebody looks."""
+        if self._recovering and self.isVisible():
+            self.look.look()
+
+    def _recovered(self) -> None:
+        self.recovery.show_rows(self.look.rows or ())
+        self._show_row(self.table.chosen)
+
+    def _show_way(self) -> None:
+        chosen, rows = self.recovery.chosen, self.look.rows
+        if chosen is not None and chosen.run is not None and self.isVisible():
+            self.run.show_way(self._session.blueprint, chosen.run)
+            self.below.setCurrentWidget(self.run)
+            return
+        self.run.clear()
+        if rows is None:
+            self.said.setText("Not known yet.")
+        elif not rows:
+            self.said.setText(NO_FAILURE)
+        elif chosen is not None:
+            self.said.setText(f"{chosen.state}: {chosen.failure}. {chosen.way}.")
+        else:
+            self.said.setText(
+                "Choose a row: its way back stands here, and on the drawing. One failure at a "
+                "time; everything else stands as at a start."
+            )
+        self.below.setCurrentWidget(self.said)
 
     def _again(self) -> None:
         if self._inspector.proof is None and not self._inspector.stopped:
@@ -245,6 +340,9 @@ class InspectionPanel(QWidget):
     def _show_row(self, claim: ClaimRow | None) -> None:
         waiting = self.table.claims.waiting
         if self.writing.holds(claim):
+            return
+        if self._recovering:
+            self._show_way()
             return
         if claim is None or waiting or claim.run is None or not self.isVisible():
             self.run.clear()

@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QFrame, QPushButton, QScrollArea, QVBoxLayout, QWi
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.claim_rows import ClaimRow
-from smsl_studio.front.views.claim_run import script_of, steps_of
+from smsl_studio.front.views.claim_run import RunStep, script_of, steps_of
+from smsl_studio.inspection.proof.verdict import Counterexample
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
@@ -34,6 +35,7 @@ class RunView(QWidget):
         super().__init__(parent)
         self.lit, self._tokens = lit, tokens
         self._blueprint: Blueprint | None = None
+        self._begins_at_start = True
         self.title = label("", "heading")
         self.count = Elided("")
         self.count.setProperty("role", "second")
@@ -88,13 +90,29 @@ class RunView(QWidget):
     def show_run(self, blueprint: Blueprint, claim: ClaimRow) -> None:
         """Show the run of a row, at its start."""
         assert claim.run is not None
+        bad = claim.kind in BAD_END
+        self._begins_at_start = True
+        self.title.setText("Shortest run to it" if bad else "The cheapest route")
+        steps = steps_of(blueprint, claim.run)
+        self._show(blueprint, RunCards(blueprint, steps, claim.met), steps, bad)
+
+    def show_way(self, blueprint: Blueprint, run: Counterexample) -> None:
+        """Show the way back from a failure. It does not begin where a run begins, so it is not
+        played in a world."""
+        self._begins_at_start = False
+        self.title.setText("Shortest way back")
+        steps = steps_of(blueprint, run)
+        self._show(blueprint, RunCards(blueprint, steps, frozenset()), steps, False)
+
+    def _show(
+        self, blueprint: Blueprint, cards: RunCards, steps: tuple[RunStep, ...], bad: bool
+    ) -> None:
         self._stop()
         self._blueprint = blueprint
-        steps = steps_of(blueprint, claim.run)
-        bad = claim.kind in BAD_END
-        self.title.setText("Shortest run to it" if bad else "The cheapest route")
-        self.strip.show_run(RunCards(blueprint, steps, claim.met), bad)
+        self.strip.show_run(cards, bad)
         self._name_rows()
+        for button in (self.play, self.save):
+            button.setVisible(self._begins_at_start)
         self.lit.show_steps(steps)
         self._moved(0)
 

@@ -1,0 +1,69 @@
+"""The rows about recovery: for each failure state the way out of it, and who decides."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.annotations import OperationNote
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.recovery import FailureRecovery, recoverability
+from smsl_studio.front.views.claim_run import steps_of
+from smsl_studio.inspection.proof.verdict import Counterexample
+
+ROBOT = "robot"
+
+
+@dataclass(frozen=True)
+class RecoveryRow:
+    """One failure state in words. ``run`` is the way out of it, None if there is none."""
+
+    state: Address
+    failure: str
+    way: str
+    decides: str
+    goal: str
+    run: Counterexample | None
+
+    @property
+    def found(self) -> bool:
+        """Whether there is a way to where nothing has failed."""
+        return self.run is not None
+
+
+def recovery_rows(blueprint: Blueprint, limit: int) -> tuple[RecoveryRow, ...]:
+    """Return a row for each failure state: those without a way first, then as written.
+
+    It can be called off. At most ``limit`` configurations are stored.
+    """
+    rows = [_row(blueprint, one) for one in recoverability(blueprint, limit)]
+    return tuple(sorted(rows, key=lambda row: row.found))
+
+
+def _row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
+    branch = blueprint[one.state.branch]
+    failure = failing_states(branch)[one.state.state].replace(" would be ", " is ")
+    goal = "no route" if one.cost is None else f"cost {one.cost:g}"
+    if one.path is None or one.start is None:
+        way = f"Unknown: {one.bound}" if one.bound else "No way back"
+        return RecoveryRow(one.state, failure, way, "", goal, None)
+    here = dict(one.start)
+    run = Counterexample(here, one.path, here)
+    steps = steps_of(blueprint, run)
+    many = len(one.path)
+    first = one.path[0].operation if one.path else ""
+    way = f"{many} operation{'' if many == 1 else 's'}" + (f": {first}" if first else "")
+    way += " first" if many > 1 else ""
+    notes = [blueprint[at.branch].operation_note(at.state, at.operation) for at in one.path]
+    decides = ", ".join(dict.fromkeys(_who(note) for note in notes))
+    ended = Counterexample(here, one.path, dict(steps[-1].configuration))
+    return RecoveryRow(one.state, failure, way, decides, goal, ended)
+
+
+def _who(note: OperationNote) -> str:
+    """Return who decides about an operation: roles, a person, or the robot alone."""
+    people = ", ".join((*note.roles, *note.confirm))
+    if people:
+        return people
+    return "a person" if note.actor in ("human", "shared") else ROBOT

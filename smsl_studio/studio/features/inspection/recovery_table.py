@@ -1,0 +1,108 @@
+"""The table of recovery: each failure state with the way out of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtGui import QColor, QResizeEvent, QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+from smsl_studio.studio.base.controls import NameDelegate, name_parts
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.inspection.claim_model import HIGH, Index
+
+if TYPE_CHECKING:
+    from smsl_studio.front.recovery_rows import RecoveryRow
+
+HEADS = ("From", "Failure", "Nearest without failure", "Who decides", "Goal")
+SHARES = (4, 3, 5, 3, 2)
+"""How the columns share the width."""
+
+
+class RecoveryTable(QTableView):
+    """Failure states, one in a row. Those without a way back stand first."""
+
+    row_chosen = Signal(object)
+    """RecoveryRow, or None if no row is chosen."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self.rows: tuple[RecoveryRow, ...] = ()
+        self._model = QStandardItemModel(self)
+        self.setModel(self._model)
+        self.setProperty("role", "table")
+        self.setAccessibleName("Recoverability")
+        self.setItemDelegate(NameDelegate(self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(HIGH)
+        self.verticalHeader().setMinimumSectionSize(HIGH)
+        heads = self.horizontalHeader()
+        heads.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        heads.setHighlightSections(False)
+        heads.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        name_parts(self)
+
+    @property
+    def chosen(self) -> RecoveryRow | None:
+        """The chosen row."""
+        at = self.currentIndex().row()
+        return self.rows[at] if 0 <= at < len(self.rows) else None
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        self.show_rows(self.rows)
+
+    def show_rows(self, rows: tuple[RecoveryRow, ...]) -> None:
+        """Show other rows. The chosen one stays chosen."""
+        before = self.chosen
+        blocked = self.blockSignals(True)
+        self._model.clear()
+        self._model.setHorizontalHeaderLabels(HEADS)
+        self.rows = rows
+        for row in rows:
+            self._model.appendRow(self._items(row))
+        kept = [at for at, row in enumerate(rows) if before and row.state == before.state]
+        self.setCurrentIndex(self._model.index(kept[0], 0) if kept else QModelIndex())
+        self.blockSignals(blocked)
+        self._share()
+        self.row_chosen.emit(self.chosen)
+
+    def keyboardSearch(self, search: str, /) -> None:
+        """Do nothing: letters are keys of the window."""
+
+    def currentChanged(self, current: Index, previous: Index) -> None:
+        """Tell the chosen row."""
+        super().currentChanged(current, previous)
+        self.row_chosen.emit(self.chosen)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the width among the columns."""
+        super().resizeEvent(event)
+        self._share()
+
+    def _items(self, row: RecoveryRow) -> list[QStandardItem]:
+        words = (str(row.state), row.failure, row.way, row.decides, row.goal)
+        items = [QStandardItem(text) for text in words]
+        for item, text in zip(items, words, strict=True):
+            item.setToolTip(tip_text(text))
+        if not row.found:
+            items[2].setForeground(QColor(self._tokens.bad))
+            items[2].setIcon(icon("error", self._tokens, 16, self._tokens.bad))
+        return items
+
+    def _share(self) -> None:
+        whole = self.viewport().width()
+        for column, share in enumerate(SHARES):
+            self.horizontalHeader().resizeSection(column, whole * share // sum(SHARES))
