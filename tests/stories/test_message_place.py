@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRect
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.features.draw.canvas.message_seat import MessageSeat
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
+Key = Qt.Key
 WORDS = "State_ccc stays the activating state of SB1, and ACTIVATING says so now."
 
 
@@ -69,3 +71,26 @@ def test_where_there_is_no_place_it_is_a_line_of_the_status_line(sit: Sit) -> No
     assert (toast.words, person.window.status_line.currentMessage()) == ("", "")
     toast.warn("It failed.")
     assert toast.isVisible(), "a failure is not put aside"
+
+
+def test_it_makes_room_for_a_field_that_opens_below_it(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json", (960, 540))
+    toast, canvas = person.window.toast, person.window.canvas
+    canvas.camera.motion = False
+    person.select("SB1/State_aaa")
+    person.press(Key.Key_F2)
+    field = person.window.editor.field
+    assert field is not None
+    place = field.geometry()
+    person.press(Key.Key_Escape)
+    toast.seat = lambda wanted, now: canvas.mapTo(toast.over, place.topLeft())
+    toast.say("Saved hanoi.json.")
+    assert toast.isVisible()
+    toast.seat = MessageSeat(canvas, toast.over)
+    person.press(Key.Key_F2)
+    field = person.window.editor.field
+    assert field is not None
+    shown = QRect(toast.mapToGlobal(QPoint()), toast.size())
+    assert not toast.isVisible() or not shown.intersects(
+        QRect(field.mapToGlobal(QPoint()), field.size())
+    )

@@ -199,6 +199,7 @@ class DrawFeature(Feature):
         self._parts.toast.seat = MessageSeat(self.canvas, body)
         for moved in (self.canvas.view_moved, self.canvas.picture_changed):
             moved.connect(self._parts.toast.settle)
+        self.editor.field_opened.connect(self._parts.toast.settle)
 
     def _connect_parts(self, actions: Actions) -> None:
         shell, toast, comparing = self._shell, self._parts.toast, self.comparing

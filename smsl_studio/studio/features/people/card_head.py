@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from smsl_studio.front.views.card_view import CardView
 from smsl_studio.studio.base.controls import Label, label
@@ -13,10 +14,12 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.people.time_left import TimeLeft
 
 HEIGHT, PAD = 38, 14
+LOWER = 26
+"""The height of the second line in a narrow card (pixels)."""
 
 
 class CardHead(QWidget):
-    """A line of words above a bar for the time left."""
+    """A line of words above a bar for the time left; in a narrow card there are two lines."""
 
     turned = Signal(int)
     """int: show the next task (1) or the one before (-1)."""
@@ -31,22 +34,31 @@ class CardHead(QWidget):
         self.before.clicked.connect(lambda: self.turned.emit(-1))
         self.after.clicked.connect(lambda: self.turned.emit(1))
         self._bar = TimeLeft(tokens)
-        line = QFrame()
+        self._line = line = QFrame()
         line.setObjectName("taskHead")
         line.setFixedHeight(HEIGHT)
-        across = QHBoxLayout(line)
-        across.setContentsMargins(PAD, 0, PAD, 0)
-        across.setSpacing(6)
-        across.addWidget(self._hand)
-        across.addWidget(self.heading)
-        turning = QHBoxLayout()
-        turning.setSpacing(2)
+        self._upper, self._lower, self._low = QHBoxLayout(), QHBoxLayout(), False
+        lines = QVBoxLayout(line)
+        lines.setContentsMargins(PAD, 0, PAD, 0)
+        lines.setSpacing(0)
+        for across in (self._upper, self._lower):
+            across.setSpacing(6)
+            lines.addLayout(across)
+        fixed = QSizePolicy.Policy.Fixed
+        self._hand.setSizePolicy(fixed, fixed)
+        self._upper.addWidget(self._hand)
+        self._upper.addWidget(self.heading)
+        self._rest = QWidget()
+        rest = QHBoxLayout(self._rest)
+        rest.setContentsMargins(0, 0, 0, 0)
+        rest.setSpacing(2)
         for part in (self.before, self.count, self.after):
-            turning.addWidget(part)
-        across.addLayout(turning)
-        across.addStretch(1)
-        across.addWidget(self.left)
-        across.addWidget(label("left", "small"))
+            rest.addWidget(part)
+        rest.addStretch(1)
+        rest.addWidget(self.left)
+        rest.addSpacing(4)
+        rest.addWidget(label("left", "small"))
+        self._upper.addWidget(self._rest, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -61,6 +73,25 @@ class CardHead(QWidget):
         for part in (self.before, self.after, self._bar):
             part.set_tokens(tokens)
 
+    def minimumSizeHint(self) -> QSize:
+        """As wide as the longer of two lines."""
+        first = self._hand.sizeHint().width() + 6 + self.heading.sizeHint().width()
+        wide = max(first, self._rest.minimumSizeHint().width()) + 2 * PAD
+        return QSize(wide, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Use a second line if the card is narrow."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        first = self._hand.sizeHint().width() + 6 + self.heading.sizeHint().width()
+        low = first + 6 + self._rest.minimumSizeHint().width() + 2 * PAD > self.width()
+        if low != self._low:
+            self._low = low
+            (self._lower if low else self._upper).addWidget(self._rest, 1)
+            self._line.setFixedHeight(HEIGHT + LOWER if low else HEIGHT)
+
     def show_card(self, card: CardView, place: int, count: int) -> None:
         """Show a card; it is task ``place`` (counted from 1) of ``count`` open ones."""
         self.heading.setText(card.heading)
@@ -69,3 +100,4 @@ class CardHead(QWidget):
         self.count.setText(f"{place} of {count}")
         for part in (self.count, self.before, self.after):
             part.setVisible(count > 1)
+        self._fit()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QMenu,
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.front.views.fact_rows import FactRow
 from smsl_studio.front.views.fact_tiles import fact_tiles
 from smsl_studio.front.views.run_marks import operation_words, progress, time_words
-from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.controls import Elided, label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
@@ -52,7 +53,8 @@ class WorldPane(QWidget):
         self._loaded = False
         self.view = WorldView(tokens)
         self.tiles, self.bar = TilesView(tokens), OperationBar(tokens)
-        self._name = label("", "second")
+        self._name = Elided("")
+        self._name.setProperty("role", "second")
         self._looks = tool("Front right", "camera", "Where to look from", tokens)
         self._looks.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self._looks)
@@ -82,17 +84,17 @@ class WorldPane(QWidget):
         self._pages = QStackedWidget()
         self._pages.addWidget(self.view)
         self._pages.addWidget(plain)
-        words = words_over(label("World", "heading"), self._name)
-        words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        tools = QWidget()
-        across = QHBoxLayout(tools)
+        self._words = words_over(label("World", "heading"), self._name)
+        self._words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._buttons = QWidget()
+        across = QHBoxLayout(self._buttons)
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(0)
         across.addWidget(self._trials)
         across.addWidget(self._tools)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(laid_over(self._pages, words, tools))
+        whole.addWidget(laid_over(self._pages, self._words, self._buttons))
         self.show_trials()
 
     @property
@@ -119,6 +121,7 @@ class WorldPane(QWidget):
         )
         for button in (self.fault, self.script):
             button.setToolButtonStyle(small)
+        self._fit()
         self.draw()
 
     def clear(self) -> None:
@@ -140,6 +143,7 @@ class WorldPane(QWidget):
         if self.script.text().strip() != words:
             self.script.setText(words)
             self.script.setAccessibleName(f"{counted(acts, 'act')} by hand. {SCRIPT}")
+        self._fit()
 
     def draw(self) -> None:
         """Draw the newest poses."""
@@ -182,3 +186,12 @@ class WorldPane(QWidget):
     def _look(self, name: str) -> None:
         self._looks.setText(name)
         self.view.set_view(name)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Shorten the words where the buttons begin."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        self._words.setMaximumWidth(max(0, self.width() - self._buttons.sizeHint().width()))

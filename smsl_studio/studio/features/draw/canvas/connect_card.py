@@ -14,6 +14,8 @@ from smsl_studio.studio.base.overlays.name_line import NameLine, complain, error
 from smsl_studio.studio.base.theme import Tokens, text_font
 
 ROWS = 4
+MARGIN = 8
+"""What the card leaves free above and below (pixels)."""
 
 
 class ConnectCard(PassingCard):
@@ -187,10 +189,19 @@ class ConnectCard(PassingCard):
         found.sort(key=lambda name: not name.casefold().startswith(wanted))
         exact = typed.strip() in found
         self._new.setVisible(bool(wanted) and not found)
-        self.choices.show_names([] if exact else found[:ROWS])
+        self._offer([] if exact else found[:ROWS])
         if exact:
             self._suggest_target(typed.strip())
         self.adjustSize()
+
+    def _offer(self, names: list[str]) -> None:
+        """Offer as many of these names as leave room for the target; one or two in a small view."""
+        self.choices.show_names(names)
+        view = self.parentWidget()
+        room = view.height() - 2 * MARGIN if view is not None else 0
+        while names and self.sizeHint().height() > room:
+            names = names[:-1]
+            self.choices.show_names(names)
 
     def _complain(self, reason: str) -> None:
         complain(self.error, reason, self.width() - 16)

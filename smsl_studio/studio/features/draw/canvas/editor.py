@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import compress
 from operator import is_not
 
-from PySide6.QtCore import QObject, QPointF, QRectF
+from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -43,6 +43,9 @@ class CanvasEditor(QObject):
     It follows the session by itself; only ``set_findings`` has to be called. ``field`` is the name
     field or card that is open, or None.
     """
+
+    field_opened = Signal()
+    """A field or card has opened, in its place."""
 
     def __init__(self, session: Session, canvas: Canvas) -> None:
         super().__init__(canvas)
@@ -281,6 +284,7 @@ class CanvasEditor(QObject):
         field.raise_()
         self.canvas.overlays.empty.hide()
         field.take_focus()
+        self.field_opened.emit()
 
     # Inside
 

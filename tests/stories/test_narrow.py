@@ -1,0 +1,80 @@
+"""A small screen with large letters: what floats or stands at a side is whole, and hides little."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QWidget
+
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from tests.stories.at_tasks import PATIENCE, AtTasks
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key, Modifier = Qt.Key, Qt.KeyboardModifier
+LOW = (632, 326)
+"""A screen of 1280 by 720 at twice the size, less the frame of the window."""
+
+
+def on_screen(part: QWidget) -> QRect:
+    return QRect(part.mapToGlobal(QPoint(0, 0)), part.size())
+
+
+def low(person: Person) -> None:
+    """Draw on as little as such a screen leaves."""
+    person.window.canvas.camera.motion = False
+    person.window.setMinimumSize(0, 0)
+    person.window.resize(*LOW)
+    person.until(lambda: person.window.height() == LOW[1])
+
+
+def test_what_people_are_asked_is_whole_in_a_narrow_column(sit: Sit) -> None:
+    at = AtTasks(sit(SAMPLES / "registration-people.json", (853, 480)))
+    at.start()
+    at.person.qtbot.waitUntil(lambda: at.card.card is not None, timeout=PATIENCE)
+    around: QWidget | None = at.card
+    while not isinstance(around, QScrollArea):
+        assert around is not None
+        around = around.parentWidget()
+    inner, view = around.widget(), around.viewport()
+    assert inner is not None
+    at.person.until(lambda: inner.width() == view.width())
+    head = at.card.findChild(QWidget, "taskHead")
+    assert head is not None
+    for part in head.findChildren(QWidget):
+        if part.isVisible():
+            assert on_screen(head).contains(on_screen(part)), part
+            assert part.width() >= part.minimumSizeHint().width()
+
+
+def test_the_card_of_an_operation_is_whole_in_a_low_drawing(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    low(person)
+    person.select("SB1/State_aaa")
+    person.window.canvas.setFocus()
+    person.press(Key.Key_Slash)
+    card = person.window.editor.field
+    assert isinstance(card, ConnectCard)
+    person.until(card.target.isVisible)
+    assert card.choices.names
+    assert person.window.canvas.rect().contains(card.geometry())
+    card.operation.clear()
+    person.type("Op")
+    assert card.choices.names
+    assert person.window.canvas.rect().contains(card.geometry())
+
+
+def test_the_name_of_a_world_ends_where_the_buttons_begin(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    person.ctrl(Key.Key_2)
+    person.press(Key.Key_F10)
+    pane = person.window.features.run.pane.scene
+    person.until(lambda: pane.fault.isEnabled())
+    pane.setMinimumWidth(0)
+    for wide in (360, 260):
+        pane.setFixedWidth(wide)
+        QApplication.processEvents()
+        assert pane.width() == wide
+        words = [part for part in pane.findChildren(QLabel) if part.isVisible() and part.text()]
+        for part in words:
+            if on_screen(part).top() < on_screen(pane.fault).bottom():
+                assert not on_screen(part).intersects(on_screen(pane.fault)), part.text()
