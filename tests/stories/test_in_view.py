@@ -161,3 +161,23 @@ def test_an_added_state_stands_on_no_line(sit: Sit) -> None:
     person.press(Key.Key_Return)
     x, y = person.window.canvas.positions[person.selected()[0].split("/")[1]]
     assert not sheet.is_drawn_on(x - 60, y - 35, x + 60, y + 35), "as it was drawn before"
+
+
+def test_an_added_state_is_not_below_a_map_that_comes_with_it(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.window.canvas.camera.motion = False
+    person.press(Key.Key_F)
+    person.press(Key.Key_N, [Ctrl, Shift])
+    person.press(Key.Key_Return)
+    assert under(person) == []
+
+
+def under(person: Person) -> list[str]:
+    """The selected states that the zoom or the map covers, or that are not in view."""
+    overlays, found = person.window.canvas.overlays, []
+    shown = [part.geometry() for part in (overlays.zoom, overlays.map) if not part.isHidden()]
+    for address in person.selected():
+        place = box(person, address.split("/")[1])
+        if any(place.intersects(one) for one in shown) or not is_in_view(person, address):
+            found.append(address)
+    return found

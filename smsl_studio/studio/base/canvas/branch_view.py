@@ -80,6 +80,7 @@ class BranchView(DrawnStage):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
         self.editing = True
+        self._aim: QRectF | None = None
         self.crowded = False
         """Whether the SB has so many operations that it is or can be collapsed."""
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
@@ -228,12 +229,26 @@ class BranchView(DrawnStage):
         middle."""
         across = _way(rect.left(), rect.right(), view.left(), view.right())
         down = _way(rect.top(), rect.bottom(), view.top(), view.bottom())
+        far = abs(across) > view.width() / 2 or abs(down) > view.height() / 2
+        landed = self.mapFromScene(rect.translated(-across, -down)).boundingRect()
+        down += 0.0 if far else self.foot_room(landed) / self.zoom
         if not across and not down:
             return
-        far = abs(across) > view.width() / 2 or abs(down) > view.height() / 2
         nearer = self.camera.centre + QPointF(across, down)
         self.camera.keep("")
+        self._aim = rect
         self.camera.go(rect.center() if far else nearer, self.zoom, smooth)
+
+    def rise_from_tools(self) -> None:
+        """Once the view has arrived at an element: scroll if a tool at the foot now covers it."""
+        aim, self._aim = self._aim, None
+        if aim is not None:
+            self.camera.pan(0.0, -self.foot_room(self.mapFromScene(aim).boundingRect()))
+
+    def foot_room(self, area: QRect) -> int:
+        """How far an area of the view has to rise to be clear of what floats at the foot, in
+        pixels."""
+        return 0
 
     def show_in_middle(self, address: Address, least: float) -> None:
         """Scroll a state or operation to the middle. A zoom below ``least`` rises to it."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -61,6 +61,7 @@ class Canvas(BranchView):
         self.viewport().setMouseTracking(True)
         self.setAccessibleName("Canvas")
         self.camera.arrived.connect(self.overlays.fitted)
+        self.camera.arrived.connect(self.rise_from_tools)
         self.zoom_changed.connect(self.overlays.show_zoom)
         self.view_moved.connect(self.overlays.view_moved)
         self.picture_changed.connect(self.overlays.picture_changed)
@@ -233,6 +234,10 @@ class Canvas(BranchView):
     def top_room(self) -> int:
         """The height at the top that the breadcrumb or a banner covers (pixels)."""
         return self.overlays.top_room()
+
+    def foot_room(self, area: QRect) -> int:
+        """How far an area has to rise to be clear of the tools at the foot (pixels)."""
+        return self.overlays.foot_room(area)
 
     def _describe(self) -> None:
         """Tell assistive tools which SB is shown and what is selected."""

@@ -252,6 +252,13 @@ class Overlays:
         self.place()
         self._canvas.look_again()
 
+    def foot_room(self, area: QRect) -> int:
+        """How far an area has to rise to be clear of zoom and map in the lower half (pixels)."""
+        half = self._canvas.height() // 2
+        parts = [part for part in (self.zoom, self.map) if not part.isHidden()]
+        tops = [part.y() for part in parts if part.y() > half and part.geometry().intersects(area)]
+        return max(area.bottom() - min(tops) + 8, 0) if tops else 0
+
     def top_room(self) -> int:
         """The height at the top that the breadcrumb and a banner cover (pixels)."""
         return TOP + (self.banner.height() + 8 if self.banner.text else 0)
