@@ -6,9 +6,14 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent, QAction
+from PySide6.QtWidgets import QApplication, QDialog
 
 from smsl_studio.studio.base import announcement
+from smsl_studio.studio.features.draw.facts.fact_model import FactModel
+from smsl_studio.studio.features.draw.find.palette import Palette
+from smsl_studio.studio.shell.accessible_factory import install
+from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -90,3 +95,110 @@ def test_a_refusal_interrupts_and_a_sentence_at_the_pointer_does_not(
     person.ctrl(Key.Key_2)
     person.ctrl(Key.Key_Z)
     assert [urgent for words, urgent in heard if "undo" in words.lower()] == [True]
+
+
+def test_keys_of_the_canvas_say_what_is_missing(sit: Sit, heard: Heard) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    canvas = person.window.canvas
+    canvas.setFocus()
+    for key, words in (
+        (Key.Key_O, "Select one state first"),
+        (Key.Key_G, "Select one operation first"),
+        (Key.Key_Return, "No fact of SB1 has a sub-SB"),
+        (Key.Key_Right, "Nothing is selected."),
+        (Key.Key_Space, "Nothing is selected."),
+    ):
+        heard.clear()
+        person.press(key)
+        told = [one for one, _ in heard]
+        assert len(told) == 1, (key, told)
+        assert told[0].startswith(words)
+    person.select("SB1/State_aaa")
+    heard.clear()
+    person.press(Key.Key_O)
+    person.press(Key.Key_G)
+    assert not heard
+    assert len(person.selected()) == 1
+
+
+def test_a_search_that_finds_something_does_not_say_that_it_finds_nothing(
+    sit: Sit, heard: Heard
+) -> None:
+    person = sit(begin=False)
+    person.ctrl(Key.Key_K)
+    palette = person.window.findChild(Palette)
+    assert palette is not None
+    person.type("tower of hanoi")
+    rows = [row.text for row in palette.list.rows.rows]
+    assert rows == ["Open sample hanoi-corrected.json: Tower of Hanoi, 3 disks"]
+    assert palette.empty.text() == ""
+    heard.clear()
+    person.type("q")
+    assert [words.partition(". ")[0] for words, _ in heard] == [
+        "Nothing is called “tower of hanoiq”"
+    ]
+
+
+def test_a_comparison_is_told_in_one_sentence(sit: Sit, heard: Heard, tmp_path: Path) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.comparing.ask_file = lambda folder: SAMPLES / "hanoi-corrected.json"
+    heard.clear()
+    person.window.actions_table["compare_file"].trigger()
+    dialog = person.window.comparing.dialog
+    assert dialog is not None
+    person.qtbot.waitExposed(dialog)
+    told = [words for words, _ in heard if dialog.summary in words]
+    assert len(told) == 1
+    assert "2 changes" in told[0]
+    assert len(heard) == 1
+
+
+def test_names_are_words_and_one_thing_has_the_focus(sit: Sit, qapp: QApplication) -> None:
+    install(qapp)
+    person = sit(SAMPLES / "hanoi.json")
+    window = person.window
+    for entry in window.findChildren(QAction):
+        assert "\t" not in entry.text(), entry.text()
+    combo = window.properties.header.initial
+    found = QAccessible.queryAccessibleInterface(combo)
+    assert found is not None
+    # On Linux, Qt names a combo box by its value. The label stands beside it.
+    assert found.text(QAccessible.Text.Description) == "Initial state"
+    related = [one.text(QAccessible.Text.Name) for one, _ in found.relations()]
+    assert "Initial" in related
+    facts = window.docks.panel("Facts").findChild(FactModel)
+    assert facts is not None
+    assert facts.lines[0].words.startswith("Fact 1, digit 0, ")
+    person.select("SB1/State_aaa")
+    canvas = QAccessible.queryAccessibleInterface(window.canvas)
+    assert canvas is not None
+    assert window.canvas.hasFocus()
+    assert not canvas.state().focused, "the state has it"
+    window.session.select(())
+    assert canvas.state().focused
+
+
+def test_a_finding_offers_its_fix_as_a_button(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.until_inspected()
+    findings = person.window.findings
+    person.press(Key.Key_F3)
+    first = findings.list.currentIndex().data(Qt.ItemDataRole.UserRole)
+    assert first.fix is not None
+    assert findings.fix_button.accessibleName() == f"Fix: {first.fix.words}"
+    person.click(findings.fix_button)
+    assert person.steps()[-1] == first.fix.words
+
+
+def test_the_keys_are_a_table(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.show_shortcuts()
+    table = next(one.findChild(KeyTable) for one in person.window.findChildren(QDialog))
+    assert table is not None
+    found = {}
+    for at in range(table.rowCount()):
+        does, key = table.item(at, 0), table.item(at, 1)
+        if does is not None and key is not None:
+            found[does.text()] = key.text()
+    assert found["Rename"] == "F2"
+    assert "Ctrl+K" in found.values()

@@ -70,7 +70,7 @@ def test_a_click_on_a_cell_edits_it_as_one_step(sit: Sit) -> None:
     assert len(person.steps()) == 5
     line = facts(person).view.facts.lines[0]
     assert line.words == (
-        "Digit 0, Plan ready, 0, 1 planned, read by probe, camera, maximum age 0.5 s, unit mm"
+        "Plan ready, digit 0, 0, 1 planned, read by probe, camera, maximum age 0.5 s, unit mm"
     )
     for _ in range(5):
         person.ctrl(Key.Key_Z)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.key_menu import show_key
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 
@@ -97,7 +98,7 @@ class Actions(QObject):
                 made.setShortcuts([QKeySequence(key) for key in action.keys])
             elif action.keys:
                 # The canvas answers these keys itself, so the menu only shows them.
-                made.setText(f"{action.words}\t{key_words(action.keys[0])}")
+                show_key(made, action.keys[0])
             made.setIconText(f" {action.short or action.words.rstrip('…')}")
             made.setToolTip(tip_text(action.hint))
             made.setStatusTip(tip_text(action.tip))

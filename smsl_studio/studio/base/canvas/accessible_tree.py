@@ -175,7 +175,12 @@ class CanvasAccessible(QAccessibleInterface):
         """Whether the canvas has the keyboard focus and is visible."""
         found = QAccessible.State()
         found.focusable = True
-        found.focused = self.canvas.hasFocus()
+        # One thing has the focus: the element that was selected last, if there is one.
+        sheet, chosen = self.canvas.sheet, self.canvas.marks.selection[-1:]
+        inside = sheet is not None and any(
+            sheet.picture.node(one) >= 0 or sheet.picture.edge(one) >= 0 for one in chosen
+        )
+        found.focused = self.canvas.hasFocus() and not inside
         found.invisible = not self.canvas.isVisible()
         return found
 

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_keys import ARROWS, press_drawn_key
@@ -34,6 +35,12 @@ WAYS: dict[Qt.Key, tuple[Callable[[BranchView], bool], Callable[[BranchView], bo
     Key.Key_G: (go_to_target, go_to_source),
 }
 """Keys that lead along operations, alone and with Shift."""
+MISSING = {
+    Key.Key_O: "Select one state first: Ctrl and an arrow. O then leads to its operations.",
+    Key.Key_G: "Select one operation first: O on a state. G then leads to its target.",
+}
+"""What is said where such a key leads nowhere."""
+NOTHING = "Nothing is selected. Ctrl and an arrow selects a state."
 PAN_STEP = 64.0
 ENTER = (Key.Key_Return, Key.Key_Enter)
 
@@ -49,7 +56,9 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
     if _is_view_key(canvas, key, event.text(), modifiers):
         return True
     if key in WAYS and not modifiers & ~Modifier.ShiftModifier:
-        return WAYS[key][bool(modifiers)](canvas)
+        if not WAYS[key][bool(modifiers)](canvas):
+            canvas.say(MISSING[key])
+        return True
     if modifiers == Modifier.ControlModifier and key == Key.Key_A:
         select_all(canvas)
         return True
@@ -107,7 +116,7 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
 
 
 def enter_sub(canvas: BranchView) -> bool:
-    """Show the sub-SB of this SB. If there are several, ask for a double click on a fact."""
+    """Show the sub-SB of this SB. If there are several or none, a sentence says so."""
     sheet = canvas.sheet
     if sheet is None:
         return False
@@ -116,7 +125,9 @@ def enter_sub(canvas: BranchView) -> bool:
         canvas.enter_wanted.emit(subs[0])
     elif subs:
         canvas.say("Several facts have a sub-SB. Double-click the fact to enter its own.")
-    return bool(subs)
+    else:
+        canvas.say(f"No fact of {sheet.picture.branch.name} has a sub-SB to open.")
+    return True
 
 
 def select_all(canvas: BranchView) -> None:
@@ -139,6 +150,9 @@ def _arrow(canvas: BranchView, dx: float, dy: float, modifiers: Qt.KeyboardModif
     if ctrl and not canvas.editing:
         return False
     if sheet is None or not (states or (ctrl and len(sheet.at))):
+        if not canvas.marks.selection:
+            # Those who see it see the view move. Others hear why no state has moved.
+            announce(canvas, f"{NOTHING} The view has moved.")
         canvas.camera.pan(-dx * PAN_STEP, -dy * PAN_STEP)
     elif canvas.editing and not ctrl:
         step = 1.0 if shift else GRID

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.canvas import keys
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.connect_tool import ConnectTool
@@ -265,6 +266,8 @@ class Hand:
             if not event.isAutoRepeat():
                 self._space = True
                 self._cursor()
+                if not self._canvas.marks.selection:
+                    announce(self._canvas, f"{keys.NOTHING} Space and a drag move the view.")
             return True
         if event.key() == Qt.Key.Key_Escape and (self._drop_gesture() or self._close_card()):
             return True

@@ -190,6 +190,7 @@ class Transport(QWidget):
         self._label(across, words)
         combo = _Choice(width, tip)
         combo.setAccessibleName(plain_text(words))
+        self._labels[-1].setBuddy(combo)
         across.addWidget(combo)
         return combo
 

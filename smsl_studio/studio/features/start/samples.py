@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QRectF
@@ -14,32 +13,10 @@ from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.miniature_paint import paint_miniature
 from smsl_studio.studio.base.theme import RADIUS_CARD, Tokens
+from smsl_studio.studio.document.files.sample_titles import SAMPLES, ShownSample
 from smsl_studio.studio.features.start.tile import Tile
 
 WIDE, HIGH, PICTURE = 216, 164, 88
-
-
-@dataclass(frozen=True)
-class ShownSample:
-    """A sample with a title and one sentence."""
-
-    file: str
-    title: str
-    words: str
-
-
-SAMPLES = (
-    ShownSample("hanoi-corrected.json", "Tower of Hanoi, 3 disks",
-           "27 states in a triangle, and a run in physics."),
-    ShownSample("registration.json", "Register a patient",
-           "Four facts, and the ways back when one is undone."),
-    ShownSample("registration-digitization.json", "Two levels: digitize, register",
-           "A fact that a smaller State Branch makes true."),
-    ShownSample("registration-failures.json", "Failures and recovery",
-           "Three failure states, and the operations that lead out."),
-    ShownSample("registration-people.json", "People in the loop",
-           "Operations and facts that wait for a person."),
-)  # fmt: skip
 
 
 def shown_samples() -> tuple[tuple[Path, ShownSample], ...]:

@@ -5,21 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QDialog,
-    QGridLayout,
-    QHBoxLayout,
-    QPushButton,
-    QScrollArea,
-    QSpacerItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.actions import Action, Actions, key_words
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.feature import KeyList
 from smsl_studio.studio.base.screens import open_at
+from smsl_studio.studio.shell.frame.key_table import KeyTable
 from smsl_studio.studio.shell.frame.menu_row import MENUS
 
 
@@ -28,35 +20,11 @@ def shortcuts_dialog(actions: Actions, own: Iterable[KeyList], parent: QWidget) 
     dialog = QDialog(parent)
     dialog.setWindowTitle("Keyboard shortcuts")
     open_at(dialog, 560, 620)
-    grid = QGridLayout()
-    grid.setContentsMargins(20, 16, 20, 16)
-    grid.setVerticalSpacing(6)
-    grid.setColumnStretch(0, 1)
     rows: list[tuple[str, list[tuple[str, str]]]] = [(title, list(lines)) for title, lines in own]
     for menu in MENUS:
         keyed = [action for action in actions.in_menu(menu) if action.keys]
         rows.append((menu, [(_words(action), _keys(action)) for action in keyed]))
-    for title, lines in rows:
-        if lines:
-            if grid.count():
-                grid.addItem(QSpacerItem(1, 6), grid.rowCount(), 0)
-            grid.addWidget(label(title, "heading"), grid.rowCount(), 0, 1, 2)
-            for words, keys in lines:
-                at = grid.rowCount()
-                said = label(words, "second")
-                said.setWordWrap(True)
-                grid.addWidget(said, at, 0)
-                grid.addWidget(label(keys, "key"), at, 1, Qt.AlignmentFlag.AlignLeft)
-    inner = QWidget()
-    inner.setLayout(grid)
-    area = QScrollArea()
-    area.setWidgetResizable(True)
-    area.setFrameShape(QScrollArea.Shape.NoFrame)
-    area.setWidget(inner)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    bar = area.verticalScrollBar().sizeHint().width()
-    area.setMinimumWidth(inner.minimumSizeHint().width() + bar)
-    _finish(dialog, area)
+    _finish(dialog, KeyTable([(title, tuple(lines)) for title, lines in rows if lines]))
     return dialog
 
 

@@ -20,6 +20,7 @@ from smsl_studio.blueprint.comparison.signs import signs_of
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.panels import keyed_tool
@@ -262,6 +263,7 @@ class CompareDialog(QDialog):
         # Last, because the first change was revealed before the canvases had a size.
         self._link.fit()
         self.changes.setFocus()
+        announce(self, f"{self.windowTitle()}. {self.summary}")
 
 
 def _name(pair: Pair) -> str:

@@ -51,7 +51,8 @@ class TabledFact:
         else:
             source = f"read by {self.source}" if self.source else "no sensor"
             source = "a person says it" if self.told and not self.source else source
-        parts = [f"Digit {self.digit}", self.name or "no name", *values, source]
+        name = self.name or f"Fact {self.digit + 1}"
+        parts = [name, f"digit {self.digit}", *values, source]
         parts += [f"maximum age {self.age}"] if self.age else []
         parts += [f"unit {self.unit}"] if self.unit else []
         return ", ".join(parts + (["critical"] if self.critical else []))

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
 from shiboken6 import isValid
 
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.controls import label, rule
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.rows import LINE, RowsView
@@ -127,8 +128,12 @@ class Palette(QFrame):
     def _show(self) -> None:
         rows = self._finder.rows(self.field.text())
         self.list.rows.show(rows)
-        self.empty.setText(f"Nothing is called “{self.field.text().strip()[:40]}”. {HINT}")
+        nothing = f"Nothing is called “{self.field.text().strip()[:40]}”. {HINT}"
+        # A hidden label with words would be read out although something is found.
+        self.empty.setText("" if rows else nothing)
         self.empty.setVisible(not rows)
+        if not rows and self.isVisible():
+            announce(self.field, nothing)
         self.list.setVisible(bool(rows))
         self.list.setFixedHeight(min(MOST_HEIGHT, self.list.height_of_all()))
         self.adjustSize()

@@ -11,10 +11,12 @@ from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_errors
 from smsl_studio.inspection.rules.finding import Finding, Severity
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.broken import Broken, faults_of
 from smsl_studio.studio.document.session import Session
@@ -74,7 +76,14 @@ class Findings(Panel):
         self._pages.addWidget(self.list)
         self.column.addWidget(self._pages)
         self.tools = QWidget()
-        line = row(self.summary, self.check_button, self.fix_all_button, spacing=12)
+        self.fix_button = QPushButton("Fix it")
+        self.fix_button.setProperty("role", "soft")
+        self.fix_button.clicked.connect(self.fix_current)
+        self.fix_button.hide()
+        self.list.selectionModel().currentChanged.connect(lambda *_: self._offer_fix())
+        line = row(
+            self.summary, self.check_button, self.fix_button, self.fix_all_button, spacing=12
+        )
         line.setContentsMargins(0, 0, 8, 0)
         self.tools.setLayout(line)
         self.list.clicked.connect(self._jump)
@@ -216,7 +225,17 @@ class Findings(Panel):
             self._beside.drop()
             self._offer_fixes()
 
+    def _offer_fix(self) -> None:
+        """Show the fix of the chosen finding as a button, so that it is found without a pointer."""
+        finding = self.list.currentIndex().data(Qt.ItemDataRole.UserRole)
+        fix = finding.fix if isinstance(finding, Finding) else None
+        self.fix_button.setVisible(fix is not None)
+        if fix is not None:
+            self.fix_button.setAccessibleName(plain_text(f"Fix: {fix.words}"))
+            self.fix_button.setToolTip(tip_text(f"{fix.words} (Ctrl+.)"))
+
     def _offer_fixes(self) -> None:
+        self._offer_fix()
         if self._mending is not None:
             return
         fixes = len(certain_errors(self._findings))

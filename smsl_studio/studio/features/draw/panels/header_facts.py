@@ -97,9 +97,13 @@ class HeaderFacts(QWidget):
     ) -> None:
         sub = branch.subs.get(digit)
         fact.chip.show_tag(str(digit), VALUE, sub is not None)
-        fact.chip.setToolTip(tip_text(f"Edit what digit {digit} means and where it comes from"))
-        fact.name.settle(branch.fact_name(digit))
-        fact.name.setToolTip(tip_text(f"{branch.fact_name(digit)}. Type to name this fact."))
+        name = branch.fact_name(digit)
+        fact.chip.setToolTip(tip_text(f"Edit what {name} (digit {digit}) means and who reads it"))
+        fact.chip.setAccessibleName(plain_text(f"Edit {name}, digit {digit}"))
+        fact.name.setAccessibleName(plain_text(f"Name of {name}, digit {digit}"))
+        fact.sub.setAccessibleName(plain_text(f"Sub-SB of {name}, digit {digit}"))
+        fact.name.settle(name)
+        fact.name.setToolTip(tip_text(f"{name}. Type to name this fact."))
         fact.sub.accent = sub is not None
         fact.sub.setProperty("pale", sub is None)
         names = (*others, sub) if sub and sub not in others else tuple(others)
@@ -108,7 +112,7 @@ class HeaderFacts(QWidget):
             fact.sub.clear()
             fact.sub.addItems(["None", *names, "New"])
         fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
-        fact.sub.setToolTip(tip_text(f"Sub-SB of digit {digit}: {sub or 'none'}"))
+        fact.sub.setToolTip(tip_text(f"Sub-SB of {name}: {sub or 'none'}"))
         fact.sub.update()
 
     def _new_row(self, digit: int) -> HeaderFactRow:

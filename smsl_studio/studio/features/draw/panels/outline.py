@@ -16,6 +16,7 @@ from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.key_menu import show_key
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
@@ -228,14 +229,16 @@ class Outline(Panel):
             # As the keys do on this line: on the fact, not on its SB.
             name = as_it_is(line_of(self.tree.currentIndex()).text)
             rename, delete = partial(self._press, "F2"), partial(self._press, "Del")
-            menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", rename)
-            menu.addAction(icon("trash", self._tokens), f"Delete from {name}…\tDel", delete)
+            show_key(menu.addAction(icon("pencil", self._tokens), f"Rename {name}", rename), "F2")
+            words = f"Delete from {name}…"
+            show_key(menu.addAction(icon("trash", self._tokens), words, delete), "Del")
         elif self._current_branch():
             name = as_it_is(self._current_branch())
-            menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
+            pencil, trash = icon("pencil", self._tokens), icon("trash", self._tokens)
+            show_key(menu.addAction(pencil, f"Rename {name}", self.rename_branch), "F2")
             for key, verb in VERBS.items():
-                menu.addAction(f"{verb.capitalize()}\t{key}", partial(self._ask, verb))
-            menu.addAction(icon("trash", self._tokens), f"Delete {name}\tDel", self.delete_branch)
+                show_key(menu.addAction(verb.capitalize(), partial(self._ask, verb)), key)
+            show_key(menu.addAction(trash, f"Delete {name}", self.delete_branch), "Del")
             home = self._session.blueprint.imported.get(self._current_branch())
             if home is not None:
                 opening = partial(self.file_wanted.emit, home.file)

@@ -43,7 +43,7 @@ class OutlineLine:
             where = f", in {self.file}" if self.file else ""
             return f"State Branch {self.text}, level {self.right}{where}"
         values = f", values {self.right}" if self.right else ""
-        return f"Digit {self.digit} of {self.branch}: {self.text}{values}"
+        return f"{self.text}, digit {self.digit} of {self.branch}{values}"
 
 
 def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> OutlineLine:

@@ -307,9 +307,9 @@ class OutlineDelegate(QStyledItemDelegate):
         """A flat field whose accessible name says what is being named."""
         editor = QLineEdit(parent)
         editor.setProperty("role", "flat")
-        digit = line_of(index).digit
-        what = "the State Branch" if digit is None else f"digit {digit}"
-        editor.setAccessibleName(f"Name of {what}")
+        line = line_of(index)
+        what = "the State Branch" if line.digit is None else f"{line.text}, digit {line.digit}"
+        editor.setAccessibleName(plain_text(f"Name of {what}"))
         editor.setStyleSheet("background: palette(base);")
         return editor
 
