@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QScrollArea
+from PySide6.QtWidgets import QApplication, QDialog
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_outline import shown
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
@@ -100,10 +101,9 @@ def test_the_list_of_keys_is_not_scrolled_sideways(sit: Sit, width: int) -> None
     dialog = next(d for d in person.window.findChildren(QDialog) if d.isVisible())
     dialog.resize(width, 620)
     QApplication.processEvents()
-    area = dialog.findChildren(QScrollArea)[0]
-    inner = area.widget()
-    assert inner is not None
-    assert inner.width() <= area.viewport().width()
+    table = dialog.findChild(KeyTable)
+    assert table is not None
+    assert sum(map(table.columnWidth, range(2))) <= table.viewport().width()
     dialog.close()
     person.come_back()
 

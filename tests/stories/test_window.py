@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import EditRefused
+from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
 
@@ -90,7 +91,9 @@ def test_the_list_of_keys_names_every_key(sit: Sit) -> None:
     person = sit()
     person.press(Key.Key_F1, [Qt.KeyboardModifier.ShiftModifier])
     dialog = next(d for d in person.window.findChildren(QDialog) if d.isVisible())
-    words = {part.text() for part in dialog.findChildren(QLabel)}
+    table = dialog.findChild(KeyTable)
+    assert table is not None
+    words = set(table.words)
     for action in person.window.actions_table:
         if action.keys:
             assert action.words.rstrip("…") in words

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import StudioError
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 
@@ -84,6 +85,11 @@ def capital(sentence: str) -> str:
     is_file = "." in first or "/" in first
     said = sentence if is_file else sentence[:1].upper() + sentence[1:]
     return said if said.endswith((".", "?", ":")) or not said else f"{said}."
+
+
+def refusal_words(error: StudioError) -> str:
+    """What is wrong and what to do, as sentences with one full stop each."""
+    return " ".join(filter(None, (capital(error.sentence), error.advice)))
 
 
 def brief(sentence: str) -> str:

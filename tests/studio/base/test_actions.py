@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow
 from pytestqt.qtbot import QtBot
 
@@ -36,8 +37,10 @@ def test_keys_of_the_canvas_are_said_and_not_taken(qtbot: QtBot) -> None:
         window,
         LIGHT,
     )
-    assert actions["a"].shortcuts() == []
-    assert actions["a"].text() == "Add\tDel"
+    assert actions["a"].text() == "Add"
+    assert actions["a"].shortcut().toString() == "Del"
+    assert actions["a"].shortcutContext() is Qt.ShortcutContext.WidgetShortcut
+    assert actions["a"] not in window.actions(), "the canvas answers it"
     assert actions["b"].toolTip() == "Build it (Ctrl+B)"
 
 

@@ -17,6 +17,7 @@ from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import DARK, Tokens
 from smsl_studio.studio.shell import application as app
 from smsl_studio.studio.shell.features import Features
+from smsl_studio.studio.shell.frame.key_table import KeyTable
 from smsl_studio.studio.shell.window import Window
 from smsl_studio.studio.shell.windows import Windows
 
@@ -80,7 +81,9 @@ def test_what_a_feature_hands_over_is_shown(window: Window, notes: Notes) -> Non
     assert "Recent notes" in menus
     window.show_shortcuts()
     (dialog,) = (one for one in window.children() if one.isWidgetType() and _is_keys(one))
-    assert any("Add a note" in _words(child) for child in dialog.findChildren(QWidget))
+    table = dialog.findChild(KeyTable)
+    assert table is not None
+    assert "Add a note" in table.words
 
 
 def test_a_feature_is_asked_first_about_a_file_and_told_of_colours(

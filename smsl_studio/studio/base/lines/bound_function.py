@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.blueprint.annotations import Binding
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.errors import PluginError
-from smsl_studio.library.by_name import function_by_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import Combo, Field
 from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, same
@@ -90,6 +89,9 @@ class BindingLine(FormLine):
             return f"{inherited.function} ({self._shown[0].origin})"
         name = ""
         if self.operation and self.branch is not None:
+            # Imported here, because a new window has no operation to bind and needs none of it.
+            from smsl_studio.library.by_name import function_by_name
+
             name = function_by_name(self._loaded, self.branch, self.operation)
         if name:
             return f"By its name: {name}"

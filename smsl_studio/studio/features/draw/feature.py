@@ -101,6 +101,7 @@ class DrawFeature(Feature):
     def __init__(self, parts: WindowParts, shell: Shell) -> None:
         session, files, tokens, window = parts.session, parts.files, parts.tokens, parts.window
         self._parts, self._shell, self._loaded = parts, shell, Loaded()
+        self._warned = False
         self.canvas = Canvas(tokens)
         self.collapsing = CollapseChoice(self.canvas, files, parts.settings)
         self.editor = CanvasEditor(session, self.canvas)
@@ -187,6 +188,7 @@ class DrawFeature(Feature):
         session.blueprint_changed.connect(lambda *_: self._show_offers())
         session.opened.connect(self.tidings.forget)
         session.opened.connect(self._parts.toast.hide)
+        session.opened.connect(self._forget_warning)
         session.opened.connect(self.canvas.setFocus)
         session.opened.connect(self.canvas.judge_anew)
         session.jumped.connect(self._jumped)
@@ -296,8 +298,17 @@ class DrawFeature(Feature):
         shown = self.canvas.place_of(selection[0]) if len(selection) == 1 else QRect()
         self._parts.toast.spare(shown)
 
+    def _forget_warning(self) -> None:
+        self._warned = False
+
     def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
-        self._parts.toast.of_step(*step_notice(before, after))
+        sentence, severity = step_notice(before, after)
+        if sentence and severity:
+            # Each new state becomes activating until one is chosen. Once is enough.
+            if self._warned:
+                return
+            self._warned = True
+        self._parts.toast.of_step(sentence, severity)
 
     def _jumped(self, address: Address) -> None:
         """Scroll the canvas to an element that was found, and give it the keyboard focus."""

@@ -21,7 +21,7 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.base.words import refusal_words
 from smsl_studio.studio.features.export.preview import Preview
 from smsl_studio.studio.features.export.subject import ALL, BRANCH, SELECTION, VIEW, Subject
 
@@ -156,7 +156,7 @@ class PictureDialog(QDialog):
 
     def show_refusal(self, error: StudioError | None) -> None:
         """Show why something was not done, and what to do; None for no error."""
-        words = f"{capital(error.sentence)} {error.advice}".strip() if error is not None else ""
+        words = refusal_words(error) if error is not None else ""
         self.refusal.setText(words)
         self.refusal.setVisible(bool(words))
 

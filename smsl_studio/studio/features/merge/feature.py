@@ -14,7 +14,7 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature, ModePage, Page, Shell
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.features.merge.badge import ConflictBadge
 from smsl_studio.studio.features.merge.marked_source import MarkedSource
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
@@ -135,7 +135,7 @@ class MergeFeature(Feature):
         left = len(self.merge.open_ones) if count is not None else 0
         self.badge.show_number(left)
         refusal = refusal_of_open(self._parts.session.blueprint) if left else None
-        self._shell.hold_run(f"{refusal.sentence}. {refusal.advice}" if refusal else "")
+        self._shell.hold_run(refusal_words(refusal) if refusal else "")
         if count != self._offered:
             self._offered = count
             self._shell.show_page(PAGE, count)

@@ -11,7 +11,7 @@ from smsl_studio.errors import ReadError
 from smsl_studio.front.marked_files import MarkedMerge, merge_marked
 from smsl_studio.smsl.document.conflict_markers import is_marked, unmarked
 from smsl_studio.studio.base.beside import Beside
-from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.broken import Broken
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
@@ -103,5 +103,4 @@ def _tried(text: str, file: str, path: Path | None) -> MarkedMerge | ReadError:
 
 def _told(error: ReadError) -> str:
     where = f"Line {error.place.line}: " if error.place else ""
-    sentence = error.sentence if where else capital(error.sentence)
-    return f"{where}{sentence}. {error.advice}".strip()
+    return f"{where}{refusal_words(error)}"

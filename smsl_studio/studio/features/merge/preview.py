@@ -12,7 +12,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
-from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.features.merge.open_merge import WORDS
 
 NAMED = 2
@@ -52,7 +52,7 @@ def preview_words(blueprint: Blueprint, conflict: Conflict, side: Side) -> str:
     try:
         after = choose_all(choose(blueprint, conflict, side), "ours")
     except EditRefused as error:
-        return f"{WORDS[side]} cannot be taken: {error.sentence}. {error.advice}"
+        return f"{WORDS[side]} cannot be taken. {refusal_words(error)}"
     return f"Preview: {WORDS[side]}. {findings_words(inspect(after), conflict.address)}"
 
 

@@ -24,7 +24,7 @@ from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.base.words import capital, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.event_list import EventList
 from smsl_studio.studio.features.run.facts_place import FactsPlace
@@ -383,4 +383,4 @@ class RunPane(QWidget):
 
     def _say_refused(self, error: StudioError) -> None:
         self._frames.stop()
-        self.canvas.show_refusal(f"{capital(error.sentence)} {error.advice}".strip())
+        self.canvas.show_refusal(refusal_words(error))

@@ -20,6 +20,7 @@ from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.supervise.bar import SuperviseBar
 from smsl_studio.studio.features.supervise.board import Board
@@ -223,7 +224,7 @@ class SupervisePane(QWidget):
         run, bar = self._run, self.bar
         run.changed.connect(self.refresh)
         self._session.blueprint_changed.connect(lambda *_: self.refresh())
-        run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
+        run.refused.connect(lambda error: self.notice.say(refusal_words(error)))
         self.board.card_chosen.connect(self.pick)
         self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)

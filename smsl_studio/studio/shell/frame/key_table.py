@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.feature import KeyList
 from smsl_studio.studio.base.theme import text_font
+from smsl_studio.studio.base.tips import tip_text
 
 COLUMNS = ("Does", "Key")
 
@@ -45,6 +46,12 @@ class KeyTable(QTableWidget):
             at += 1
         self.setCurrentCell(1, 0)
 
+    @property
+    def words(self) -> list[str]:
+        """What the keys do, with the titles of the sections."""
+        items = (self.item(at, 0) for at in range(self.rowCount()))
+        return [item.text() for item in items if item is not None]
+
     def _put(
         self, at: int, column: int, words: str, heading: bool = False, key: bool = False
     ) -> None:
@@ -53,5 +60,5 @@ class KeyTable(QTableWidget):
         item.setFont(
             text_font(13, 600) if heading else text_font(12, 500) if key else text_font(13)
         )
-        item.setToolTip(plain_text(words))
+        item.setToolTip(tip_text(words))
         self.setItem(at, column, item)

@@ -434,7 +434,7 @@ def test_words_instead_of_digits_leave_nothing_stale_on_the_screen(hfsm: Drawer)
         return [chip.text for chip in canvas.sheet.picture.face(1).chips]
 
     canvas.set_words(True)
-    assert texts() == ["fixed for…", "Fact 2: 0", "Fact 3: 0"]
+    assert texts() == ["fixed for…", "Fact 2: 0", "0"]
     words = on_screen(hfsm)
     assert not alike(words, digits)
     assert alike(painted_anew(hfsm), words)

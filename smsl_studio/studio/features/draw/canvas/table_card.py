@@ -13,7 +13,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.studio.base.canvas.branch_view import TOP
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.overlays.change_card import ChangeCard
-from smsl_studio.studio.base.words import capital, counted, series
+from smsl_studio.studio.base.words import counted, refusal_words, series
 from smsl_studio.studio.features.draw.canvas.free_places import place_near
 
 WIDTH = 340
@@ -48,7 +48,7 @@ def table_paste(branch: StateBranch, text: str) -> TablePaste:
     try:
         table = read_states(branch, text)
     except EditRefused as error:
-        fault = f"{capital(error.sentence)} {error.advice}"
+        fault = refusal_words(error)
         return TablePaste(text, fault, fault=fault)
     if not (table.states or table.operations):
         fault = f"{branch.name} has all states and operations of the table already."

@@ -15,7 +15,7 @@ from smsl_studio.blueprint.editing.templates import TRIES, Made, free_digit
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.studio.base.canvas.sketch import Sketch, node_rect
-from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.features.draw.canvas.drop_places import state_below
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import SIBLINGS, free_place
@@ -87,7 +87,7 @@ class TemplateDrop:
             try:
                 found = self._found(address, digit)
             except EditRefused as error:
-                found = Intent(f"{capital(error.sentence)} {error.advice}")
+                found = Intent(refusal_words(error))
             self._known[address, digit] = found
         return found
 

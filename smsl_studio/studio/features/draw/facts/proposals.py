@@ -11,7 +11,7 @@ from smsl_studio.blueprint.editing.fact_table import read_table
 from smsl_studio.blueprint.editing.fact_values import names_with, renamed_value
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import EditRefused
-from smsl_studio.studio.base.words import capital, counted, series
+from smsl_studio.studio.base.words import counted, refusal_words, series
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ def renaming(
         changes = renamed_value(branch, digit, old, new)
         names = names_with(branch, changes)
     except EditRefused as error:
-        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+        return replace(made, fault=refusal_words(error))
     if not names:
         return replace(made, beside=len(changes))
     return replace(made, names=tuple(names.items()))
@@ -147,7 +147,7 @@ def paste(branch: StateBranch, text: str) -> FactChange:
     try:
         rows = read_table(branch, text)
     except EditRefused as error:
-        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+        return replace(made, fault=refusal_words(error))
     missing = max(0, max(rows, default=-1) + 1 - count)
     filled = counted(len(rows), "fact is filled", "facts are filled")
     made = replace(made, words=f"{filled}, {missing} of them new.")
@@ -160,5 +160,5 @@ def _told(made: FactChange, branch: StateBranch, order: list[int], value: str = 
     try:
         names = new_names(branch, order, value)
     except EditRefused as error:
-        return replace(made, fault=f"{capital(error.sentence)} {error.advice}")
+        return replace(made, fault=refusal_words(error))
     return replace(made, names=tuple((old, new) for old, new in names.items() if old != new))

@@ -13,7 +13,7 @@ from smsl_studio.errors import ReadError
 from smsl_studio.front.last_change import LastChange, last_change
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Label, label, row
-from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.frame import Panel
 
@@ -113,7 +113,7 @@ class LastChangeForm(Panel):
             return
         self._forget()
         if isinstance(found, ReadError):
-            self._say(self._who, f"{capital(found.sentence)}. {found.advice}".strip())
+            self._say(self._who, refusal_words(found))
             return
         one = found.revision
         if one is not None:

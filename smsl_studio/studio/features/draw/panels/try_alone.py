@@ -15,7 +15,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Combo, label, row
-from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.base.words import capital, refusal_words
 from smsl_studio.studio.document.session import Session
 
 if TYPE_CHECKING:
@@ -139,7 +139,7 @@ def _tried(
 
 def _words(found: EdgeSwept | StudioError, world: str) -> str:
     if isinstance(found, StudioError):
-        return f"{capital(found.sentence)}. {found.advice}".strip()
+        return refusal_words(found)
     if found.passed:
         return f"Passed in {world} after {found.t:.1f} s: its target checks true."
     why = capital(found.sentence) or f"Its source checks {found.source}, its target {found.target}"

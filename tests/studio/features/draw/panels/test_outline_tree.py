@@ -83,8 +83,8 @@ def test_a_line_that_nobody_sees_takes_hardly_any_work(
 def test_a_line_is_found_by_its_sb_and_fact_and_says_what_it_is(make: Make) -> None:
     tree = make(bomb("known_subs", 900))
     found = tree.index_of("A", 700)
-    assert line_of(found).tip == "Digit 700 of A: Fact 701"
-    assert found.data(Qt.ItemDataRole.ToolTipRole) == "Digit 700 of A: Fact 701"
+    assert line_of(found).tip == "Fact 701, digit 700 of A"
+    assert found.data(Qt.ItemDataRole.ToolTipRole) == "Fact 701, digit 700 of A"
     assert line_of(tree.index_of("B899", 0)).branch == "B899"
     assert not tree.index_of("").isValid()
     assert not tree.index_of("B900").isValid()
