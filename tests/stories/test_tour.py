@@ -321,3 +321,31 @@ def test_every_control_of_a_step_is_one_of_the_window(sit: Sit) -> None:
     assert window.features.supervise.pane is not None
     names = {name for step in STEPS for name in step.controls}
     assert [name for name in names if not window.controls(name)] == []
+
+
+def covered(person: Person, widget: QWidget) -> bool:
+    """Whether the callout covers some of a widget."""
+    body = tour_of(person).callout.geometry().adjusted(10, 10, -10, -10)
+    return body.intersects(box(widget, person.window))
+
+
+def test_a_callout_does_not_cover_what_it_speaks_of(sit: Sit) -> None:
+    person = begun(sit)
+    person.until(lambda: tour_of(person).is_settled)
+    window, found = person.window, person.window.findings.findings[0].address
+    place = window.canvas.place_of(found)
+    body = tour_of(person).callout.geometry().adjusted(10, 10, -10, -10)
+    here = QRect(window.mapFromGlobal(place.topLeft()), place.size())
+    assert not here.isEmpty()
+    assert not body.intersects(here), "the misprint"
+    mended(person)
+    table_run(person)
+    person.ctrl(Key.Key_3)
+    until_step(person, "Unlatch the stop")
+    pane = person.window.features.supervise.pane
+    person.until(lambda: tour_of(person).is_settled and not covered(person, pane.hold))
+    person.press(Key.Key_F5)
+    person.press(Key.Key_Return)
+    until_step(person, "Step in")
+    person.until(lambda: not covered(person, pane.step_in))
+    assert not covered(person, pane.board)

@@ -235,10 +235,14 @@ class DrawFeature(Feature):
     # Called by the shell.
 
     def control(self, name: str) -> Control | None:
-        """The first finding, and the card with its fix."""
+        """The first finding, its place on the canvas, and the card with its fix."""
         if name == "finding":
             rows = self.findings.list
             return rows.viewport(), rows.visualRect(rows.model().index(0, 0))
+        if name == "found" and self.findings.findings:
+            place = self.canvas.place_of(self.findings.findings[0].address)
+            view = self.canvas.viewport()
+            return view, QRect(view.mapFromGlobal(place.topLeft()), place.size())
         return whole(self.fix_card) if name == "fix" else None
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:

@@ -18,6 +18,7 @@ from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_session import RunSession
 
 RECORDED = "Levels were set before the run and are part of its record."
+UNSET = "Where nobody is named as acting, it counts as automatic."
 DECLARED = "As the blueprint declares them. They can be set before a run."
 
 
@@ -92,7 +93,7 @@ class Continuum(QWidget):
         )  # fmt: skip
         here = counted(len(levels), "level")
         said = f"{here} set for the next run; the others as declared." if levels else DECLARED
-        self.note.setText(RECORDED if kept else said)
+        self.note.setText(f"{RECORDED if kept else said} {UNSET}")
 
     def showEvent(self, event: object) -> None:
         """Show the present levels."""

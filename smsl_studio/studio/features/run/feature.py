@@ -141,7 +141,8 @@ class RunFeature(Feature):
         if pane is None:
             return None
         row = pane.transport
-        own = {"run_play": row.play, "run_stop": row.stop, "world": pane.world}
+        own = {"run_play": row.play, "run_stop": row.stop, "world": pane.world,
+               "run_canvas": pane.canvas, "possible": pane.possible}  # fmt: skip
         return whole(own[name]) if name in own else None
 
     def mode_shown(self) -> None:

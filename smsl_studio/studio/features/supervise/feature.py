@@ -94,6 +94,9 @@ class SuperviseFeature(Feature):
             "veto": step_in.veto,
             "take_over": step_in.hand,
             "confirm": step_in.asking,
+            "step_in": step_in,
+            "hold": pane.hold,
+            "board": pane.board,
         }
         return whole(own[name]) if name in own else None
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, QRect, QSize
 
 GAP = 10
 """Pixels between the control and the callout."""
+STEP = 20
+"""Pixels between the places apart from the control that are tried."""
 LOW = 40
 """Pixels below a callout that points at nothing."""
 
@@ -20,9 +23,28 @@ class BesideControl:
     side: str = ""
 
 
-def beside(target: QRect, size: QSize, room: QRect) -> BesideControl:
-    """The first place inside ``room`` where a callout does not cover ``target``: below it, above
-    it, at its right or at its left."""
+def beside(target: QRect, size: QSize, room: QRect, spared: Sequence[QRect] = ()) -> BesideControl:
+    """The first place inside ``room`` where a callout covers neither ``target`` nor what it speaks
+    of: below the target, above it, at its right or at its left.
+
+    If each of these covers some of ``spared``, it stands apart, where it covers least of them and
+    is nearest to the target.
+    """
+    found = list(_sides(target, size, room))
+    clear = [one for one in found if not _covered(one.box, spared)]
+    if clear:
+        return clear[0]
+    apart = [BesideControl(box) for box in _apart(target, size, room)]
+    best = min(
+        [*found, *apart],
+        key=lambda one: (_covered(one.box, spared), _way(one.box, target)),
+        default=None,
+    )
+    return best or without_control(size, room)
+
+
+def _sides(target: QRect, size: QSize, room: QRect) -> Iterator[BesideControl]:
+    """The places at the four sides of a control that do not cover it."""
     wide, high = size.width(), size.height()
     middle = target.center() - QPoint(wide // 2, high // 2)
     corners = {
@@ -36,8 +58,26 @@ def beside(target: QRect, size: QSize, room: QRect) -> BesideControl:
         box.moveLeft(max(room.left(), min(box.left(), room.right() - wide)))
         box.moveTop(max(room.top(), min(box.top(), room.bottom() - high)))
         if not box.intersects(target):
-            return BesideControl(box, side)
-    return without_control(size, room)
+            yield BesideControl(box, side)
+
+
+def _apart(target: QRect, size: QSize, room: QRect) -> Iterator[QRect]:
+    """Places all over ``room`` that do not cover the target."""
+    for x in range(room.left(), room.right() - size.width() + 1, STEP):
+        for y in range(room.top(), room.bottom() - size.height() + 1, STEP):
+            box = QRect(QPoint(x, y), size)
+            if not box.intersects(target):
+                yield box
+
+
+def _covered(box: QRect, spared: Sequence[QRect]) -> int:
+    """How much of some boxes another one covers (square pixels)."""
+    common = [box.intersected(one) for one in spared]
+    return sum(one.width() * one.height() for one in common if not one.isEmpty())
+
+
+def _way(box: QRect, target: QRect) -> int:
+    return (box.center() - target.center()).manhattanLength()
 
 
 def without_control(size: QSize, room: QRect) -> BesideControl:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QEvent, QObject, QRect, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
@@ -144,19 +146,24 @@ class Tour(QObject):
         self._unwatch()
         self._watch(self._window)
         names = self.step.controls if self.step is not None else ()
-        boxes = [self._box(*found) for name in names for found in self._shell.controls(name)]
-        target = next((box for box in boxes if not box.isEmpty()), QRect())
+        target = next(iter(self._boxes(names)), QRect())
+        spared = self._boxes(self.step.spared if self.step is not None else ())
         room, size = self._window.rect().adjusted(EDGE, EDGE, -EDGE, -EDGE), self.callout.body
         self.ring.setVisible(not target.isEmpty())
         if target.isEmpty():
             place = without_control(size, room)
         else:
-            place = beside(target, size, room)
+            place = beside(target, size, room, spared)
             self.ring.surround(target)
         self.callout.stand(place, target)
         for part in (self.ring, self.callout):
             part.raise_()
         self.callout.show()
+
+    def _boxes(self, names: Sequence[str]) -> list[QRect]:
+        """The boxes of the visible controls of these names, in the window."""
+        found = [self._box(*control) for name in names for control in self._shell.controls(name)]
+        return [box for box in found if not box.isEmpty()]
 
     def _box(self, widget: QWidget, part: QRect) -> QRect:
         """The box of a control in the window; empty if it is not visible."""

@@ -91,7 +91,8 @@ class OperationForm(NoteForm):
         self.risk = self.add("risk", ChoiceLine(
             "Risk", "The declared risk of this operation", RISKS)).field  # fmt: skip
         self.actor = self.add("actor", ChoiceLine(
-            "Who acts", "Human, shared or robot", ACTORS)).field  # fmt: skip
+            "Who acts", "Human, shared or robot. Where it is not set, it counts as automatic",
+            ACTORS, "Not set: automatic")).field  # fmt: skip
         self.confirm = self.add("confirm", RolesLine(
             "Confirms", "The roles that confirm it before it begins, one for each person, with "
             "commas between; “anybody” is a person of any role", "nobody"
