@@ -7,7 +7,7 @@ from pathlib import Path
 from smsl_studio.blueprint.merge.sides import MergeSides
 from smsl_studio.errors import StudioError
 from smsl_studio.front.inputs import read_bytes
-from smsl_studio.front.revisions import unmerged_bytes
+from smsl_studio.front.revisions import merging_commits, unmerged_bytes
 
 
 def versions_in_git(file: Path) -> MergeSides | None:
@@ -21,6 +21,7 @@ def versions_in_git(file: Path) -> MergeSides | None:
             read_bytes(ours, str(file)),
             read_bytes(theirs, str(file)),
             read_bytes(base, str(file)) if base is not None else None,
+            who=merging_commits(file),
         )
     except StudioError:
         return None

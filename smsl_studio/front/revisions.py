@@ -95,6 +95,26 @@ def unmerged_bytes(file: Path) -> tuple[bytes | None, bytes | None, bytes | None
     return found.get("1"), found.get("2"), found.get("3")
 
 
+def merging_commits(file: Path) -> dict[str, tuple[str, str, str]]:
+    """Return the commits of a merge that has not ended: for ``ours``, ``theirs`` and ``base`` the
+    author, the day (2026-11-20) and the commit that last changed the file there. A version without
+    such a commit is left out. ReadError if there is no git or no repository.
+    """
+    found: dict[str, tuple[str, str, str]] = {}
+    try:
+        base = _git(file, "merge-base", "HEAD", "MERGE_HEAD").decode("ascii", "replace").strip()
+    except ReadError:
+        base = ""
+    for side, start in (("ours", "HEAD"), ("theirs", "MERGE_HEAD"), ("base", base)):
+        if start:
+            form = _PART.join(("%an", "%as", "%H"))
+            told = _git(file, "log", "-1", f"--format={form}", start, "--", file.name)
+            parts = told.decode("utf-8", "replace").strip().split(_PART)
+            if len(parts) == 3:
+                found[side] = parts[0], parts[1], parts[2]
+    return found
+
+
 def _blob(file: Path, thing: str, where: str) -> bytes:
     """Return the content of an object of git. ReadError if it is too large."""
     size = _git(file, "cat-file", "-s", thing)

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent, QAction
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QDialog
 
 from smsl_studio.studio.base import announcement
+from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
 from smsl_studio.studio.features.draw.find.palette import Palette
-from smsl_studio.studio.shell.accessible_factory import install
 from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
@@ -153,8 +153,7 @@ def test_a_comparison_is_told_in_one_sentence(sit: Sit, heard: Heard, tmp_path: 
     assert len(heard) == 1
 
 
-def test_names_are_words_and_one_thing_has_the_focus(sit: Sit, qapp: QApplication) -> None:
-    install(qapp)
+def test_names_are_words_and_one_thing_has_the_focus(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi.json")
     window = person.window
     for entry in window.findChildren(QAction):
@@ -170,8 +169,7 @@ def test_names_are_words_and_one_thing_has_the_focus(sit: Sit, qapp: QApplicatio
     assert facts is not None
     assert facts.lines[0].words.startswith("Fact 1, digit 0, ")
     person.select("SB1/State_aaa")
-    canvas = QAccessible.queryAccessibleInterface(window.canvas)
-    assert canvas is not None
+    canvas = CanvasAccessible(window.canvas)
     assert window.canvas.hasFocus()
     assert not canvas.state().focused, "the state has it"
     window.session.select(())

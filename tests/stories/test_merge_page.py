@@ -10,10 +10,12 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge import merge
+from smsl_studio.blueprint.merge.columns import ColumnLine, Row
+from smsl_studio.studio.features.merge.columns_view import folded
 from smsl_studio.studio.features.merge.conflict_list import MOST
 from smsl_studio.studio.features.merge.page import MergePage
 from tests.blueprint.merge.test_merge import BASE, changed
@@ -133,6 +135,9 @@ def test_focus_previews_a_version_with_its_findings_and_changes_nothing(
     go.buttons["base"].setFocus()
     person.until(lambda: page.list.preview.text().startswith("Conflict 1. Preview: Base. 0 errors"))
     assert person.blueprint is before
+    drawing = page.list.drawing
+    assert drawing.targets == ("S1", "Gone"), "of the base first; what mine has is dotted"
+    assert drawing.words == "Base: go, target, S0, S1"
     person.press(Qt.Key.Key_Space)
     assert person.blueprint["A"].table["S0"]["go"] == "S1"
 
@@ -168,6 +173,18 @@ def test_the_source_stands_in_three_columns(sit: Sit, tmp_path: Path) -> None:
     assert ['"go": "S2",', None, '"go": "S1",'] in texts
     (about,) = [row for row in rows if page.source.columns.is_about(row)]
     assert about[1] is None
+
+
+def test_long_runs_of_equal_lines_are_folded() -> None:
+    def row(number: int, other: str = "") -> Row:
+        mine = ColumnLine(number, f"line {number}")
+        return mine, ColumnLine(number, other) if other else mine, mine
+
+    rows = tuple(row(number, "changed" if number == 10 else "") for number in range(30))
+    found = folded(rows, lambda _: False)
+    assert found == (rows[0], 6, *rows[7:14], 15, rows[29])
+    assert folded(rows[5:15], lambda _: False) == rows[5:15], "few lines are not folded"
+    assert folded((), lambda _: False) == ()
 
 
 def test_entries_alone_say_what_is_not_known(sit: Sit, tmp_path: Path) -> None:
@@ -219,6 +236,18 @@ def test_git_still_has_the_versions_so_the_page_says_what_merged_by_itself(
     person.until(lambda: len(page.list.merged.rows.rows) > 1)
     rows = [row.text for row in page.list.merged.rows.rows]
     assert rows == ["Mine, 1 change", "more", "Theirs, 1 change", "down"]
+    sides = page.list.findChildren(QLabel)
+    assert "1 mine, 1 theirs" in [one.text() for one in sides]
+    who = page.source.columns.who
+    assert [words.partition(", ")[0] for words in who[:2]] == ["A", "A"]
+    assert len(who[2].partition(", ")[0]) == 9, "the commit of the base"
+    drawing = page.drawing
+    person.until(lambda: drawing.canvas.camera.fitted)
+    assert "pale" in drawing.words
+    person.click(drawing.all)
+    assert not drawing.canvas.marks.dimmed
+    person.click(drawing.all)
+    assert drawing.canvas.marks.dimmed
     person.click_row(page.list.merged, "down")
     assert page.drawing.canvas.marks.selection == (Address("B", "X1", "down"),)
     assert page.drawing.canvas.marks.changes[Address("B", "X1", "down")] == "T+"

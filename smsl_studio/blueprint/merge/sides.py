@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from smsl_studio.blueprint.comparison import Change, compare
@@ -19,7 +19,8 @@ MINE, THEIRS, ALIKE = "M", "T", "MT"
 class MergeSides:
     """The three versions of a merge. ``known`` is False if they were made from the open conflicts
     alone; then all that is no conflict is equal in them. ``base`` is None if it is not known.
-    ``by_lines`` says that git merged lines before, which are now in all versions.
+    ``by_lines`` says that git merged lines before, which are now in all versions. ``who`` has the
+    author, the day and the commit of a version, if they are known.
     """
 
     ours: Blueprint
@@ -27,6 +28,7 @@ class MergeSides:
     base: Blueprint | None
     known: bool = True
     by_lines: bool = False
+    who: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
 
     def get(self, side: Side) -> Blueprint | None:
         """Return one of the versions."""

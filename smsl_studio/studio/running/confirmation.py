@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QFrame, QLabel, QLineEdit, QPushButton, QVBoxLayout
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.in_view import scroll_to
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital
 from smsl_studio.studio.running.decisions import Decision
@@ -118,6 +119,8 @@ class ConfirmBox(QFrame):
         if decision is not None:
             part = self.reason if decision.reasoned else self.do if decision.verb else self.leave
             part.setFocus()
+            # Not before the box has its size, because it may stand where one has to scroll.
+            QTimer.singleShot(0, self, lambda: scroll_to(self))
 
     def refuse(self, why: str) -> None:
         """Show why it was not done; the decision stays open. Empty hides the sentence."""

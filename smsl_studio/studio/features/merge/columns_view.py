@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
@@ -11,15 +11,19 @@ from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 from smsl_studio.blueprint.merge.columns import Row, aligned_lines, lines_of
 from smsl_studio.blueprint.merge.conflict import Conflict
 from smsl_studio.blueprint.merge.sides import MergeSides
+from smsl_studio.legible import one_line
 from smsl_studio.studio.base.controls import Elided
 from smsl_studio.studio.base.paint.change_signs import draw_side
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.merge.conflict_card import SIDES
 from smsl_studio.studio.features.merge.open_merge import WORDS
 from smsl_studio.studio.features.merge.side_button import LETTERS
 
 LINE, HEAD = 18, 28
+AROUND, FOLDED = 3, 3
+"""So many lines around a difference are shown; so many others and more are folded."""
 WAITING = "Choose a conflict: its lines in all versions stand here."
 
 
@@ -62,8 +66,12 @@ class ColumnsView(QWidget):
             lines.append(found)
             absent.append("not known" if version is None else "" if found else "not there")
         rows = aligned_lines(lines)
+        self.columns.who = tuple(who_words(sides, side) for side in SIDES)
         self.columns.show_rows(rows, absent, conflict.path[-1])
-        first = next((at for at, one in enumerate(rows) if self.columns.is_about(one)), 0)
+        shown = self.columns.shown
+        first = next(
+            (at for at, one in enumerate(shown) if not isinstance(one, int)
+             and self.columns.is_about(one)), 0)  # fmt: skip
         self._scroll.ensureVisible(0, HEAD + first * LINE, 0, 3 * LINE)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -78,6 +86,10 @@ class VersionColumns(QWidget):
         super().__init__()
         self._tokens, self._key = tokens, ""
         self.rows: tuple[Row, ...] = ()
+        self.shown: tuple[Row | int, ...] = ()
+        """The rows that are painted; a number stands for so many that are folded."""
+        self.who: tuple[str, ...] = ("", "", "")
+        """Who made each version."""
         self._absent: tuple[str, ...] = ()
         self._indent = 0
 
@@ -93,7 +105,8 @@ class VersionColumns(QWidget):
         said = [" | ".join(one.text.strip() if one else "missing" for one in row) for row in rows]
         self.setAccessibleName("Lines of mine, theirs and base")
         self.setAccessibleDescription("\n".join(said[:50]))
-        self.setMinimumHeight(HEAD + max(len(rows), 1) * LINE + 6)
+        self.shown = folded(rows, self.is_about)
+        self.setMinimumHeight(HEAD + max(len(self.shown), 1) * LINE + 6)
         self.update()
 
     def is_about(self, row: Row) -> bool:
@@ -124,9 +137,17 @@ class VersionColumns(QWidget):
                 words += f", {self._absent[at]}"
             head = QRectF(left + 32, 0, wide - 40, HEAD)
             paint_text(painter, head, words, TextInk(tokens.tx, 12, 500))
-            for number, row in enumerate(self.rows):
+            if self.who[at]:
+                kept = head.adjusted(90, 0, -2, 0)
+                paint_text(painter, kept, self.who[at], TextInk(tokens.tx2, 11), right=True)
+            for number, row in enumerate(self.shown):
                 area = QRectF(left, HEAD + number * LINE, wide, LINE)
-                self._line(painter, area, row, at)
+                if not isinstance(row, int):
+                    self._line(painter, area, row, at)
+                elif not at:
+                    words = counted(row, "unchanged line")
+                    painter.fillRect(QRectF(0, area.top(), self.width(), LINE), tokens.sunk)
+                    paint_text(painter, area.adjusted(44, 0, -8, 0), words, TextInk(tokens.tx3, 11))
             if at:
                 painter.fillRect(QRectF(left, 0, 1, self.height()), tokens.line)
         painter.fillRect(QRectF(0, HEAD - 1, self.width(), 1), tokens.line)
@@ -148,6 +169,41 @@ class VersionColumns(QWidget):
         text = line.text[self._indent :].expandtabs(4)
         paint_text(painter, area.adjusted(44, 0, -8, 0), text, TextInk(tokens.tx, 12, mono=True),
                    elide=Qt.TextElideMode.ElideRight)  # fmt: skip
+
+
+def folded(rows: Sequence[Row], about: Callable[[Row], bool]) -> tuple[Row | int, ...]:
+    """The rows, with a number in place of each long run of rows that are equal in all versions."""
+    near: set[int] = set()
+    for at, one in enumerate(rows):
+        if about(one) or _differs(one):
+            near.update(range(at - AROUND, at + AROUND + 1))
+    near |= {0, len(rows) - 1}
+    found: list[Row | int] = []
+    at = 0
+    while at < len(rows):
+        end = at
+        while end < len(rows) and end not in near:
+            end += 1
+        if end - at >= FOLDED:
+            found.append(end - at)
+            at = end
+        else:
+            found.extend(rows[at : max(end, at + 1)])
+            at = max(end, at + 1)
+    return tuple(found)
+
+
+def _differs(row: Row) -> bool:
+    return len({one.text.strip().rstrip(",") if one else None for one in row}) > 1
+
+
+def who_words(sides: MergeSides, side: str) -> str:
+    """The author and the day of a version, of the base the commit and the day; empty if they are
+    not known."""
+    author, day, commit = sides.who.get(side, ("", "", ""))
+    if not commit:
+        return ""
+    return f"{commit[:9]}, {day}" if side == "base" else f"{one_line(author)}, {day}"
 
 
 def _hatch(painter: QPainter, area: QRectF, colour: QColor) -> None:

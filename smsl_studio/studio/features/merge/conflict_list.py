@@ -13,9 +13,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.blueprint.merge import Conflict
+from smsl_studio.blueprint.merge import Conflict, Side
 from smsl_studio.blueprint.merge.conflict import Path
-from smsl_studio.blueprint.merge.sides import MergeSides, merged_groups
+from smsl_studio.blueprint.merge.sides import ALIKE, MINE, THEIRS, MergeSides, merged_groups
 from smsl_studio.studio.base.controls import label, row, rule
 from smsl_studio.studio.base.rows import RowsView
 from smsl_studio.studio.base.theme import CONTROL, Tokens
@@ -24,9 +24,11 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.merge.conflict_card import ConflictCard
 from smsl_studio.studio.features.merge.merged_rows import merged_rows
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
+from smsl_studio.studio.features.merge.preview_drawing import PreviewDrawing
 
 WIDTH = 396
-PREVIEW = 96
+PREVIEW = 106
+BY_SIDE = {MINE: "mine", THEIRS: "theirs", ALIKE: "alike"}
 HINT = "Point at a version to see the findings that it would give."
 MOST = 60
 """So many cards are shown at once; the others follow when these are chosen."""
@@ -106,22 +108,28 @@ class ConflictList(QWidget):
         self.preview = label(HINT, "small")
         self.preview.setWordWrap(True)
         self.preview.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.preview.setContentsMargins(14, 8, 14, 8)
-        self.preview.setFixedHeight(PREVIEW)
+        self.preview.setContentsMargins(14, 8, 4, 8)
+        self.drawing = PreviewDrawing(self._tokens)
+        shown = row(self.preview, self.drawing, spacing=0)
+        shown.setContentsMargins(0, 0, 8, 0)
+        shown.setStretch(0, 1)
+        below_cards = QWidget()
+        below_cards.setFixedHeight(PREVIEW)
+        below_cards.setLayout(shown)
         upper = QWidget()
         over = QVBoxLayout(upper)
         over.setContentsMargins(0, 0, 0, 0)
         over.setSpacing(0)
         over.addWidget(self._scroll, 1)
         over.addWidget(rule())
-        over.addWidget(self.preview)
+        over.addWidget(below_cards)
         return upper
 
     def _merged_part(self) -> QWidget:
         part = QWidget()
         part.setProperty("role", "panel")
         self._merged_title = label("Merged by themselves", "heading")
-        self._merged_title.setContentsMargins(14, 8, 14, 6)
+        self._merged_sides = label("", "small")
         self.merged = RowsView(self._tokens, margin=14)
         self.merged.setAccessibleName("Merged by themselves")
         self.merged.clicked.connect(self._merged_clicked)
@@ -129,7 +137,9 @@ class ConflictList(QWidget):
         column = QVBoxLayout(part)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self._merged_title)
+        head = row(self._merged_title, None, self._merged_sides)
+        head.setContentsMargins(14, 8, 14, 6)
+        column.addLayout(head)
         column.addWidget(self.merged, 1)
         return part
 
@@ -195,6 +205,11 @@ class ConflictList(QWidget):
             number = sum(len(one.changes) for one in groups)
             title = "Merged by themselves"
             self._merged_title.setText(f"{title} {number:,}" if number else title)
+            counts = dict.fromkeys(BY_SIDE, 0)
+            for one in groups:
+                counts[one.side] += len(one.changes)
+            told = [f"{counts[side]:,} {words}" for side, words in BY_SIDE.items() if counts[side]]
+            self._merged_sides.setText(", ".join(told))
             self.merged.show_rows(merged_rows(groups, sides))
 
     def _is_told(self, sides: MergeSides) -> bool:
@@ -213,8 +228,8 @@ class ConflictList(QWidget):
             if card.conflict == conflict:
                 self._scroll.ensureWidgetVisible(card, 0, 8)
 
-    def show_preview(self, conflict: Conflict, words: str) -> None:
-        """Show what a choice of a conflict would give; empty text ends that.
+    def show_preview(self, conflict: Conflict, words: str, side: Side | None = None) -> None:
+        """Show what the choice of a version would give; empty text ends that.
 
         The words have a place of their own, so that no button moves away from the pointer.
         """
@@ -222,11 +237,13 @@ class ConflictList(QWidget):
         number = f"Conflict {every.index(conflict) + 1:,}. " if conflict in every else ""
         self.preview.setText(f"{number}{words}" if words else HINT)
         self.preview.setToolTip(tip_text(words))
+        self.drawing.show_choice(conflict if words else None, side)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
         self.merged.set_tokens(tokens)
+        self.drawing.set_tokens(tokens)
         for card in self.cards:
             card.set_tokens(tokens)
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QSize, QTimer, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -18,6 +19,7 @@ from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.merge.conflict_card import SIDES
 from smsl_studio.studio.features.merge.open_merge import WORDS, OpenMerge
 from smsl_studio.studio.features.merge.side_icons import side_icon
@@ -50,6 +52,12 @@ class MergeCanvas(QWidget):
         self.switches = {side: self._switch(WORDS[side], TIPS[side]) for side in SIDES}
         self.result = self._switch("Result", "Show the file as it would be saved now")
         self.result.setChecked(False)
+        self.all = QPushButton("Show all")
+        self.all.setProperty("role", "link")
+        self.all.setCheckable(True)
+        self.all.setAutoDefault(False)
+        self.all.setToolTip("Show what did not change as clearly as the rest")
+        self.all.clicked.connect(self._draw)
         for button in self.switches.values():
             button.clicked.connect(self._version_switched)
         self.result.clicked.connect(self._result_switched)
@@ -58,7 +66,7 @@ class MergeCanvas(QWidget):
         self.canvas.setAccessibleName("Canvas of the merge")
         for signal in (self.canvas.node_clicked, self.canvas.edge_clicked):
             signal.connect(self._clicked)
-        top = row(self.branches, self._words, *self.switches.values(), self.result)
+        top = row(self.branches, self._words, self.all, None, *self.switches.values(), self.result)
         top.setContentsMargins(12, 6, 12, 6)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -82,6 +90,11 @@ class MergeCanvas(QWidget):
         for side, button in self.switches.items():
             button.setIcon(side_icon(side, tokens))
             button.setIconSize(QSize(16, 16))
+
+    @property
+    def words(self) -> str:
+        """What stands above the drawing."""
+        return self._words.text()
 
     @property
     def picture(self) -> OverlaidBranch | None:
@@ -122,8 +135,14 @@ class MergeCanvas(QWidget):
         self._selected = chosen
         self._draw()
         lines = self._drawn(chosen)
-        if lines and self.canvas.rect_of(lines[0]) is not None:
+        # Before the page is shown, the canvas has not its size yet.
+        if self.isVisible() and lines and self.canvas.rect_of(lines[0]) is not None:
             self.canvas.reveal(lines[0])
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show all of the drawing, when it has its size."""
+        super().showEvent(event)
+        QTimer.singleShot(0, self.canvas, self.canvas.fit)
 
     def _drawn(self, addresses: Iterable[Address]) -> tuple[Address, ...]:
         if self._picture is None:
@@ -167,15 +186,17 @@ class MergeCanvas(QWidget):
         signs = self._picture.signs
         self.canvas.set_marks(Marks(
             selection=self._drawn(self._selected), changes=signs, conflicts=numbers,
-            dimmed=bool(signs or numbers),
+            dimmed=bool(signs or numbers) and not self.all.isChecked(),
         ))  # fmt: skip
         table = self._picture.blueprint[self.branches.currentText()].edges()
         plain = sum(
             1 for edge in table
             if Address(self.branches.currentText(), edge.source, edge.name) not in signs
         )  # fmt: skip
+        self.all.setVisible(sides.known and plain > 0 and not self.result.isChecked())
+        pale = "shown" if self.all.isChecked() else "pale"
         words = (
-            f"{plain:,} unchanged operations are pale"
+            f"{counted(plain, 'unchanged operation')} {pale}"
             if sides.known
             else ("The file tells the conflicts alone: who changed what else is not known")
         )

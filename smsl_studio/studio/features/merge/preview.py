@@ -22,8 +22,8 @@ NAMED = 2
 class ChoicePreview(QObject):
     """Says what findings a choice would leave, without choosing."""
 
-    told = Signal(object, str)
-    """(Conflict, words)"""
+    told = Signal(object, str, str)
+    """(Conflict, words, version)"""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -32,9 +32,10 @@ class ChoicePreview(QObject):
     def ask(self, blueprint: Blueprint, conflict: Conflict, side: Side) -> None:
         """Preview a version of a conflict. A former question is dropped."""
         self._beside.drop()
-        self.told.emit(conflict, f"Preview: {WORDS[side]}. Checking")
+        self.told.emit(conflict, f"Preview: {WORDS[side]}. Checking", side)
         self._beside.do(
-            partial(preview_words, blueprint, conflict, side), partial(self.told.emit, conflict)
+            partial(preview_words, blueprint, conflict, side),
+            lambda words: self.told.emit(conflict, words, side),
         )
 
     def drop(self) -> None:

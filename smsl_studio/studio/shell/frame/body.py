@@ -3,15 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QFrame,
-    QLineEdit,
-    QScrollArea,
-    QStackedWidget,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QWidget
 
 LEAST = QSize(120, 80)
 """The size of a page in the smallest window."""
@@ -28,16 +20,6 @@ class PageBody(QScrollArea):
         self.setAccessibleName("Page")
         self.pages = _Pages()
         self.setWidget(self.pages)
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.connect(self._see)
-
-    def _see(self, _before: QWidget | None, now: QWidget | None) -> None:
-        """Scroll to a button or a field that gets the keys, so that a question is never off the
-        screen."""
-        small = isinstance(now, QAbstractButton | QLineEdit)
-        if small and now is not None and self.pages.isAncestorOf(now):
-            self.ensureWidgetVisible(now, 12, 12)
 
     def add_page(self, page: QWidget) -> None:
         """Add a page. The first one is shown."""
