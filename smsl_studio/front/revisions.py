@@ -98,21 +98,25 @@ def unmerged_bytes(file: Path) -> tuple[bytes | None, bytes | None, bytes | None
 def merging_commits(file: Path) -> dict[str, tuple[str, str, str]]:
     """Return the commits of a merge that has not ended: for ``ours``, ``theirs`` and ``base`` the
     author, the day (2026-11-20) and the commit that last changed the file there. A version without
-    such a commit is left out. ReadError if there is no git or no repository.
+    such a commit is left out, as theirs is while git picks a commit.
     """
     found: dict[str, tuple[str, str, str]] = {}
-    try:
-        base = _git(file, "merge-base", "HEAD", "MERGE_HEAD").decode("ascii", "replace").strip()
-    except ReadError:
-        base = ""
+    form = _PART.join(("%an", "%as", "%H"))
+    base = _told(file, "merge-base", "HEAD", "MERGE_HEAD")
     for side, start in (("ours", "HEAD"), ("theirs", "MERGE_HEAD"), ("base", base)):
-        if start:
-            form = _PART.join(("%an", "%as", "%H"))
-            told = _git(file, "log", "-1", f"--format={form}", start, "--", file.name)
-            parts = told.decode("utf-8", "replace").strip().split(_PART)
-            if len(parts) == 3:
-                found[side] = parts[0], parts[1], parts[2]
+        told = _told(file, "log", "-1", f"--format={form}", start, "--", file.name) if start else ""
+        parts = told.split(_PART)
+        if len(parts) == 3:
+            found[side] = parts[0], parts[1], parts[2]
     return found
+
+
+def _told(file: Path, *arguments: str) -> str:
+    """Return what git says, an empty text if it cannot."""
+    try:
+        return _git(file, *arguments).decode("utf-8", "replace").strip()
+    except ReadError:
+        return ""
 
 
 def _blob(file: Path, thing: str, where: str) -> bytes:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.errors import ReadError
-from smsl_studio.front.revisions import bytes_at, revisions
+from smsl_studio.front.revisions import bytes_at, merging_commits, revisions
 
 
 @pytest.fixture
@@ -80,3 +80,25 @@ def test_what_is_not_there_is_one_sentence(folder: Path, monkeypatch: pytest.Mon
     monkeypatch.setenv("PATH", str(folder))
     with pytest.raises(ReadError, match="git is not installed here"):
         revisions(path)
+
+
+def test_a_merge_that_has_not_ended_names_who_made_each_version(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    git(folder, "init", "-q", "-b", "main")
+    path = folder / "plan.json"
+    commit(folder, path, "base\n", "Base")
+    git(folder, "checkout", "-q", "-b", "other")
+    monkeypatch.setenv("GIT_AUTHOR_NAME", "Bea é")
+    commit(folder, path, "theirs\n", "Theirs")
+    git(folder, "checkout", "-q", "main")
+    monkeypatch.setenv("GIT_AUTHOR_NAME", "Cas")
+    commit(folder, path, "ours\n", "Ours")
+    assert set(merging_commits(path)) == {"ours"}, "no merge is there yet"
+    with pytest.raises(subprocess.CalledProcessError):
+        git(folder, "merge", "other")
+    found = merging_commits(path)
+    assert {side: who for side, (who, _, _) in found.items()} == {
+        "ours": "Cas", "theirs": "Bea é", "base": "Ada"
+    }  # fmt: skip
+    assert all(len(commit) == 40 and day.count("-") == 2 for _, day, commit in found.values())
