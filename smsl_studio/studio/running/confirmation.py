@@ -120,7 +120,14 @@ class ConfirmBox(QFrame):
             part = self.reason if decision.reasoned else self.do if decision.verb else self.leave
             part.setFocus()
             # Not before the box has its size, because it may stand where one has to scroll.
-            QTimer.singleShot(0, self, lambda: scroll_to(self))
+            QTimer.singleShot(0, self, self._come_into_view)
+
+    def _come_into_view(self) -> None:
+        """Scroll to the box, and where it is too large to the part that has the keys."""
+        scroll_to(self)
+        for part in (self.reason, self.do, self.leave):
+            if part.hasFocus():
+                scroll_to(part)
 
     def refuse(self, why: str) -> None:
         """Show why it was not done; the decision stays open. Empty hides the sentence."""
