@@ -66,3 +66,19 @@ def test_what_is_pasted_or_drawn_to_empty_canvas_takes_nothing_over(sit: Sit) ->
     person.press(Key.Key_Return)
     assert len(person.blueprint["SB1"].table) == 28
     assert person.blueprint["SB1"].activating == held
+
+
+def test_in_a_new_drawing_it_is_said_once_that_the_last_state_is_activating(sit: Sit) -> None:
+    person = sit()
+    person.double_click_canvas(QPoint(200, 200))
+    told = []
+    for name in "ABCDEF":
+        person.type(name)
+        person.press(Key.Key_Return)
+        told.append("listed last" in person.window.toast.words)
+        if name != "F":
+            person.press(Key.Key_Tab)
+            person.type(f"Op{name}")
+            person.press(Key.Key_Tab)
+    assert told.count(True) == 1
+    assert person.blueprint["SB1"].activating == "F"
