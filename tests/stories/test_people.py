@@ -152,7 +152,10 @@ def test_levels_set_before_the_run_are_obeyed_and_stay_as_they_were(
 
     room.start()
     room.until_asked("go: please carry it out")
-    assert continuum.note.text() == "Levels were set before the run and are part of its record."
+    assert continuum.note.text() == (
+        "Levels were set before the run and are part of its record. "
+        "Where nobody is named as acting, it counts as automatic."
+    )
     assert not continuum.edit.isEnabled()
     assert not room.person.window.actions_table["levels"].isEnabled()
     room.choose("Done")
