@@ -47,7 +47,8 @@ def stop_of(window: Window) -> QPushButton:
 
 
 def seen_of(part: QWidget) -> Box:
-    """What is seen of a part; it must be the whole of it."""
+    """What is seen of a part; it must be the whole of it, as soon as all has its place."""
+    until(lambda: part.visibleRegion().boundingRect().size() == part.size())
     seen = part.visibleRegion().boundingRect()
     assert seen.size() == part.size(), f"{part.accessibleName()} is cut: {seen} of {part.size()}"
     return box(QRect(part.mapToGlobal(seen.topLeft()), seen.size()))
