@@ -43,20 +43,22 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     files = [options.base, options.ours, options.theirs]
     if files.count("-") > 1:
         raise UsageError("standard input can be one of the files only", advice="Name the others.")
-    target = options.output or options.ours
-    if target == "-":
+    target = options.ours if options.output is None else options.output
+    if target in ("-", ""):
         raise UsageError("there is no file to write to", advice="Name one with -o OUT.")
-    if options.output:
+    over = None
+    if options.output is None:
+        over = read_content(target).seen
+    else:
         form_of(options.output)
-    over = None if options.output else read_content(target).seen
-    if options.name is not None and not options.output:
+    if options.name is not None and options.output is None:
         lines = by_lines(files, options.name)
         if lines is not None:
             return lines
     base, ours, theirs = (_read(file, options.name) for file in files)
     done = merge(base, ours, theirs)
     note_losses(target)
-    if options.output:
+    if options.output is not None:
         inputs = (*inputs_of(base), *inputs_of(theirs))
         save_document(converted(done.blueprint, target).document, target, made_of=inputs)
     else:

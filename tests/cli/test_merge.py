@@ -39,6 +39,14 @@ def test_a_merge_without_conflicts_replaces_ours(shell: Shell, tmp_path: Path) -
     assert [Path(file).read_bytes() for file in (files[0], files[2])] == before
 
 
+def test_an_empty_name_of_out_overwrites_nothing(shell: Shell, tmp_path: Path) -> None:
+    """As an unset variable of a script gives it."""
+    files = versions(tmp_path, ({"one": "A"}, {}), ({}, {"two": "B"}))
+    before = Path(files[1]).read_bytes()
+    assert shell("merge", *files, "-o", "").status == 2
+    assert Path(files[1]).read_bytes() == before
+
+
 def test_a_conflict_is_told_and_kept_in_the_file(shell: Shell, tmp_path: Path) -> None:
     files = versions(tmp_path, ({"go": "A"}, {}), ({"go": "C"}, {}))
     out = tmp_path / "out.json"

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.edge_layout import IN_LAYOUT
 from smsl_studio.blueprint.merge.conflict import ABSENT, Attachment, Conflict, Path
 from smsl_studio.blueprint.merge.incidence import LAYOUT, LEVELS, Incidence
 from smsl_studio.blueprint.merge.trees import Trees
-from smsl_studio.blueprint.merge.values import equal
+from smsl_studio.blueprint.merge.values import equal, equal_branches
 
 Json = Any
 OURS, THEIRS = 1, 2
@@ -70,7 +70,7 @@ class Clashes:
             for at in (0, keeper)
         )
         new = list(self._subs_that_are(keeper, branch))
-        if new or not equal(before, after) or (branch,) in self._renamed[keeper - 1]:
+        if new or not equal_branches(before, after) or (branch,) in self._renamed[keeper - 1]:
             self._add((branch,))
             for path in new:
                 self._add(path)

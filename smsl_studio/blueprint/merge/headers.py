@@ -92,6 +92,8 @@ class HeaderMerger:
             own = version.branches.get(branch)
             said.append(ABSENT if own is None else getattr(own, key.lower()))
         base, ours, theirs = said
+        if (branch,) in self._clashing:
+            return ours  # the whole SB is one conflict, and is kept as ours has it
         conflicts = len(self._merger.conflicts)
         wanted = self._merger.merged(path, base, ours, theirs)
         is_new = len(self._merger.conflicts) == conflicts and wanted != base

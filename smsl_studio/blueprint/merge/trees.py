@@ -7,7 +7,7 @@ from copy import deepcopy
 from typing import Any
 
 from smsl_studio.blueprint.merge.conflict import ABSENT, KEY, Path
-from smsl_studio.blueprint.merge.values import equal
+from smsl_studio.blueprint.merge.values import equal, equal_branches
 from smsl_studio.blueprint.reading import HEADER
 
 Json = Any
@@ -29,7 +29,12 @@ class Trees:
         self._same = {
             key
             for key in self.versions[0]
-            if all(equal(one.get(key, ABSENT), self.versions[0][key]) for one in self.versions)
+            if all(
+                (equal if key.startswith("_") else equal_branches)(
+                    one.get(key, ABSENT), self.versions[0][key]
+                )
+                for one in self.versions
+            )
         }
         self._before = tuple(dict(version) for version in self.versions)
         self._kept: set[Path] = set()

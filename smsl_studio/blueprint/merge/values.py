@@ -7,10 +7,13 @@ from typing import Any
 
 from smsl_studio.blueprint.comparison.values import alike
 from smsl_studio.blueprint.merge.conflict import ABSENT, Conflict, Path
+from smsl_studio.blueprint.reading import HEADER
 
 Json = Any
 NAMED = ("_hazards", "_properties")
 """Keys with a list of maps that have names."""
+BESIDE = ("name", "why", "severity")
+"""Keys of such a map that are no part of what it says."""
 SETS = ("_imports", "states", "failure", "sensors")
 """Keys with a list in which each text stands once."""
 
@@ -20,6 +23,36 @@ def equal(one: Json, other: Json) -> bool:
     if one is ABSENT or other is ABSENT:
         return one is other
     return alike(one, other)
+
+
+def equal_branches(one: Json, other: Json) -> bool:
+    """Return whether two SBs, or their absence, are equal, and begin and end in the same states.
+
+    The order of states has a meaning where INITIAL or ACTIVATING is left to the default.
+    """
+    return equal(one, other) and _ends(one) == _ends(other)
+
+
+def _ends(values: Json) -> tuple[Json, Json]:
+    if not isinstance(values, dict):
+        return None, None
+    states = [key for key in values if key != HEADER and not key.startswith("_")] or [None]
+    header = values.get(HEADER)
+    said = header if isinstance(header, dict) else {}
+    return said.get("INITIAL", states[0]), said.get("ACTIVATING", states[-1])
+
+
+def _is_spoilt(path: Path, base: Json, ours: Json, theirs: Json) -> bool:
+    """Return whether both sides changed what a hazard or a property says.
+
+    Its facts or conditions are one sentence. Of two of them key by key a third one would come,
+    which nobody wrote.
+    """
+    if len(path) != 2 or path[0] not in NAMED:
+        return False
+    before, one, other = ({key: value for key, value in entry.items() if key not in BESIDE}
+                          for entry in (base, ours, theirs))  # fmt: skip
+    return not (equal(one, other) or equal(one, before) or equal(other, before))
 
 
 class Merger:
@@ -36,12 +69,14 @@ class Merger:
 
     def merged(self, path: Path, base: Json, ours: Json, theirs: Json) -> Json:
         """Return the merged value at a path, ABSENT if it goes."""
-        if equal(ours, theirs) or equal(theirs, base):
+        is_branch = len(path) == 1 and not path[0].startswith("_")
+        same = equal_branches if is_branch else equal
+        if same(ours, theirs) or same(theirs, base):
             return ours
-        if equal(ours, base):
+        if same(ours, base):
             return theirs
         maps = _as_maps(path, (base, ours, theirs))
-        if maps is None:
+        if maps is None or _is_spoilt(path, *maps):
             if self._is_quiet(path):
                 self.kept.append(path)
             else:

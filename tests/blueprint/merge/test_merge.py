@@ -84,7 +84,10 @@ def test_changes_of_both_sides_are_taken() -> None:
         (
             ("_hazards", [{"name": "fire", "facts": {"A/0": "2"}}]),
             ("_hazards", [{"name": "fire", "facts": {"A/0": "3"}}]),
-            ("_hazards/fire", "1", "2", "3"),
+            (
+                "_hazards/fire",
+                *({"name": "fire", "facts": {"A/0": value}} for value in "123"),
+            ),
         ),
         (("B", None), ("B|X1|down", "X0"), None),
     ],
@@ -98,6 +101,68 @@ def test_what_both_changed_is_one_conflict_that_keeps_ours(
         conflict = ("B", base, mine, other)
     assert told(done) == [conflict]
     assert done.blueprint == read(changed(ours))
+
+
+FIRE = {"name": "fire", "facts": {"A/0": "1"}}
+NEVER = {"name": "p", "never": "A/0 = 1"}
+
+
+@pytest.mark.parametrize(
+    ("key", "base", "ours", "theirs"),
+    [
+        ("_hazards", None, FIRE, {"name": "fire", "facts": {"B/0": "1"}}),
+        (
+            "_hazards",
+            FIRE,
+            {"name": "fire", "facts": {"A/0": "1", "B/0": "1"}},
+            {"name": "fire", "facts": {"A/0": "1", "A/1": "1"}},
+        ),
+        ("_properties", None, NEVER, {"name": "p", "reachable": "B/0 = 1"}),
+        ("_properties", NEVER, {**NEVER, "never": "A/0 = 2"}, {"name": "p", "reachable": "B = 1"}),
+        (
+            "_properties",
+            {"name": "p", "way_back": {"from": "A/0 = 0", "to": "A/0 = 1"}},
+            {"name": "p", "way_back": {"from": "A/0 = 2", "to": "A/0 = 1"}},
+            {"name": "p", "way_back": {"from": "A/0 = 0", "to": "A/0 = 2"}},
+        ),
+    ],
+)
+def test_two_sentences_are_not_mixed_into_a_third(
+    key: str, base: Any, ours: Any, theirs: Any
+) -> None:
+    """Of two hazards with one name, a weaker one came that had the facts of both."""
+    versions = [
+        read({**changed(), key: [entry]} if entry else {**changed(), key: []})
+        for entry in (base, ours, theirs)
+    ]
+    done = merge(*versions)
+    name = ours["name"]
+    assert told(done) == [(f"{key}/{name}", ABSENT if base is None else base, ours, theirs)]
+    assert done.blueprint.document.values[key] == [ours]
+
+
+def test_the_reason_of_a_property_is_merged_beside_its_sentence() -> None:
+    base, mine = {**NEVER, "why": "old"}, {**NEVER, "why": "new"}
+    other = {**NEVER, "why": "old", "never": "A/0 = 2"}
+    versions = [read({**changed(), "_properties": [one]}) for one in (base, mine, other)]
+    done = merge(*versions)
+    assert done.conflicts == ()
+    assert done.blueprint.document.values["_properties"] == [{**other, "why": "new"}]
+
+
+def test_another_order_of_states_counts_where_it_names_the_ends() -> None:
+    """Without INITIAL and ACTIVATING the first and the last state are these."""
+    plain = {"A": {"S0": {"a": "S1"}, "S1": {"b": "S0"}}, "B": {"X0": {"up": "X1"}, "X1": {}}}
+    turned = {**plain, "A": {"S1": {"b": "S0"}, "S0": {"a": "S1"}}}
+    elsewhere = {**plain, "B": {"X0": {"up": "X1"}, "X1": {"down": "X0"}}}
+    gone = {"B": plain["B"]}
+    for ours, theirs in ((plain, turned), (elsewhere, turned), (turned, elsewhere)):
+        done = merge(read(plain), read(ours), read(theirs))
+        assert done.conflicts == ()
+        assert (done.blueprint["A"].initial, done.blueprint["A"].activating) == ("S1", "S0")
+    for ours, theirs in ((turned, gone), (gone, turned)):
+        (conflict,) = merge(read(plain), read(ours), read(theirs)).conflicts
+        assert conflict.address == "A"
 
 
 def test_hazards_of_both_sides_are_kept() -> None:
