@@ -14,6 +14,7 @@ from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.inspect import PROVED, in_order
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
+from smsl_studio.stop import look_for_garbage
 
 if TYPE_CHECKING:
     from smsl_studio.front.recovery import FailureRecovery
@@ -105,6 +106,7 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
     if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
         from smsl_studio.front.proof import prove
 
+        look_for_garbage()
         proof = prove(blueprint, **limit, with_failures=options.with_failures)
         shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
         findings = in_order(blueprint, (*one.findings, *shown))
@@ -112,6 +114,7 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
     if options.recoverability:
         from smsl_studio.front.recovery import recoverability
 
+        look_for_garbage()
         one = one._replace(recoveries=recoverability(blueprint, **limit))
     return one
 

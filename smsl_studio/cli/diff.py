@@ -20,6 +20,7 @@ from smsl_studio.errors import UsageError
 from smsl_studio.front.outputs import diff, drawn_difference, picture_form
 from smsl_studio.legible import one_line
 from smsl_studio.smsl.files import save_document
+from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -71,6 +72,7 @@ def _compare_behaviour(options: argparse.Namespace, out: Output) -> int:
     if options.output:
         raise UsageError("--behaviour draws no picture", advice="Leave out -o.")
     before, after = map(read_argument, options.files)
+    look_for_garbage()
     found = diff_behaviour(before, after, options.limit or LIMIT)
     if options.format == "json":
         out.json(found.as_json())

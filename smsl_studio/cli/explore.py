@@ -11,6 +11,7 @@ from smsl_studio.cli.output import Output
 from smsl_studio.front.exploration import LIMIT, explore
 from smsl_studio.inspection.explorer.explorer import ExploredMode, FoundPlace
 from smsl_studio.legible import one_line
+from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -22,7 +23,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print what can happen in both modes. 0: the coupled SBs agree and have no trap; 1: not."""
-    found = explore(read_argument(options.file), options.limit or LIMIT)
+    blueprint = read_argument(options.file)
+    look_for_garbage()
+    found = explore(blueprint, options.limit or LIMIT)
     if options.format == "json":
         out.json(found.as_json())
     else:

@@ -12,6 +12,7 @@ from smsl_studio.front.outputs import form_of
 from smsl_studio.front.shapes import LIMIT, identify
 from smsl_studio.generate.shapes.identify import FoundCut
 from smsl_studio.legible import one_line
+from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -25,6 +26,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.output is not None:
         form_of(options.output)
     blueprint = read_argument(options.file)
+    look_for_garbage()
     found = identify(blueprint, options.limit or LIMIT)
     if options.format == "json":
         out.json(found.as_json())

@@ -11,6 +11,7 @@ from smsl_studio.cli.shape_output import add_output, save_shape, tell_alike, tel
 from smsl_studio.errors import EditRefused
 from smsl_studio.front.outputs import form_of
 from smsl_studio.front.shapes import LIMIT, inline
+from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -26,6 +27,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Write it if it behaves as before. Otherwise print the run that shows why not (exit 1)."""
     form_of(options.output)
     blueprint = read_argument(options.file)
+    look_for_garbage()
     try:
         after = inline(blueprint, options.sb, options.limit or LIMIT)
     except EditRefused as error:

@@ -10,6 +10,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties.property import Property
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.inspection.proof.claims import Claim, claims_of
@@ -94,14 +95,14 @@ def _remarks(
             RULES.get(verdict.kind, "R30"),
             Severity(verdict.severity),
             verdict.address,
-            _words(verdict, blueprint),
+            _words(verdict, blueprint, sentence.written),
             _advice(verdict),
             spot=(sentence.document, sentence.path),
         )
 
 
-def _words(verdict: PropertyVerdict, blueprint: Blueprint) -> str:
-    """Return the sentence of a finding."""
+def _words(verdict: PropertyVerdict, blueprint: Blueprint, written: Property | None = None) -> str:
+    """Return the sentence of a finding. ``written`` is the property as it was read."""
     if verdict.verdict == UNKNOWN:
         return f"it is unknown whether {verdict.name} holds: {verdict.bound}"
     assert verdict.verdict == FAILS
@@ -117,13 +118,29 @@ def _words(verdict: PropertyVerdict, blueprint: Blueprint) -> str:
     if verdict.kind == "reachable":
         return f"{verdict.name} fails: no configuration that can be reached is such"
     if verdict.kind in ("at_most", "cost"):
-        route = f"the cheapest route has {many} operations" if many else "there is no route"
-        return f"{verdict.name} fails: {route}"
+        return f"{verdict.name} fails: {_route_words(many, written)}"
     return f"{verdict.name} fails {after}"
 
 
+def _route_words(many: int, written: Property | None) -> str:
+    """Return why a route does not do."""
+    if not many:
+        return "there is no route"
+    route = f"the cheapest route has {_counted(many)}"
+    if written is None:
+        return route
+    if written.kind == "cost":
+        return f"{route} and costs more than {written.limit:g}"
+    times = "once" if written.times == 1 else f"{written.times} times"
+    return f"{route} and carries out {written.operation} more than {times}"
+
+
 def _after(many: int) -> str:
-    return f"after {many} operation{'' if many == 1 else 's'}"
+    return f"after {_counted(many)}"
+
+
+def _counted(many: int) -> str:
+    return f"{many} operation{'' if many == 1 else 's'}"
 
 
 def _failed(run: Counterexample | None, blueprint: Blueprint) -> str:

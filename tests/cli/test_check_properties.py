@@ -176,3 +176,46 @@ def test_recoverability_names_the_way_out_of_each_failure_state(
     assert found["recoverability"][1] == lost
     _, found = report(shell, str(file))
     assert "recoverability" not in found
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        {"at_most": {"operation": "nothing", "times": 3}},
+        {"at_most": {"operation": "SB/nothing", "times": 3}},
+        {"cost": {"goal": "SB", "limit": 3}},
+        {"cost": {"goal": "SB/State_77", "limit": 3}},
+        {"never": "Other = 1"},
+    ],
+)
+def test_what_names_nothing_is_neither_held_nor_failed(
+    shell: Shell, tmp_path: Path, entry: dict[str, Any]
+) -> None:
+    status, found = report(shell, put(tmp_path, _properties=[{"name": "p", **entry}]))
+    assert status == 1
+    assert [one["verdict"] for one in found["properties"]] == ["unknown"]
+    assert [one["rule"] for one in found["findings"] if one["severity"] == "E"] == ["R29"]
+
+
+def test_a_route_that_is_too_dear_is_told_with_its_limit(shell: Shell, tmp_path: Path) -> None:
+    entries = [
+        {"name": "dear", "cost": {"goal": "SB/State_10", "limit": 0.5}},
+        {"name": "often", "at_most": {"operation": "end", "times": 0}},
+    ]
+    words = shell("check", put(tmp_path, _properties=entries)).out
+    assert "dear fails: the cheapest route has 1 operation and costs more than 0.5" in words
+    assert "2 operations and carries out end more than 0 times" in words
+
+
+def test_many_sbs_fill_no_memory(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("smsl_studio.inspection.proof.exploration.MOST_STEPS", 500)
+    one = {"State_0": {"o": "State_1"}, "State_1": {"p": "State_0"}}
+    asked = [{"name": "a", "after": ["R0 = 1", "R5 = 1"]}]
+    file = tmp_path / "many.json"
+    file.write_text(json.dumps({"_properties": asked, **{f"R{n}": one for n in range(12)}}))
+    _, found = report(shell, str(file))
+    (verdict,) = found["properties"]
+    assert verdict["verdict"] == "unknown"
+    assert "with 500 steps, which would fill the memory" in verdict["bound"]

@@ -81,6 +81,18 @@ def fact_of(term: FactTerm, blueprint: Blueprint) -> tuple[str, int] | None:
         return None
 
 
+def may_name(blueprint: Blueprint, pattern: str) -> bool:
+    """Return whether a pattern fits an operation's name, or ``SB/operation``. A pattern with ``*``
+    or ``?`` need not."""
+    if "*" in pattern or "?" in pattern:
+        return True
+    return any(
+        pattern in (name, f"{branch.name}/{name}")
+        for branch in blueprint
+        for name in branch.operation_names
+    )
+
+
 class _Look:
     """Looks the names of a formula up in a blueprint."""
 

@@ -9,7 +9,14 @@ from typing import Any
 from smsl_studio.blueprint.address import split_fact
 from smsl_studio.blueprint.annotations import read_hazards
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.properties.meaning import Joined, Meaning, States, meaning_of, values_of
+from smsl_studio.blueprint.properties.meaning import (
+    Joined,
+    Meaning,
+    States,
+    may_name,
+    meaning_of,
+    values_of,
+)
 from smsl_studio.blueprint.properties.property import KEY, KINDS, Property, read_properties
 from smsl_studio.errors import AddressError, FormulaError
 from smsl_studio.inspection.proof.verdict import HAZARD
@@ -83,12 +90,16 @@ def _properties(blueprint: Blueprint, document: Document) -> Iterator[Claim]:
             continue
         try:
             meanings = tuple(meaning_of(formula, blueprint) for formula in one.formulas)
+            named = not one.operation or may_name(blueprint, one.operation)
             if one.goal:
-                blueprint.resolve(one.goal)
+                goal = blueprint.resolve(one.goal)
+                named = bool(goal.state) and not goal.operation
         except (FormulaError, AddressError):
-            yield Claim(one.name, one.kind, one.severity, document, path, None)
-        else:
+            named = False
+        if named:
             yield Claim(one.name, one.kind, one.severity, document, path, meanings, one)
+        else:
+            yield Claim(one.name, one.kind, one.severity, document, path, None)
 
 
 def _name_of(entry: Any) -> str:

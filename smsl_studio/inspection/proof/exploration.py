@@ -11,6 +11,8 @@ from smsl_studio.inspection.proof.space import Key, Space, Test
 from smsl_studio.stop import heed
 
 NOWHERE = -1
+MOST_STEPS = 6_000_000
+"""The largest number of steps that are stored."""
 
 
 class Exploration:
@@ -110,6 +112,9 @@ class Exploration:
                 self._labels.append(label)
             self._first.append(len(self._targets))
             node += 1
+            if len(self._targets) > MOST_STEPS:
+                count = f"{len(self.keys):,} configurations"
+                self.bound = f"{count} with {MOST_STEPS:,} steps, which would fill the memory"
 
     def _seen(self, key: Key, origin: int, label: int) -> int:
         """Return the number of a configuration, ``NOWHERE`` if it is one too many."""

@@ -71,12 +71,10 @@ class Space:
         self.blueprint = blueprint
         self._terms = Terms() if routed else Terms(failing=None)
         self._start = start or start_configuration(self.hierarchy, {})
-        self._alone = frozenset[str]()
-        """SBs whose operations move nothing else, so that all of them may be asked."""
-        if not routed:
-            coupled = {name for name, subs in self.hierarchy.subs.items() if subs}
-            coupled |= {name for name, bases in self.hierarchy.bases.items() if bases}
-            self._alone = frozenset(self.order) - coupled
+        coupled = {name for name, subs in self.hierarchy.subs.items() if subs}
+        coupled |= {name for name, bases in self.hierarchy.bases.items() if bases}
+        self._alone = frozenset(self.order) - coupled
+        """SBs whose operations move nothing else."""
         self._shut = [self.test(one) for one in hazards] if routed else []
         self._renew()
 
@@ -119,7 +117,8 @@ class Space:
             for edge in self._stepper.edges.out(name, here[name]):
                 if alone and not edge.requires:
                     one = Step(edge.address, self._after(key, {name: edge.target}), ())
-                    found.append((edge.text, one))
+                    if not self._stepper.closed(edge) and not self._meets(one):
+                        found.append((edge.text, one))
                     continue
                 step = self._written(here, edge)
                 if step is not None:

@@ -11,7 +11,7 @@ from typing import Any
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties import meaning_of
-from smsl_studio.blueprint.properties.meaning import values_of
+from smsl_studio.blueprint.properties.meaning import may_name, values_of
 from smsl_studio.blueprint.properties.property import KEY, Property, read_properties, texts_of
 from smsl_studio.errors import AddressError, FormulaError, did_you_mean
 from smsl_studio.inspection.rules.finding import Remark, Severity
@@ -95,22 +95,10 @@ def _odd_names(blueprint: Blueprint, one: Property) -> Iterator[tuple[tuple[str,
         else:
             if not goal.state or goal.operation:
                 yield ("cost", "goal"), f"the goal {one.goal} is no state", "write SB/State"
-    if one.kind == "at_most" and not _may_fit(blueprint, one.operation):
+    if one.kind == "at_most" and not may_name(blueprint, one.operation):
         known = dict.fromkeys(name for branch in blueprint for name in branch.operation_names)
         words = f"no operation is called {one.operation}"
         yield ("at_most", "operation"), words, did_you_mean(one.operation, known)
-
-
-def _may_fit(blueprint: Blueprint, pattern: str) -> bool:
-    """Whether a pattern fits an operation's name, or ``SB/operation``. A pattern with ``*`` or
-    ``?`` need not."""
-    if "*" in pattern or "?" in pattern:
-        return True
-    return any(
-        pattern in (name, f"{branch.name}/{name}")
-        for branch in blueprint
-        for name in branch.operation_names
-    )
 
 
 _SHOWN = 12
