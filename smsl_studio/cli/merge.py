@@ -1,7 +1,7 @@
 """``merge``: merges two versions of a blueprint by meaning. The exit status is 1 if conflicts stay
 open.
 
-git can call it as a merge driver: ``smsl-studio merge %O %A %B --name %P``.
+git can call it as a merge driver: ``smsl-studio merge %O %A %B --name=%P``.
 """
 
 from __future__ import annotations

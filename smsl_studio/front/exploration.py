@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.inputs import must_be_whole
 from smsl_studio.inspection.explorer.explorer import (
     ExploredMode,
     explored_coupled,
@@ -41,5 +42,6 @@ def explore(blueprint: Blueprint, limit: int = LIMIT) -> ExploredSpace:
     >>> found.ours.configurations, found.free.configurations
     (4, 8)
     """
+    must_be_whole(blueprint)
     free = explored_free(blueprint)
     return ExploredSpace(tuple(blueprint.branches), explored_coupled(blueprint, limit), free)

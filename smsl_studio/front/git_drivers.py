@@ -12,14 +12,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import ReadError, SaveError
+from smsl_studio.smsl.files import save_document
 
 BEGIN, END = "# smsl-studio begin", "# smsl-studio end"
 PATTERNS = ("*.smsl", "*.json", "*.yaml", "*.yml")
 DRIVERS = {
     "diff.smsl.command": "smsl-studio diff --",
     "merge.smsl.name": "merge of blueprints by what they mean",
-    "merge.smsl.driver": "smsl-studio merge %O %A %B --name %P",
+    "merge.smsl.driver": "smsl-studio merge %O %A %B --name=%P",
 }
+FORMER = {"merge.smsl.driver": "smsl-studio merge %O %A %B --name %P"}
+"""What an earlier version wrote, so that it is taken back too."""
 _PATIENCE = 20.0
 
 
@@ -45,6 +48,7 @@ def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSe
     """
     top = Path(_git(Path(folder), "rev-parse", "--show-toplevel").strip())
     attributes = top / ".gitattributes"
+    _must_be_ordinary(attributes)
     try:
         before = attributes.read_bytes() if attributes.exists() else b""
         after = _without(before) if undo else _with_block(before)
@@ -58,7 +62,7 @@ def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSe
     keys = []
     for key, value in DRIVERS.items():
         now = _git(top, "config", "--local", "--default", "", "--get", key).rstrip("\n")
-        if undo and now == value:
+        if undo and now in (value, FORMER.get(key, value)):
             _git(top, "config", "--local", "--unset", key)
             keys.append(key)
         elif not undo and now != value:
@@ -67,9 +71,20 @@ def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSe
     return GitSetup(attributes, tuple(keys), after != before)
 
 
+def _must_be_ordinary(attributes: Path) -> None:
+    """Raise SaveError for a link, which could lead out of the repository, and for a pipe or a
+    folder. Git itself reads no attributes from a link."""
+    ordinary = not attributes.is_symlink() and attributes.is_file()
+    if os.path.lexists(attributes) and not ordinary:
+        raise SaveError(
+            f"{attributes} is no ordinary file, so nothing was written",
+            advice="Put an ordinary file there, or remove it.",
+        )
+
+
 def _write(attributes: Path, text: bytes) -> None:
     if text:
-        attributes.write_bytes(text)
+        save_document(text, attributes)
     else:
         attributes.unlink()
 
@@ -77,7 +92,7 @@ def _write(attributes: Path, text: bytes) -> None:
 def _with_block(text: bytes) -> bytes:
     """Return the attributes with the block at the end. Line ends are those of the text."""
     end = b"\r\n" if b"\r\n" in text else b"\n"
-    lines = [BEGIN, *(f"{pattern} diff=smsl merge=smsl" for pattern in PATTERNS), END]
+    lines = [BEGIN, *_lines(), END]
     block = b"".join(line.encode() + end for line in lines)
     if block in text:
         return text
@@ -86,15 +101,21 @@ def _with_block(text: bytes) -> bytes:
 
 
 def _without(text: bytes) -> bytes:
-    """Return the attributes without the block."""
+    """Return the attributes without the lines of the block. Lines that others wrote into it stay,
+    also if its end is missing."""
+    ours = {line.encode() for line in (BEGIN, END, *_lines())}
     kept, inside = [], False
     for line in text.splitlines(keepends=True):
         said = line.strip()
         inside = inside or said == BEGIN.encode()
-        if not inside:
+        if not (inside and said in ours):
             kept.append(line)
         inside = inside and said != END.encode()
     return b"".join(kept)
+
+
+def _lines() -> list[str]:
+    return [f"{pattern} diff=smsl merge=smsl" for pattern in PATTERNS]
 
 
 def _git(folder: Path, *arguments: str) -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Collection
 
+from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import RunRefused
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.smsl.files import parse_bytes, read_document
 
@@ -59,6 +61,22 @@ def inspect(
     from smsl_studio.inspection.against import inspect_against
 
     return (*found, *inspect_against(blueprint, against, rules))
+
+
+def must_be_whole(blueprint: Blueprint) -> None:
+    """Raise RunRefused if parts of a blueprint are missing or doubled, so that no answer would be
+    about all of it, or if it is too large to be checked at all. The same refuses a run."""
+    found = refusals(blueprint)
+    if found:
+        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+        raise RunRefused(
+            f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
+            found[0].place,
+            "Correct what check lists as errors first.",
+        )
+    from smsl_studio.dispatch.route.effort import refuse_too_large
+
+    refuse_too_large(Hierarchy(blueprint))
 
 
 def refusals(blueprint: Blueprint) -> tuple[Finding, ...]:

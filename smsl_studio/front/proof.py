@@ -12,7 +12,9 @@ from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.property import Property
 from smsl_studio.blueprint.terms import Terms
+from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.dispatch.route.planner import Planner
+from smsl_studio.errors import RunRefused
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute, Scope
 from smsl_studio.inspection.proof.prove import prove as proved
@@ -49,12 +51,28 @@ def prove(blueprint: Blueprint, limit: int = LIMIT, with_failures: bool = False)
     >>> prove(read("hanoi-corrected.json")).verdicts
     ()
     """
-    verdicts = proved(blueprint, _Routes(blueprint).planned, Scope(limit, with_failures))
-    if not verdicts:
-        return Proof((), ())
     claims = {(one.path[0], one.name): one for one in claims_of(blueprint)}
+    if not claims:
+        return Proof((), ())
+    bound = _too_large(blueprint)
+    if bound:
+        verdicts = tuple(
+            PropertyVerdict(one.name, one.kind, one.severity, UNKNOWN, None, bound)
+            for one in claims.values()
+        )
+    else:
+        verdicts = proved(blueprint, _Routes(blueprint).planned, Scope(limit, with_failures))
     by_claim = [(claims[one.address.path[0], one.name], one) for one in verdicts]
     return Proof(verdicts, tuple(listed(blueprint, _remarks(blueprint, by_claim))))
+
+
+def _too_large(blueprint: Blueprint) -> str:
+    """Say why a blueprint is too large to be proved. The text is empty if it is not."""
+    try:
+        refuse_too_large(Hierarchy(blueprint))
+    except RunRefused as error:
+        return error.sentence
+    return ""
 
 
 class _Routes:

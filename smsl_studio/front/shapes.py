@@ -9,6 +9,7 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
+from smsl_studio.front.inputs import must_be_whole
 from smsl_studio.generate.flat import FlatBranch
 from smsl_studio.generate.shapes.extract import cut_out
 from smsl_studio.generate.shapes.identify import Identification, identification
@@ -32,6 +33,8 @@ def diff_behaviour(before: Blueprint, after: Blueprint, limit: int = LIMIT) -> E
     >>> found.equal, len(found.path)
     (False, 6)
     """
+    for one in (before, after):
+        must_be_whole(one)
     return equivalence(before, after, limit)
 
 
@@ -47,6 +50,7 @@ def flatten(blueprint: Blueprint, branch: str | None = None, limit: int = LIMIT)
     >>> len(flat["SB1"].table), diff_behaviour(read("hfsm.json"), flat).equal
     (4, True)
     """
+    must_be_whole(blueprint)
     part = blueprint if branch is None else _below(blueprint, branch)
     text = write_json(FlatBranch(part, limit).values())
     return read_blueprint(parse_json(text, blueprint.file))
@@ -67,6 +71,7 @@ def extract(
     >>> list(cut["DIGITIZATION"].table)
     ['State100+State0', 'State_done']
     """
+    must_be_whole(blueprint)
     return cut_out(blueprint, branch, states, name, limit)[0]
 
 
@@ -81,6 +86,7 @@ def inline(blueprint: Blueprint, sub: str, limit: int = LIMIT) -> Blueprint:
     >>> list(whole.branches), diff_behaviour(read("hfsm.json"), whole).equal
     (['SB1'], True)
     """
+    must_be_whole(blueprint)
     return put_back(blueprint, sub, limit)
 
 
@@ -97,6 +103,7 @@ def identify(blueprint: Blueprint, limit: int = LIMIT) -> Identification:
     >>> identify(read("hanoi-corrected.json")).cuts
     ()
     """
+    must_be_whole(blueprint)
     return identification(blueprint, limit)
 
 

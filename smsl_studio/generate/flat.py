@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.blueprint.configuration import Hierarchy, standing
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import PlanningError
+from smsl_studio.errors import EditRefused, PlanningError
 from smsl_studio.inspection.equivalence.transitions import (
     fact_keys,
     label_of,
@@ -26,6 +26,7 @@ class FlatBranch:
     """A blueprint as one SB that behaves alike.
 
     PlanningError if it has more than ``limit`` configurations, RunRefused if it has no start.
+    EditRefused by ``values`` if two operations of one state would have one name.
     """
 
     def __init__(self, blueprint: Blueprint, limit: int) -> None:
@@ -63,7 +64,13 @@ class FlatBranch:
         for node, steps in enumerate(self._found.steps):
             row = table[self._names[node]]
             for address, target in steps:
-                row[label_of(address, several)] = self._names[target]
+                label = label_of(address, several)
+                if label in row:
+                    raise EditRefused(
+                        f"two operations would be called {label} in one state",
+                        advice="Rename an SB or an operation, so that SB.operation is one of them.",
+                    )
+                row[label] = self._names[target]
         noted = {"_facts": self._fact_notes(), "_states": self._state_notes()}
         name = "+".join(self._hierarchy.roots)
         return {name: {"HEADER": header, **noted, **table}}

@@ -186,6 +186,8 @@ def test_recoverability_names_the_way_out_of_each_failure_state(
         {"cost": {"goal": "SB", "limit": 3}},
         {"cost": {"goal": "SB/State_77", "limit": 3}},
         {"never": "Other = 1"},
+        {"at_most": {"operation": "end", "times": 10**400}},
+        {"way_back": {"from": "SB/0 = 1", "to": "SB/0 = 0", "within": 10**400}},
     ],
 )
 def test_what_names_nothing_is_neither_held_nor_failed(
@@ -219,3 +221,13 @@ def test_many_sbs_fill_no_memory(
     (verdict,) = found["properties"]
     assert verdict["verdict"] == "unknown"
     assert "with 500 steps, which would fill the memory" in verdict["bound"]
+
+
+def test_a_run_that_is_met_at_the_limit_is_shown(shell: Shell, tmp_path: Path) -> None:
+    """It was stored, and the limit came before the other operations of its source."""
+    asked = [{"name": "p", "never": "SB/0 = 1 and SB/1 = 0"}]
+    status, found = report(shell, put(tmp_path, _properties=asked), "--limit", "2")
+    assert status == 1
+    assert found["properties"][0]["verdict"] == "fails"
+    (finding,) = [one for one in found["findings"] if one["rule"] == "R19"]
+    assert finding["counterexample"]["path"] == ["SB/State_00/on"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -234,3 +235,61 @@ def test_git_setup_needs_a_repository(shell: Shell, tmp_path: Path) -> None:
     assert "is in no git repository" in answer.err
     assert not list(tmp_path.iterdir())
     assert shell("git-setup", str(tmp_path / "none")).status == 2
+
+
+def _repository(folder: Path) -> Path:
+    subprocess.run(["git", "init", "-q", str(folder / "r")], check=True)
+    return folder / "r" / ".gitattributes"
+
+
+@pytest.mark.parametrize("exists", [True, False])
+def test_git_setup_follows_no_link_out_of_the_repository(
+    shell: Shell, tmp_path: Path, exists: bool
+) -> None:
+    attributes, victim = _repository(tmp_path), tmp_path / "victim.rc"
+    if exists:
+        victim.write_text("export X=1\n")
+    attributes.symlink_to("../victim.rc")
+    answer = shell("git-setup", str(attributes.parent))
+    assert answer.status == 2
+    assert "no ordinary file" in answer.err
+    assert victim.exists() is exists
+    assert not exists or victim.read_text() == "export X=1\n"
+
+
+def test_git_setup_waits_for_no_pipe(shell: Shell, tmp_path: Path) -> None:
+    attributes = _repository(tmp_path)
+    os.mkfifo(attributes)
+    assert shell("git-setup", str(attributes.parent)).status == 2
+
+
+@pytest.mark.parametrize("undo", [True, False])
+def test_git_setup_keeps_what_others_wrote_into_its_block(
+    shell: Shell, tmp_path: Path, undo: bool
+) -> None:
+    """The end of the block is missing, as after a disk that was full."""
+    attributes = _repository(tmp_path)
+    others = "*.psd filter=lfs\nsecret.txt -diff\n"
+    attributes.write_text(f"# smsl-studio begin\n*.smsl diff=smsl merge=smsl\n{others}")
+    words = ["git-setup", str(attributes.parent), *(["--undo"] if undo else [])]
+    assert shell(*words).status == 0
+    text = attributes.read_text()
+    assert text.startswith(others)
+    assert text.count("*.smsl diff=smsl") == (0 if undo else 1)
+
+
+def test_git_merges_a_file_whose_name_begins_with_a_dash(tmp_path: Path) -> None:
+    repository = Repository(tmp_path)
+    file = tmp_path / "-x.json"
+    for branch, more in (("main", {}), ("ours", {"one": "A"}), ("theirs", {"two": "A"})):
+        if branch != "main":
+            repository.git("checkout", "-q", "main")
+            repository.git("checkout", "-q", "-b", branch)
+        inside = {**BASE["S"], ("A" if branch == "ours" else "B"): {"back": "A", **more}}
+        file.write_text(json.dumps({"S": inside}, indent=1))
+        repository.git("add", "-A")
+        repository.git("commit", "-q", "-m", "a step")
+    repository.git("merge", "-q", "-m", "joined", "ours")
+    table = read(file)["S"].table
+    assert "one" in table["A"]
+    assert "two" in table["B"]

@@ -97,3 +97,46 @@ def test_that_there_is_no_part_is_said(shell: Shell, tmp_path: Path) -> None:
     answer = shell("identify", sample("hanoi"), "--format", "json")
     assert (answer.status, json.loads(answer.out)) == (1, {"cuts": []})
     assert not out.exists()
+
+
+BROKEN = {
+    "R02": {"A": {"State_0": {"c": "State_1", "x": "State_9"}, "State_1": {}}},
+    "R07": {"A": {"HEADER": {"SUB_SBS": {"Z": 0}}, "State_0": {"c": "State_1"}, "State_1": {}}},
+    "R08": {"_imports": ["gone.json"], "A": {"State_0": {"c": "State_1"}, "State_1": {}}},
+}
+
+
+@pytest.mark.parametrize("rule", BROKEN)
+def test_nothing_is_said_about_a_part_as_if_it_were_the_whole(
+    shell: Shell, tmp_path: Path, rule: str
+) -> None:
+    file, out = tmp_path / "broken.json", tmp_path / "out.json"
+    file.write_text(json.dumps(BROKEN[rule]), "utf-8")
+    whole = tmp_path / "whole.json"
+    whole.write_text(json.dumps({"A": {"State_0": {"c": "State_1"}, "State_1": {}}}), "utf-8")
+    for words in (
+        ("diff", str(file), str(whole), "--behaviour"),
+        ("diff", str(whole), str(file), "--behaviour"),
+        ("explore", str(file)),
+        ("flatten", str(file), "-o", str(out)),
+        ("identify", str(file), "-o", str(out)),
+        ("inline", str(file), "--sb", "A", "-o", str(out)),
+        ("extract", str(file), "--sb", "A", "--states", "State_0", "--as", "N", "-o", str(out)),
+    ):
+        answer = shell(*words)
+        assert answer.status == 1, words
+        assert rule in answer.err, words
+    assert not out.exists()
+
+
+def test_flatten_loses_no_operation_of_two_with_one_name(shell: Shell, tmp_path: Path) -> None:
+    file, out = tmp_path / "dots.json", tmp_path / "out.json"
+    ends = {"INITIAL": "State_0", "ACTIVATING": "State_1"}
+    file.write_text(json.dumps({
+        "A.B": {"HEADER": ends, "State_0": {"c": "State_1"}, "State_1": {}},
+        "A": {"HEADER": ends, "State_0": {"B.c": "State_1"}, "State_1": {}},
+    }), "utf-8")  # fmt: skip
+    answer = shell("flatten", str(file), "-o", str(out))
+    assert answer.status == 1
+    assert "two operations would be called A.B.c" in answer.err
+    assert not out.exists()

@@ -265,3 +265,24 @@ class _Walked(dict[str, Begun]):
 
     def items(self) -> NoReturn:
         raise AssertionError("all that has begun is walked through")
+
+
+def test_an_operation_that_nobody_asked_for_is_refused_after_another_one(tmp_path: Path) -> None:
+    """The command for the first step of an SB without subs says nothing about the next one."""
+    blueprint = smsl.read(Path(__file__).parents[2] / "samples" / "hanoi-corrected.json")
+    asks = [("State_aaa", "Op_1c"), ("State_caa", "Op_2b"), ("State_cba", "Op_1a")]
+    acts = [{"when": "SB1/State_aaa", "do": "by_hand"}] + [
+        {"when": f"SB1/{state}", "do": "ask", "address": f"SB1/{state}/{name}"}
+        for state, name in asks
+    ]
+    lines = "".join(f"{json.dumps(act)}\n" for act in acts)
+    script = script_of(lines.encode(), "script", blueprint)
+    smsl.run(blueprint, script=script, log=tmp_path / "log")
+    raw = (tmp_path / "log").read_bytes()
+    assert judged(raw).doubt is None
+    story = Story.of(raw)
+    _, second, _ = story.at("commanded", command="ask")
+    del story.events[second]
+    doubt = judged(story.raw()).doubt
+    assert doubt is not None
+    assert "Op_2b begins" in str(doubt)

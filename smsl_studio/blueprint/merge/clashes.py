@@ -29,6 +29,7 @@ class Clashes:
     def __init__(self, trees: Trees, renamed: tuple[frozenset[Path], frozenset[Path]]) -> None:
         self.conflicts: list[Conflict] = []
         self._trees, self._renamed = trees, renamed
+        self._renamed_in = tuple(frozenset(path[0] for path in side) for side in renamed)
         self._incidence = Incidence(trees)
 
     def settle(self) -> None:
@@ -70,7 +71,8 @@ class Clashes:
             for at in (0, keeper)
         )
         new = list(self._subs_that_are(keeper, branch))
-        if new or not equal_branches(before, after) or (branch,) in self._renamed[keeper - 1]:
+        renamed = branch in self._renamed_in[keeper - 1]
+        if new or not equal_branches(before, after) or renamed:
             self._add((branch,))
             for path in new:
                 self._add(path)

@@ -68,7 +68,7 @@ def in_common_names(versions: Versions) -> CommonNames:
         )
         _note(given, lambda state, name=name: (name, state), conflicts, renamed)  # type: ignore[misc]
         for draft, names in zip(drafts, given.to_common, strict=True):
-            if names:
+            if names and name in draft.before.branches:
                 rename_states(draft, name, names)
     done = Versions(*(draft.done() for draft in drafts))
     return CommonNames(done, tuple(conflicts), (frozenset(renamed[0]), frozenset(renamed[1])))

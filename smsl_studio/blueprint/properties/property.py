@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from math import isfinite
 from typing import Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
@@ -20,6 +19,8 @@ from smsl_studio.errors import FormulaError, did_you_mean
 Json = Any
 KEY = "_properties"
 SEVERITIES = ("E", "W")
+MOST = 1e15
+"""The largest number in a property."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,10 +128,10 @@ def _text(entry: dict[str, Json], key: str, *above: str) -> str:
 def _number(entry: dict[str, Json], key: str, *above: str, whole: bool = True) -> float:
     value = entry.get(key)
     fits = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
-    if not fits or value is None or value < 0 or not isfinite(value):
+    if not fits or value is None or not 0 <= value <= MOST:
         kind = "a whole number" if whole else "a number"
         raise _Unreadable(
-            f"{key} must be {kind} from 0 up", (*above, key) if key in entry else above
+            f"{key} must be {kind} from 0 to {MOST:g}", (*above, key) if key in entry else above
         )
     return float(value) if not whole else int(value)
 

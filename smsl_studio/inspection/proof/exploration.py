@@ -107,6 +107,8 @@ class Exploration:
                         met.append((node, label))
                 target = self._seen(step.to, node, label)
                 if target == NOWHERE:
+                    # What was stored before must be found again by a walk.
+                    self._first.append(len(self._targets))
                     return
                 self._targets.append(target)
                 self._labels.append(label)

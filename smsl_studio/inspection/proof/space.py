@@ -40,8 +40,8 @@ class Step(NamedTuple):
     passed: tuple[Passed, ...]
 
 
-MOST_STORED = 20_000_000
-"""The largest number of active states of SBs in all configurations that are stored (160 MB)."""
+MOST_STORED = 10_000_000
+"""The largest number of active states of SBs in all configurations that are stored (80 MB)."""
 
 _KEPT_STEPS = 20_000
 """The stepper keeps all steps that it was asked for. After so many it is made anew."""

@@ -59,6 +59,11 @@ class Expansion:
                 if known and (base in one.on) != (sub == one.activating):
                     yield one
 
+    def is_alone(self, branch: str) -> bool:
+        """Return whether an SB is known to have neither sub-SBs nor bases: each of its steps is one
+        operation."""
+        return self.told and branch not in self._of_base and branch not in self._of_sub
+
     def may_load(self, base: str, sub: str, state: str) -> bool:
         """Return whether an operation of ``base`` may put the SB ``sub`` into a state. An operation
         with ``subs: load`` puts sub-SBs, and those below them, into ACTIVATING or INITIAL.

@@ -87,6 +87,9 @@ def _committed(memory: Memory, event: run.Committed) -> None:
         if memory.newest.get(one.branch) is one:
             del memory.newest[one.branch]
     memory.committed = event.t
+    if not memory.begun and all(map(memory.expansion.is_alone, event.configuration)):
+        # Nothing of the step is left, so nobody has asked for what comes next.
+        memory.chosen, memory.committed = False, None
     for branch, state in event.configuration.items():
         if memory.pending.get(branch) == state:
             del memory.pending[branch]

@@ -280,3 +280,12 @@ def test_a_key_that_is_written_twice_is_refused() -> None:
     doubled = read_bytes(b'{"A": {"S": {}, "S": {}}}', "f.json")
     with pytest.raises(ReadError, match="A/S is written 2 times"):
         merge(read(BASE), read(BASE), doubled)
+
+
+def test_states_renamed_in_an_sb_that_the_other_side_deleted_are_one_conflict() -> None:
+    base: dict[str, Any] = {"B": {"State_0": {}}}
+    mine: dict[str, Any] = {"B": {"State_Q": {}}}
+    for ours, theirs in ((mine, {}), ({}, mine)):
+        done = merge(read(base), read(ours), read(theirs))
+        assert [one.address for one in done.conflicts] == ["B"]
+        assert done.blueprint == read(ours)
