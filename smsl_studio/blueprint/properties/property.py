@@ -131,7 +131,8 @@ def _number(entry: dict[str, Json], key: str, *above: str, whole: bool = True) -
     if not fits or value is None or not 0 <= value <= MOST:
         kind = "a whole number" if whole else "a number"
         raise _Unreadable(
-            f"{key} must be {kind} from 0 to {MOST:g}", (*above, key) if key in entry else above
+            f"{key} must be {kind} from 0 up, at most {MOST:g}",
+            (*above, key) if key in entry else above,
         )
     return float(value) if not whole else int(value)
 

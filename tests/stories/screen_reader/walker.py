@@ -2,8 +2,8 @@
 
 Debian's Python runs it, because it has ``pyatspi``: ``walker.py PROCESS WALKS OUT``. It asks every
 object for its name, role, state, relations, interfaces, place and actions. OUT becomes a JSON list
-with each object of the last walk as ``[role, name, path of names, whether a label names it]``, and
-with the objects without a name of the walks before.
+with each object of the last walk as ``[role, name, path of names, whether a label names it]``. Of
+objects without a name those of all walks are in it.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ PATIENCE = 600
 """How often the program is looked for, every 0.1 s."""
 
 Seen = list[tuple[str, str, list[str], bool]]
+UNNAMED: list[tuple[Any, int]] = []
+"""Things that had no name when they were asked, with their places in what this walk has seen."""
 
 
 def application(process: int) -> Any:
@@ -50,6 +52,8 @@ def ask(thing: Any, path: list[str], seen: Seen) -> None:
         one.getRelationType() == pyatspi.RELATION_LABELLED_BY for one in thing.getRelationSet()
     )
     seen.append((role, name, path, labelled))
+    if not name:
+        UNNAMED.append((thing, len(seen) - 1))
     assert thing.description is not None
     thing.getState().getStates()
     thing.get_interfaces()
@@ -69,6 +73,21 @@ def ask(thing: Any, path: list[str], seen: Seen) -> None:
                 walk(child, [*path, name or role], seen)
 
 
+def unnamed(seen: Seen) -> Seen:
+    """What has no name at the end of a walk either. A row of a list that is filled anew has none
+    for a moment, and then it has one, or it is gone."""
+    found = []
+    for thing, at in UNNAMED:
+        try:
+            gone = thing.name or thing.getState().contains(pyatspi.STATE_DEFUNCT)
+        except GLib.GError:
+            gone = True
+        if not gone:
+            found.append(seen[at])
+    UNNAMED.clear()
+    return found
+
+
 def main() -> None:
     """Walk round as often as asked for, and write down what the last walk saw."""
     process, walks, out = int(sys.argv[1]), int(sys.argv[2]), pathlib.Path(sys.argv[3])
@@ -76,10 +95,10 @@ def main() -> None:
     seen: Seen = []
     nameless: Seen = []
     for _ in range(walks):
-        nameless += [thing for thing in seen if not thing[1] and thing not in nameless]
         seen = []
         walk(top, [], seen)
-    out.write_text(json.dumps([*seen, *nameless]))
+        nameless += [thing for thing in unnamed(seen) if thing not in nameless]
+    out.write_text(json.dumps([*(thing for thing in seen if thing[1]), *nameless]))
 
 
 main()
