@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import argparse
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser
-from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.shape_output import add_output, save_shape, tell_alike, tell_refusal
-from smsl_studio.front.outputs import form_of
+from smsl_studio.cli.shape_output import add_output, write_shape
 from smsl_studio.front.shapes import LIMIT, extract
 from smsl_studio.generate.shapes.chosen import CutRefused
-from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -29,13 +27,11 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Write it if it behaves as before. Otherwise print the run that shows why not (exit 1)."""
-    form_of(options.output)
-    blueprint = read_argument(options.file)
-    look_for_garbage()
     states = [state.strip() for state in options.states.split(",")]
-    try:
-        after = extract(blueprint, options.sb, states, options.name, options.limit or LIMIT)
-    except CutRefused as error:
-        return tell_refusal(error, "extract", options, out)
-    save_shape(blueprint, after, options.output)
-    return tell_alike(options, out)
+
+    def make(blueprint: Blueprint) -> Blueprint:
+        """Return the blueprint with the sub-SB."""
+        return extract(blueprint, options.sb, states, options.name, options.limit or LIMIT)
+
+    # A name that is taken is no answer about the states, so it stays a wrong argument (exit 2).
+    return write_shape(options, out, "extract", make, CutRefused)

@@ -5,13 +5,9 @@ from __future__ import annotations
 import argparse
 
 from smsl_studio.cli.arguments import ArgumentParser
-from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.shape_output import add_output, save_shape, tell_alike, tell_refusal
-from smsl_studio.errors import EditRefused
-from smsl_studio.front.outputs import form_of
+from smsl_studio.cli.shape_output import add_output, write_shape
 from smsl_studio.front.shapes import LIMIT, flatten
-from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -23,12 +19,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Write the flat blueprint. RunRefused or PlanningError (exit 1) if there is none."""
-    form_of(options.output)
-    blueprint = read_argument(options.file)
-    look_for_garbage()
-    try:
-        flat = flatten(blueprint, options.sb, options.limit or LIMIT)
-    except EditRefused as error:
-        return tell_refusal(error, "flatten", options, out)
-    save_shape(blueprint, flat, options.output)
-    return tell_alike(options, out)
+    return write_shape(
+        options, out, "flatten",
+        lambda blueprint: flatten(blueprint, options.sb, options.limit or LIMIT),
+    )  # fmt: skip

@@ -1,19 +1,21 @@
-"""What the commands that change the shape of a blueprint share: where OUT goes, and a refusal."""
+"""What the commands that change the shape of a blueprint share: reading, writing OUT, refusals."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit
-from smsl_studio.cli.blueprint_argument import inputs_of
+from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.output import Output, note, report
 from smsl_studio.errors import EditRefused
-from smsl_studio.front.outputs import converted
+from smsl_studio.front.outputs import converted, form_of
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.legible import one_line
 from smsl_studio.smsl.files import save_document
 from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.stop import look_for_garbage
 
 
 def add_output(parser: ArgumentParser, required: bool = True) -> None:
@@ -36,19 +38,32 @@ def save_shape(before: Blueprint, after: Blueprint, output: str) -> None:
     note(f"{output} has {after.state_count:,} states, {after.operation_count:,} operations.")
 
 
-def tell_alike(options: argparse.Namespace, out: Output) -> int:
-    """Tell that OUT was written. Return the exit status."""
+def write_shape(
+    options: argparse.Namespace,
+    out: Output,
+    command: str,
+    make: Callable[[Blueprint], Blueprint],
+    refusal: type[EditRefused] = EditRefused,
+) -> int:
+    """Read FILE, and write what ``make`` returns. Return the exit status.
+
+    If ``make`` raises ``refusal``, the reason is told, with the run that shows it, and nothing is
+    written (exit 1).
+    """
+    form_of(options.output)
+    blueprint = read_argument(options.file)
+    look_for_garbage()
+    try:
+        after = make(blueprint)
+    except refusal as error:
+        run = error.run if isinstance(error, CutRefused) else ()
+        report(error, f"smsl-studio {command}")
+        if options.format == "json":
+            out.json({"equal": False, "path": list(run), "reason": error.sentence})
+        elif run:
+            out.line(one_line(f"run: {', '.join(run)}"))
+        return 1
+    save_shape(blueprint, after, options.output)
     if options.format == "json":
         out.json({"equal": True, "path": [], "reason": ""})
     return 0
-
-
-def tell_refusal(error: EditRefused, command: str, options: argparse.Namespace, out: Output) -> int:
-    """Tell why nothing was written, with the run that shows it. Return the exit status."""
-    run = error.run if isinstance(error, CutRefused) else ()
-    report(error, f"smsl-studio {command}")
-    if options.format == "json":
-        out.json({"equal": False, "path": list(run), "reason": error.sentence})
-    elif run:
-        out.line(one_line(f"run: {', '.join(run)}"))
-    return 1

@@ -109,6 +109,73 @@ def test_what_names_facts_follows() -> None:
     assert back.hazards[0].facts == {"P/1": "1", "P/3": "0"}
 
 
+PEOPLE: dict[str, Any] = {
+    "_levels": {"P/next": "human", "P/State1001/end": "shared", "P/State1011/again": "human",
+                "P/2": "shared", "P/use": "human"},
+    "P": {
+        "HEADER": VALUES["P"]["HEADER"],
+        "_operations": {
+            "State1001/end": {"binding": {"function": "x"}}, "wait": {"confirm": ["s"]},
+        },
+        "State0000": {"plan": "State1000"},
+        "State1000": {"next": "State1001"},
+        "State1001": {"end": "State1011", "wait": "State1001"},
+        "State1011": {"use": "State0111", "again": "State1000"},
+        "State0111": {},
+    },
+}  # fmt: skip
+
+
+def test_who_carries_out_an_operation_stays_so_where_it_goes() -> None:
+    after = extract(blueprint(PEOPLE), "P", ["State1000", "State1001"], "SUB")
+    assert after.document.values["_levels"] == {
+        "SUB/next": "human",
+        "P/next": "human",
+        "SUB/State01/end": "shared",
+        "P/State100/end": "shared",
+        "SUB/State11/again": "human",
+        "P/State101/again": "human",
+        "SUB/0": "shared",
+        "P/use": "human",
+    }
+    assert after["SUB"].operation_note("State01", "wait").confirm == ("s",)
+
+
+def test_a_function_runs_once_in_the_sub_sb_and_not_once_more_in_its_base() -> None:
+    after = extract(blueprint(PEOPLE), "P", ["State1000", "State1001"], "SUB")
+    assert after["SUB"].operation_note("State01", "end").binding is not None
+    assert after["P"].operation_note("State100", "end").binding is None
+
+
+def test_other_people_in_two_chosen_states_are_not_made_one() -> None:
+    values = {
+        **PEOPLE,
+        "P": {**PEOPLE["P"], "State1000": {"next": "State1001", "end": "State1011"}},
+    }
+    with pytest.raises(CutRefused, match="end has other annotations or levels in State1000"):
+        extract(blueprint(values), "P", ["State1000", "State1001"], "SUB")
+
+
+def test_nothing_is_put_back_that_would_leave_people_out() -> None:
+    """``P/State100/end`` moves SUB; in one SB it would be one operation of its own."""
+    cut = extract(blueprint(PEOPLE), "P", ["State1000", "State1001"], "SUB")
+    with pytest.raises(EditRefused, match="people carry out or confirm SUB/State00/next"):
+        inline(cut, "SUB")
+    asked = {**without_q(), "P": {**without_q()["P"], "_operations": {"next": {"confirm": ["s"]}}}}
+    with pytest.raises(EditRefused, match="people carry out or confirm"):
+        inline(extract(blueprint(asked), "P", ["State1000", "State1001"], "SUB"), "SUB")
+
+
+def test_notes_of_single_operations_go_back_too() -> None:
+    values = {"A": {"HEADER": {"SUB_SBS": {"S": 0}}, "State0": {"up": "State1", "rest": "State0"},
+                    "_operations": {"State0/rest": {"title": "Rest", "confirm": ["s"]}},
+                    "State1": {}},
+              "S": {"State0": {"go": "State1"}, "State1": {}}}  # fmt: skip
+    one = inline(blueprint(values), "S")["A"]
+    note = one.operation_note("State0+State0", "A.rest")
+    assert (note.title, note.confirm) == ("Rest", ("s",))
+
+
 def without_q() -> dict[str, Any]:
     return {"_hazards": VALUES["_hazards"], "P": {**VALUES["P"], "_operations": {}}}
 

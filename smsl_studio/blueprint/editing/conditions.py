@@ -3,11 +3,11 @@ property."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing.draft import Draft
+from smsl_studio.blueprint.address import Address, fact_text, split_fact
+from smsl_studio.blueprint.editing.draft import Draft, rename_keys
 from smsl_studio.blueprint.properties.follow import followed
 from smsl_studio.blueprint.properties.formula import Term
 from smsl_studio.blueprint.properties.property import KEY
@@ -35,6 +35,21 @@ def conditions_follow(draft: Draft, follow: Callable[[Facts], Facts]) -> None:
             followed = [_followed(hazard, "facts", follow) for hazard in hazards]
             if followed != hazards:
                 draft.file(document)["_hazards"] = followed
+
+
+def moved_facts(facts: Facts, moved: Mapping[tuple[str, int], tuple[str, int]]) -> Facts:
+    """Return the facts of a condition at their new places (SB, digit); the same object if none of
+    them moves."""
+    texts = {}
+    for text in facts:
+        fact = split_fact(text)
+        if fact is not None and moved.get(fact, fact) != fact:
+            texts[text] = fact_text(*moved[fact])
+    if not texts:
+        return facts
+    after = dict(facts)
+    rename_keys(after, texts)
+    return after
 
 
 def _followed(entry: Json, word: str, follow: Callable[[Facts], Facts]) -> Json:

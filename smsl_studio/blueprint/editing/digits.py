@@ -7,7 +7,11 @@ from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
-from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
+from smsl_studio.blueprint.editing.conditions import (
+    conditions_follow,
+    moved_facts,
+    properties_follow,
+)
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, rename_keys
 from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.editing.renames import states_renamed
@@ -214,7 +218,8 @@ def _facts_follow(
     if branch.header.sub_sbs:
         header = draft.header(name)
         header["SUB_SBS"] = _moved_subs(header["SUB_SBS"], moved)
-    conditions_follow(draft, lambda facts: _moved_facts(facts, name, moved))
+    places = {(name, was): (name, now) for was, now in moved.items()}
+    conditions_follow(draft, lambda facts: moved_facts(facts, places))
     properties_follow(draft, lambda term: _moved_term(draft.before, term, name, moved))
     for table in draft.tables(name, "_operations"):
         for key, note in table.items():
@@ -248,19 +253,6 @@ def _moved_subs(written: Json, moved: Mapping[int, int]) -> Json:
         sub: moved.get(digit, digit) if type(digit) is int and sub[:1] != "_" else digit
         for sub, digit in written.items()
     }
-
-
-def _moved_facts(facts: Facts, name: str, moved: Mapping[int, int]) -> Facts:
-    texts = {}
-    for text in facts:
-        fact = split_fact(text)
-        if fact is not None and fact[0] == name and moved.get(fact[1], fact[1]) != fact[1]:
-            texts[text] = fact_text(name, moved[fact[1]])
-    if not texts:
-        return facts
-    after = dict(facts)
-    rename_keys(after, texts)
-    return after
 
 
 def _moved_term(blueprint: Blueprint, term: Term, name: str, moved: Mapping[int, int]) -> Term:

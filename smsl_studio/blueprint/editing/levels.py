@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, escape
@@ -51,12 +51,29 @@ def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None
     ``follow`` gets the names in a key: (SB, digit), (SB, operation) or (SB, state, operation). It
     returns the names after the edit, or None if the element is gone. Then its level is deleted.
     """
+
+    def spread(names: Names) -> tuple[Names, ...]:
+        """Return the names after the edit, if the element is still there."""
+        now = follow(names)
+        return () if now is None else (now,)
+
+    levels_spread(draft, spread)
+
+
+def levels_spread(draft: Draft, spread: Callable[[Names], Iterable[Names]]) -> None:
+    """Let the keys of every ``_levels`` follow an edit after which one element may be several.
+
+    ``spread`` gets the names in a key as ``levels_follow`` has them, and returns those of all
+    elements that have its level afterwards.
+    """
     for document in draft.before.documents:
         written = document.values.get("_levels")
         if not isinstance(written, dict):
             continue
-        names = {key: follow(Address.split(key)) if "/" in key else (key,) for key in written}
-        after = {_key(now): written[key] for key, now in names.items() if now is not None}
+        after: dict[str, Json] = {}
+        for key, level in written.items():
+            names = spread(Address.split(key)) if "/" in key else [(key,)]
+            after |= {_key(now): level for now in names}
         if after:
             draft.file(document)["_levels"] = after
         else:

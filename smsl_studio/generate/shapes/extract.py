@@ -10,9 +10,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import AddressError, PlanningError, UsageError, did_you_mean
 from smsl_studio.generate.shapes.chosen import ChosenStates, CutRefused
 from smsl_studio.generate.shapes.cut import Cut, cuts
-from smsl_studio.generate.shapes.extraction import extracted
+from smsl_studio.generate.shapes.extraction import extracted, fact_moves
 from smsl_studio.inspection.equivalence.equivalence import ComparedView, equivalence
-from smsl_studio.inspection.equivalence.transitions import FactAt, transitions_of
+from smsl_studio.inspection.equivalence.transitions import transitions_of
 from smsl_studio.inspection.explorer.part import restricted, touching
 
 MOST_ALIKE = 500
@@ -63,7 +63,7 @@ def alike(
             continue
         before = touching(blueprint, chosen.branch.name)
         names = [one for one in after.branches if one == name or one in before.branches]
-        view = _view(before, cut, name)
+        view = ComparedView(fact_moves(blueprint, cut, name).keys(before), (_short, _short))
         told = equivalence(before, restricted(after, names), limit, view)
         if told.equal:
             found = True
@@ -92,18 +92,3 @@ def _must_be_small(cut: Cut) -> None:
 
 def _short(address: Address) -> str:
     return address.operation
-
-
-def _view(blueprint: Blueprint, cut: Cut, name: str) -> ComparedView:
-    """Return what is compared: all facts but the new digit, and operations without their SBs."""
-    base = cut.chosen.branch.name
-    moved = {digit: (base, at) for at, digit in enumerate(cut.kept)}
-    moved |= {digit: (name, at) for at, digit in enumerate(cut.digits)}
-    before: dict[str, FactAt] = {}
-    after: dict[str, FactAt] = {}
-    for branch in blueprint:
-        for digit in range(branch.num_facts):
-            key = f"{branch.name}/{digit}"
-            before[key] = branch.name, digit
-            after[key] = moved[digit] if branch.name == base else (branch.name, digit)
-    return ComparedView((before, after), (_short, _short))

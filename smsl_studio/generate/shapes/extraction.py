@@ -1,4 +1,4 @@
-"""Writes a blueprint in which chosen states of an SB are a sub-SB of it.
+"""Writes a blueprint with one more SB: a sub-SB that has the chosen states of another SB.
 
 An operation that only brings the sub-SB to ACTIVATING stands in both SBs; an operation that changes
 other facts of the base too brings those of the sub-SB about by itself (``"subs": "load"``).
@@ -6,25 +6,27 @@ other facts of the base too brings those of the sub-SB about by itself (``"subs"
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
-from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
+from smsl_studio.blueprint.address import Address, fact_text, note_key
 from smsl_studio.blueprint.editing.draft import Draft, free_name
-from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.editing.levels import levels_spread
 from smsl_studio.blueprint.elements import Operation
-from smsl_studio.blueprint.facts import fact_string, shape_of
-from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.properties import FactTerm, Term
-from smsl_studio.blueprint.properties.follow import terms_of
-from smsl_studio.blueprint.properties.meaning import fact_of
-from smsl_studio.blueprint.properties.property import Property, properties_of
+from smsl_studio.blueprint.facts import shape_of
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.generate.shapes.claims import named_places
 from smsl_studio.generate.shapes.cut import Cut, Values, is_loaded
+from smsl_studio.generate.shapes.moves import FactMoves
+from smsl_studio.generate.shapes.state_names import (
+    free_name_beside,
+    named_by_facts,
+    written_count,
+)
 
 Json = Any
 OFF, ON = "0", "1"
@@ -39,28 +41,36 @@ def extracted(blueprint: Blueprint, cut: Cut, name: str) -> Blueprint:
     return _Extraction(blueprint, cut, name).blueprint()
 
 
+def fact_moves(blueprint: Blueprint, cut: Cut, name: str) -> FactMoves:
+    """Return where the facts of the base stand when the states are cut out."""
+    base = cut.chosen.branch.name
+    facts = {(base, digit): (base, at) for at, digit in enumerate(cut.kept)}
+    facts |= {(base, digit): (name, at) for at, digit in enumerate(cut.digits)}
+    return FactMoves(blueprint, facts)
+
+
 class _Extraction:
     """The two SBs, while they are written."""
 
     def __init__(self, blueprint: Blueprint, cut: Cut, name: str) -> None:
         self._before, self._cut, self._name = blueprint, cut, name
         self._branch, self._chosen = cut.chosen.branch, cut.chosen
+        self._levels = Levels(blueprint)
         self._base = self._branch.name
-        self._facts = {(self._base, d): (self._base, at) for at, d in enumerate(cut.kept)}
-        self._facts |= {(self._base, d): (name, at) for at, d in enumerate(cut.digits)}
-        self._outer = _named(self._branch.table, self._base_facts(), self._branch)
+        self._moves = fact_moves(blueprint, cut, name)
+        self._facts = self._moves.facts
+        self._outer = named_by_facts(self._branch.table, self._base_facts(), self._branch)
         inner = {one: self._chosen.values(one, cut.digits) for one in self._chosen.states}
-        self._done = _free("State_done", inner)
-        self._inner = _named(inner, inner | {self._done: cut.done}, self._branch)
+        self._done = free_name_beside("State_done", inner)
+        self._inner = named_by_facts(inner, inner | {self._done: cut.done}, self._branch)
         self._place = self._outer[self._chosen.entry]
 
     def blueprint(self) -> Blueprint:
         """Return the blueprint."""
         self._refuse_named()
         draft = Draft(self._before)
-        conditions_follow(draft, self._moved_facts)
-        properties_follow(draft, self._moved_term, self._moved_goal)
-        levels_follow(draft, self._moved_level)
+        self._moves.follow(draft, self._new_state)
+        levels_spread(draft, self._spread)
         file = draft.file(self._before.home(self._base))
         raw = draft.at(self._base)
         written = {self._base: self._written_base(raw), self._name: self._written_sub(raw)}
@@ -72,7 +82,7 @@ class _Extraction:
         file.clear()
         file.update(values)
         after = draft.done()
-        self._refuse_lost(after)
+        self._moves.must_be_named(after)
         return after
 
     def _base_facts(self) -> dict[str, Values]:
@@ -125,6 +135,7 @@ class _Extraction:
         written = _table(raw, "_operations")
         edges = [*self._chosen.leaving, *self._chosen.around]
         used = {edge.name for edge in edges}
+        driven = {*self._cut.exits, *self._cut.returns}
         found = {
             key: self._touched(note, self._base) for key, note in written.items() if key in used
         }
@@ -132,6 +143,9 @@ class _Extraction:
             own = dict(_note(written, note_key(edge.name, edge.source)))
             if self._chosen.contains(edge.source):
                 own = self._same_note(written, edge)
+            if edge in driven:
+                # The function of the sub-SB runs. One bound to this edge would run once more.
+                own.pop("binding", None)
             needs = self._needed(edge)
             if needs:
                 own["requires"] = {**self._required(written, edge), **needs}
@@ -153,13 +167,19 @@ class _Extraction:
         """Return the note of an edge that leaves. CutRefused if chosen states have other ones."""
         sources = self._cut.sources[edge.name]
         notes = [_note(written, note_key(edge.name, source)) for source in sources]
-        if any(note != notes[0] for note in notes):
+        levels = {
+            self._levels.operation(Address(self._base, source, edge.name)) for source in sources
+        }
+        if len(levels) > 1 or any(note != notes[0] for note in notes):
             raise CutRefused(
-                f"{edge.name} has other annotations in {sources[0]} than in another chosen state, "
-                "and the base has one state for them",
+                f"{edge.name} has other annotations or levels in {sources[0]} than in another "
+                "chosen state, and the base has one state for them",
                 edge.address,
             )
         return dict(notes[0])
+
+    def _new_state(self, branch: str, state: str) -> str:
+        return self._outer.get(state, state) if branch == self._base else state
 
     # the sub-SB
 
@@ -197,15 +217,18 @@ class _Extraction:
     def _sub_edges(self) -> Iterator[Operation]:
         """Yield the operations of the sub-SB, with its names of states."""
         done, entry = self._inner[self._done], self._inner[self._chosen.entry]
-        exits = self._cut.exits or tuple(
-            edge for edge in self._chosen.leaving if edge.target in self._cut.on
-        )
         for edge in self._chosen.inner:
             yield replace(edge, source=self._inner[edge.source], target=self._inner[edge.target])
-        for edge in exits:
+        for edge in self._crossing():
             yield replace(edge, source=self._inner[edge.source], target=done)
         for edge in self._cut.returns:
             yield replace(edge, source=done, target=entry)
+
+    def _crossing(self) -> tuple[Operation, ...]:
+        """Return the operations that lead to ACTIVATING. If the sub-SB can be asked for none, all
+        are drawn, so that it is seen how it ends."""
+        leaving = (edge for edge in self._chosen.leaving if edge.target in self._cut.on)
+        return self._cut.exits or tuple(leaving)
 
     def _sub_notes(self, raw: dict[str, Json]) -> dict[str, Json]:
         """Return the notes of its operations. Each requires the base to be where it stands for the
@@ -223,15 +246,42 @@ class _Extraction:
                 note["requires"] = {**(note.get("requires") or {}), **guard}
             if note:
                 found[name] = self._touched(note, self._name)
-        for state in self._chosen.states:
-            for name in self._branch.table[state]:
-                own = _note(written, note_key(name, state))
-                if own and name in names:
-                    note = dict(own)
-                    if guard and "requires" in note:
-                        note["requires"] = {**(note["requires"] or {}), **guard}
-                    found[note_key(name, self._inner[state])] = self._touched(note, self._name)
+        for edge, state in self._sub_states():
+            own = _note(written, note_key(edge.name, edge.source))
+            if own:
+                note = dict(own)
+                if guard and "requires" in note:
+                    note["requires"] = {**(note["requires"] or {}), **guard}
+                found[note_key(edge.name, state)] = self._touched(note, self._name)
         return found
+
+    def _sub_states(self) -> Iterator[tuple[Operation, str]]:
+        """Yield the operations that the sub-SB has, as they were, with their states in it."""
+        for edge in (*self._chosen.inner, *self._crossing()):
+            yield edge, self._inner[edge.source]
+        for edge in self._cut.returns:
+            yield edge, self._inner[self._done]
+
+    def _spread(self, key: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+        """Yield the keys in ``_levels`` of what an element has become."""
+        base = self._base
+        if key[0] != base or len(key) not in (2, 3):
+            yield key
+            return
+        fact = self._facts.get((base, int(key[1]))) if key[1].isdecimal() else None
+        if len(key) == 2 and fact is not None:
+            yield fact[0], str(fact[1])
+            return
+        name = key[-1]
+        for edge, state in self._sub_states():
+            if edge.name == name and len(key) == 2:
+                yield self._name, name
+                break
+            if (edge.source, edge.name) == key[1:]:
+                yield self._name, state, name
+        leaves = self._cut.sources
+        if len(key) == 2 or not self._chosen.contains(key[1]) or key[1] in leaves.get(name, ()):
+            yield (base, name) if len(key) == 2 else (base, self._at(key[1]), name)
 
     # both
 
@@ -260,7 +310,7 @@ class _Extraction:
         """Return the notes of states under their new names, with their facts where the names do
         not show them."""
         written, found = _table(raw, "_states"), {}
-        show = shape_of([names[state] for state in facts], _written(self._branch, facts))
+        show = shape_of([names[state] for state in facts], written_count(self._branch, facts))
         given = show.opaque or any(
             show.values(names[state]) != values for state, values in facts.items()
         )
@@ -271,43 +321,6 @@ class _Extraction:
             if note:
                 found[names[state]] = note
         return found
-
-    def _moved_facts(self, facts: Facts) -> Facts:
-        texts = {}
-        for text in facts:
-            fact = split_fact(text)
-            if fact is not None and fact in self._facts:
-                texts[text] = fact_text(*self._facts[fact])
-        return {texts.get(text, text): value for text, value in facts.items()} if texts else facts
-
-    def _moved_term(self, term: Term) -> Term:
-        if not isinstance(term, FactTerm):
-            if (term.branch or self._first) == self._base and term.state in self._outer:
-                return replace(term, state=self._outer[term.state])
-            return term
-        fact = fact_of(term, self._before)
-        if fact is None or fact not in self._facts:
-            return term
-        branch, digit = self._facts[fact]
-        named = replace(term, branch=branch if term.branch else term.branch)
-        return named if term.digit is None else replace(named, digit=digit)
-
-    def _moved_goal(self, goal: Address) -> Address:
-        if goal.branch == self._base and goal.state in self._outer:
-            return replace(goal, state=self._outer[goal.state])
-        return goal
-
-    def _moved_level(self, key: tuple[str, ...]) -> tuple[str, ...] | None:
-        if key[0] != self._base or len(key) not in (2, 3):
-            return key
-        if len(key) == 3:
-            return (self._base, self._at(key[1]), key[2])
-        fact = self._facts.get((self._base, int(key[1]))) if key[1].isdecimal() else None
-        return key if fact is None else (fact[0], str(fact[1]))
-
-    @property
-    def _first(self) -> str:
-        return next(iter(self._before.branches))
 
     def _refuse_named(self) -> None:
         """Raise CutRefused if a property names what is not in the base any more."""
@@ -320,55 +333,6 @@ class _Extraction:
                 None,
                 "Write the property with facts, or take it out first.",
             )
-
-    def _refuse_lost(self, after: Blueprint) -> None:
-        """Raise CutRefused if a property does not name the same facts afterwards."""
-        pairs = zip(properties_of(self._before), properties_of(after), strict=True)
-        for one, other in pairs:
-            named = _named_facts(one, self._before)
-            meant = [self._facts.get(fact, fact) if fact else None for fact in named]
-            if meant != _named_facts(other, after):
-                raise CutRefused(
-                    f"the property {one.name!r} does not say in which State Branch its facts are",
-                    None,
-                    f"Write its facts with their State Branch, such as {self._base}.name.",
-                )
-
-
-def _named_facts(claim: Property, blueprint: Blueprint) -> list[tuple[str, int] | None]:
-    """Return the facts that a property names, None for one that does not exist."""
-    terms = (term for formula in claim.formulas for term in terms_of(formula))
-    return [fact_of(term, blueprint) for term in terms if isinstance(term, FactTerm)]
-
-
-def _named(
-    states: Iterable[str], facts: Mapping[str, Values], branch: StateBranch
-) -> dict[str, str]:
-    """Return the new name of each state. Names that show facts show those of now."""
-    kept = {state: state for state in facts}
-    if branch.shape.width != 1 or branch.shape.opaque:
-        return kept
-    named = {}
-    for state in facts:
-        of = state if state in branch.table else next(iter(states))
-        text = fact_string(of, branch.shape.written)
-        named[state] = of[: len(of) - len(text)] + "".join(facts[state])
-    shape = shape_of(named.values(), _written(branch, facts))
-    fits = not shape.opaque and all(shape.values(named[s]) == facts[s] for s in facts)
-    return named if fits and len(set(named.values())) == len(named) else kept
-
-
-def _written(branch: StateBranch, facts: Mapping[str, Values]) -> int | None:
-    """Return NUM_FACTS, if it was written before too."""
-    return None if branch.header.num_facts is None else len(next(iter(facts.values())))
-
-
-def _free(name: str, taken: Iterable[str]) -> str:
-    found, number = name, 1
-    while found in set(taken):
-        number += 1
-        found = f"{name}_{number}"
-    return found
 
 
 def _table(raw: Mapping[str, Json], key: str) -> Mapping[str, Json]:

@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.edges import Edges
-from smsl_studio.blueprint.editing.conditions import Facts, conditions_follow, properties_follow
 from smsl_studio.blueprint.editing.draft import Draft
-from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.editing.levels import levels_spread
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.properties import FactTerm, Term
-from smsl_studio.blueprint.properties.meaning import fact_of
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, PlanningError
 from smsl_studio.generate.flat import FlatBranch
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.generate.shapes.claims import named_places
+from smsl_studio.generate.shapes.moves import FactMoves
 from smsl_studio.inspection.equivalence.equivalence import ComparedView, equivalence
-from smsl_studio.inspection.equivalence.transitions import FactAt, label_of
+from smsl_studio.inspection.equivalence.transitions import label_of
 from smsl_studio.inspection.explorer.part import restricted, touching
 
 Json = Any
-Places = Mapping[str, Mapping[str, str]]
-"""For each state of the one SB the states of the two."""
 WORKED_IN = ("requires", "subs", "touches")
 """What the edges of one SB show by themselves."""
 
@@ -56,8 +54,9 @@ class _Inlined:
     """The base and its sub-SB, while they become one SB."""
 
     def __init__(self, blueprint: Blueprint, sub: str, limit: int) -> None:
-        self._before, self._limit = blueprint, limit
+        self._before = blueprint
         self._sub = blueprint[sub]
+        self._levels = Levels(blueprint)
         bases = blueprint.bases.get(sub, ())
         if len(bases) != 1:
             words = "no base" if not bases else " and ".join(f"the base {b}" for b, _ in bases)
@@ -67,32 +66,29 @@ class _Inlined:
             )
         self._base = blueprint[bases[0][0]]
         count = self._base.num_facts
-        self._facts = {(self._base.name, d): (self._base.name, d) for d in range(count)}
-        self._facts |= {(sub, d): (self._base.name, count + d) for d in range(self._sub.num_facts)}
+        facts = {(self._base.name, d): (self._base.name, d) for d in range(count)}
+        facts |= {(sub, d): (self._base.name, count + d) for d in range(self._sub.num_facts)}
+        self._moves = FactMoves(blueprint, facts, renamed=True)
         self._refuse()
+        self._refuse_people()
+        self._flat = FlatBranch(self._part(), limit)
 
     def blueprint(self) -> Blueprint:
         """Return the blueprint."""
         draft = Draft(self._before)
-        conditions_follow(draft, self._moved_facts)
-        properties_follow(draft, self._moved_term)
-        levels_follow(draft, self._moved_level)
+        self._moves.follow(draft)
+        levels_spread(draft, self._spread)
         file = draft.file(self._before.home(self._base.name))
-        flat = FlatBranch(self._part(), self._limit)
-        (values,) = flat.values().values()
+        (values,) = self._flat.values().values()
         self._must_have_one_goal(values)
-        file[self._base.name] = self._with_rest(values, flat.places)
+        file[self._base.name] = self._with_rest(values)
         del file[self._sub.name]
-        return draft.done()
+        after = draft.done()
+        self._moves.must_be_named(after)
+        return after
 
     def view(self, part: Blueprint) -> ComparedView:
         """Return what is compared: all facts of a part, and operations with their former SBs."""
-        before: dict[str, FactAt] = {}
-        after: dict[str, FactAt] = {}
-        for branch in part:
-            for digit in range(branch.num_facts):
-                key, at = f"{branch.name}/{digit}", (branch.name, digit)
-                before[key], after[key] = at, self._facts.get(at, at)
         several = len(part.branches) > 1
 
         def one(address: Address) -> str:
@@ -102,7 +98,7 @@ class _Inlined:
             inside = address.branch == self._base.name
             return address.operation if inside else label_of(address, several)
 
-        return ComparedView((before, after), (one, other))
+        return ComparedView(self._moves.keys(part), (one, other))
 
     def _refuse(self) -> None:
         names = {self._base.name, self._sub.name}
@@ -128,6 +124,31 @@ class _Inlined:
                     advice="Write the property with facts, or take it out first.",
                 )
 
+    def _refuse_people(self) -> None:
+        """Raise EditRefused if an operation of the base drives operations with which people are
+        concerned. In one SB it would be one operation, and these people would not be asked."""
+        before = (self._base.name, self._sub.name)
+        edges = Edges(Hierarchy(self._before))
+        digit = next(d for d, name in self._base.subs.items() if name == self._sub.name)
+        drives = [
+            edge
+            for state in self._base.table
+            for edge in edges.out(before[0], state)
+            if digit in (*edge.falls, *edge.rises) and not edge.load
+        ]
+        own = [edge for state in self._sub.table for edge in edges.out(before[1], state)]
+        asked = next((edge for edge in (*own, *drives) if self._asks(edge.address)), None)
+        if drives and asked is not None:
+            raise EditRefused(
+                f"people carry out or confirm {asked}, and {drives[0]} would move {before[1]} "
+                "without asking them",
+                advice="Leave the two apart, or let no person be asked there.",
+            )
+
+    def _asks(self, edge: Address) -> bool:
+        note = self._before[edge.branch].operation_note(edge.state, edge.operation)
+        return bool(note.confirm) or self._levels.operation(edge) != AUTOMATIC
+
     def _must_have_one_goal(self, values: Mapping[str, Json]) -> None:
         if not self._before.bases.get(self._base.name):
             return
@@ -150,7 +171,7 @@ class _Inlined:
         pair = {base.name: base, sub.name: sub}
         return replace(self._before, branches=MappingProxyType(pair))
 
-    def _with_rest(self, values: dict[str, Json], places: Places) -> dict[str, Json]:
+    def _with_rest(self, values: dict[str, Json]) -> dict[str, Json]:
         """Return the one SB with the other sub-SBs of both, and the notes of its operations."""
         header = dict(values.pop(HEADER))
         count = self._base.num_facts
@@ -159,57 +180,54 @@ class _Inlined:
         if subs:
             header["SUB_SBS"] = subs
         notes = {**self._notes(self._base), **self._notes(self._sub)}
-        loaded = self._loaded(values, places) if subs else {}
-        for key, note in loaded.items():
-            notes[key] = {**notes.get(key, {}), **note}
+        for key, note in self._edge_notes(values, bool(subs)):
+            notes[key] = note
         named = {"_operations": notes} if notes else {}
         return {HEADER: header, **named, **values}
 
     def _notes(self, branch: StateBranch) -> dict[str, Json]:
         """Return the notes of the names of operations, under their new names."""
-        written = branch.fields.get("_operations")
         found = {}
         for name in branch.operation_names:
-            note = written.get(note_key(name)) if isinstance(written, Mapping) else None
-            if isinstance(note, Mapping):
-                left = {key: value for key, value in note.items() if key not in WORKED_IN}
-                if left:
-                    found[note_key(label_of(Address(branch.name, "", name), True))] = left
+            left = _kept(branch, note_key(name))
+            if left:
+                found[note_key(label_of(Address(branch.name, "", name), True))] = left
         return found
 
-    def _loaded(self, values: Mapping[str, Json], places: Places) -> dict[str, Json]:
-        """Return the notes of the operations whose function brings facts of other sub-SBs about."""
-        found = {}
-        for state, here in places.items():
+    def _edge_notes(
+        self, values: Mapping[str, Json], has_subs: bool
+    ) -> Iterator[tuple[str, dict[str, Json]]]:
+        """Yield the notes of single operations. With other sub-SBs, one whose function brings facts
+        of them about still does."""
+        for state, here in self._flat.places.items():
             for branch in (self._base, self._sub):
-                for name in branch.table[here[branch.name]]:
+                at = here[branch.name]
+                for name in branch.table[at]:
                     label = label_of(Address(branch.name, "", name), True)
-                    loads = branch.operation_note(here[branch.name], name).subs == "load"
-                    if loads and label in values[state]:
-                        found[note_key(label, state)] = {"subs": "load"}
-        return found
+                    note = _kept(branch, note_key(name, at))
+                    if has_subs and branch.operation_note(at, name).subs == "load":
+                        note["subs"] = "load"
+                    if note and label in values[state]:
+                        yield note_key(label, state), note
 
-    def _moved_facts(self, facts: Facts) -> Facts:
-        texts = {}
-        for text in facts:
-            fact = split_fact(text)
-            if fact is not None and fact in self._facts:
-                texts[text] = fact_text(*self._facts[fact])
-        return {texts.get(text, text): value for text, value in facts.items()} if texts else facts
-
-    def _moved_term(self, term: Term) -> Term:
-        fact = fact_of(term, self._before) if isinstance(term, FactTerm) else None
-        if fact is None or fact not in self._facts or not isinstance(term, FactTerm):
-            return term
-        branch, digit = self._facts[fact]
-        return replace(term, branch=branch if term.branch else "", digit=digit, name="")
-
-    def _moved_level(self, key: tuple[str, ...]) -> tuple[str, ...] | None:
-        if key[0] not in (self._base.name, self._sub.name):
-            return key
-        if len(key) == 2 and key[1].isdecimal():
-            fact = self._facts.get((key[0], int(key[1])))
-            return None if fact is None else (fact[0], str(fact[1]))
+    def _spread(self, key: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+        """Yield the keys in ``_levels`` of what an element has become."""
+        if key[0] not in (self._base.name, self._sub.name) or len(key) not in (2, 3):
+            yield key
+            return
+        fact = self._moves.facts.get((key[0], int(key[1]))) if key[1].isdecimal() else None
+        label = label_of(Address(key[0], "", key[-1]), True)
         if len(key) == 2:
-            return (self._base.name, f"{key[0]}.{key[1]}")
-        return None
+            yield (fact[0], str(fact[1])) if fact is not None else (self._base.name, label)
+            return
+        for state, here in self._flat.places.items():
+            if here[key[0]] == key[1]:
+                yield self._base.name, state, label
+
+
+def _kept(branch: StateBranch, key: str) -> dict[str, Json]:
+    """Return a note of operations without what the edges of one SB show by themselves."""
+    written = branch.fields.get("_operations")
+    note = written.get(key) if isinstance(written, Mapping) else None
+    kept = note if isinstance(note, Mapping) else {}
+    return {word: value for word, value in kept.items() if word not in WORKED_IN}

@@ -52,13 +52,17 @@ class Transitions:
     def run_to(self, address: Address) -> tuple[str, ...]:
         """Return the labels of a shortest run that ends with an operation. Empty if there is
         none."""
-        way: dict[int, tuple[str, ...]] = {0: ()}
+        came: dict[int, tuple[int, str]] = {}
         for node, steps in enumerate(self.steps):
             for one, target in steps:
-                path = (*way[node], self.label(one))
                 if one == address:
-                    return path
-                way.setdefault(target, path)
+                    found, here = [self.label(one)], node
+                    while here:
+                        here, label = came[here]
+                        found.append(label)
+                    return tuple(reversed(found))
+                if target:
+                    came.setdefault(target, (node, self.label(one)))
         return ()
 
     def facts(self, keys: Mapping[str, FactAt]) -> Iterator[tuple[str, ...]]:
