@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from smsl_studio.smsl.document import Document
 
 Json = Any
+OF_PROPERTY: Mapping[str, Json] = {"severity": "E", "why": ""}
+"""What an entry of ``_properties`` says if it leaves these keys out."""
 MEANING_FIELDS = ("_facts", "_states", "_operations")
 AS_WRITTEN = "as written"
 """The key of the entries that do not fit their table, by their path."""
@@ -168,7 +170,7 @@ def properties_meaning(*documents: Document) -> list[Json] | None:
         raw = document.values.get("_properties")
         for item in raw if isinstance(raw, list) else [raw] if raw else []:
             kept = isinstance(item, dict)
-            said.append({"severity": "E", "why": "", **item} if kept else word_for_word(item))
+            said.append({**OF_PROPERTY, **item} if kept else word_for_word(item))
     return sorted(said, key=word_for_word) or None
 
 

@@ -66,17 +66,22 @@ def inspect(
 def must_be_whole(blueprint: Blueprint) -> None:
     """Raise RunRefused if parts of a blueprint are missing or doubled, so that no answer would be
     about all of it, or if it is too large to be checked at all. The same refuses a run."""
-    found = refusals(blueprint)
-    if found:
-        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
-        raise RunRefused(
-            f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
-            found[0].place,
-            "Correct what check lists as errors first.",
-        )
+    refuse_nonsense(blueprint, "Mend what this finding says first.")
     from smsl_studio.dispatch.route.effort import refuse_too_large
 
     refuse_too_large(Hierarchy(blueprint))
+
+
+def refuse_nonsense(blueprint: Blueprint, advice: str) -> None:
+    """Raise RunRefused with the first finding that refuses a run, if there is one."""
+    found = refusals(blueprint)
+    if found:
+        more = f" (and {len(found) - 1} more findings like it)" if len(found) > 1 else ""
+        raise RunRefused(
+            f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
+            found[0].place,
+            advice,
+        )
 
 
 def refusals(blueprint: Blueprint) -> tuple[Finding, ...]:

@@ -19,7 +19,7 @@ from smsl_studio.front.acceptance import left_out, to_accept
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
-from smsl_studio.front.inputs import refusals
+from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.request import RunRequest, Several, several
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
@@ -121,7 +121,7 @@ def open_request(
     """
     checked = request.checked()
     blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
-    _refuse_nonsense(blueprint)
+    refuse_nonsense(blueprint, "Mend what this finding says, then run it again.")
     refuse_too_large(Hierarchy(blueprint))
     terms = RunTerms(
         start={at.branch: at.state for at in states_at(blueprint, checked.starts, "start")},
@@ -270,14 +270,3 @@ def _over(
     opened = dispatcher.opened if dispatcher is not None else None
     unbound = opened.faults if opened is not None else ()
     return Run(last.reason, last.sentence, tuple(events), left, unbound)
-
-
-def _refuse_nonsense(blueprint: Blueprint) -> None:
-    found = refusals(blueprint)
-    if found:
-        more = f" (and {len(found) - 1} more findings like it)" if len(found) > 1 else ""
-        raise RunRefused(
-            f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
-            found[0].place,
-            "Mend what this finding says, then run it again.",
-        )

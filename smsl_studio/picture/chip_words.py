@@ -13,7 +13,8 @@ LONGEST_WORD = 10
 """The largest number of characters of a meaning on a chip."""
 MOST_WORDED = 64
 """No more facts than this are looked at; a node has no room for the words of so many."""
-CHIP, GAP, SIDES, TEXT = 18.0, 4.0, 8.0, 12.0
+CHIP, GAP, CHIP_TEXT = 18.0, 4.0, 12.0
+"""The height and the least width of a chip, the room between two, and the size of their text."""
 ROOM = FULL_MAX - 12.0
 """The room for the chips of the widest node (pixels)."""
 
@@ -51,7 +52,7 @@ class ChipWords:
         """The width of the widest chip of a fact (pixels), with words or without."""
         values = values_of(self._branch, digit)
         texts = [self._meaning(digit, value) if words else value for value in values]
-        return max([CHIP, *(mono_width(text, TEXT) + SIDES for text in texts)])
+        return max(map(text_room, texts), default=CHIP)
 
     def _meaning(self, digit: int, value: str) -> str:
         note = self._branch.fact_note(digit)
@@ -67,6 +68,11 @@ class ChipWords:
     @cached_property
     def _has_words(self) -> bool:
         return has_words(self._branch)
+
+
+def text_room(text: str) -> float:
+    """Return the width of a chip with a text (pixels)."""
+    return max(CHIP, mono_width(text, CHIP_TEXT) + 8.0)
 
 
 def has_words(branch: StateBranch) -> bool:

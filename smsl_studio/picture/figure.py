@@ -14,6 +14,7 @@ import numpy as np
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.legible import one_line
+from smsl_studio.picture.chip_words import CHIP_TEXT, GAP, text_room
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts
 from smsl_studio.picture.geometry import Geometry
@@ -26,8 +27,7 @@ from smsl_studio.picture.words import elided, mono_width, width
 from smsl_studio.stop import heed
 
 Rect = tuple[float, float, float, float]
-NAME, LABEL, CHIP_TEXT, SHORT = 12.0, 11.0, 12.0, 12.0
-CHIP, GAP = 18.0, 4.0
+NAME, LABEL, SHORT = 12.0, 11.0, 12.0
 WIDEST, LONGEST_LABEL = 320.0, 260.0
 MOST_LINES, MOST_LABELS = 3000, 1500
 """With more operations than these, lines are straight or labels are left out. With more states than
@@ -255,7 +255,7 @@ class Figure:
 
 def chip_width(chip: Chip) -> float:
     """Return the width of one fact on a node (pixels)."""
-    return max(CHIP, mono_width(chip.text, CHIP_TEXT) + 8.0)
+    return text_room(chip.text)
 
 
 def full_width(face: Face) -> float:

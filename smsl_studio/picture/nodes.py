@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from smsl_studio.legible import markup, one_line
+from smsl_studio.picture.chip_words import CHIP_TEXT, GAP
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import (
-    CHIP_TEXT,
-    GAP,
     LABEL,
     LONGEST_LABEL,
     NAME,

@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.graph.layout import place_states
-from smsl_studio.picture.chip_words import GAP as BETWEEN
-from smsl_studio.picture.chip_words import ROOM, SIDES, TEXT
-from smsl_studio.picture.figure import CHIP, GAP, WIDEST, Figure
+from smsl_studio.picture.chip_words import CHIP, CHIP_TEXT, GAP, ROOM
+from smsl_studio.picture.figure import WIDEST, Figure
 from smsl_studio.picture.picture import MOST_CHIPS, Picture
 from smsl_studio.picture.svg import as_svg, draw_blueprint, one_below_another
 from smsl_studio.picture.words import mono_width
@@ -81,12 +80,12 @@ def test_of_four_facts_those_have_words_that_fit_and_the_others_digits() -> None
 )
 def test_words_never_push_a_fact_off_a_node(meanings: list[tuple[str, str]]) -> None:
     texts = [words_of(meanings, state) for state in (0, 1)]
-    digits = [mono_width(value, TEXT) for value in "01"]
+    digits = [mono_width(value, CHIP_TEXT) for value in "01"]
     for one in texts:
         assert len(one) == len(meanings)
-        wide = [max(18.0, mono_width(text, TEXT) + SIDES) for text in one]
+        wide = [max(18.0, mono_width(text, CHIP_TEXT) + 8.0) for text in one]
         if any(text not in ("0", "1") for text in one):
-            assert sum(wide) + BETWEEN * (len(wide) - 1) <= ROOM + 1e-6
+            assert sum(wide) + GAP * (len(wide) - 1) <= ROOM + 1e-6
     for zero, one in zip(*texts, strict=True):
         assert (zero == "0") == (one == "1") or "" in (zero, one), "in all states or in none"
     assert max(digits) <= 18.0

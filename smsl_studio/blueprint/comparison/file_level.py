@@ -14,10 +14,10 @@ from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Path
 from smsl_studio.blueprint.comparison.sides import Sides
 from smsl_studio.blueprint.comparison.values import alike, fields_that_differ, merged, said
 from smsl_studio.blueprint.continuum import DEFAULTS
-from smsl_studio.blueprint.meaning import levels_written, word_for_word
+from smsl_studio.blueprint.meaning import OF_PROPERTY, levels_written, word_for_word
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import real_path
-from smsl_studio.blueprint.properties.follow import followed
+from smsl_studio.blueprint.properties.follow import property_followed
 
 Json = Any
 _OWN = ("_hazards", "_imports", "_levels", "_properties")
@@ -108,7 +108,7 @@ def _compare_named(sides: Sides, key: str, what: str) -> None:
 
 def _full(entry: Json) -> Json:
     """Return an entry with the defaults of a property, which are no change if they are written."""
-    return {"severity": "E", "why": "", **entry} if isinstance(entry, dict) else entry
+    return {**OF_PROPERTY, **entry} if isinstance(entry, dict) else entry
 
 
 Placed = tuple[Path, Json]
@@ -139,25 +139,21 @@ def _mapped(sides: Sides, entry: Json) -> Json:
         return entry
     if isinstance(entry.get("facts"), dict):
         return {**entry, "facts": {sides.fact(k): v for k, v in entry["facts"].items()}}
-    return {
-        key: value if key in ("name", "why") else _renamed_in(sides, value)
-        for key, value in entry.items()
-    }
+    names = {old: new for old, new in sides.branches.items() if old != new}
+    if not names:
+        return entry
 
+    def pattern(text: str) -> str:
+        """Return a pattern of operations with the later name of its SB."""
+        name, slash, rest = text.partition("/")
+        return f"{names.get(name, name)}/{rest}" if slash else text
 
-def _renamed_in(sides: Sides, value: Json) -> Json:
-    """Return the conditions and addresses in a property with the later names of SBs."""
-    if isinstance(value, dict):
-        return {key: _renamed_in(sides, one) for key, one in value.items()}
-    if isinstance(value, list):
-        return [_renamed_in(sides, one) for one in value]
-    if not isinstance(value, str):
-        return value
-    after = followed(value, lambda term: replace(term, branch=sides.branch(term.branch)))
-    names = Address.split(value)
-    if after == value and len(names) > 1 and names[0] in sides.before.branches:
-        after = "/".join((str(Address(sides.branch(names[0]))), *value.split("/")[1:]))
-    return after
+    return property_followed(
+        entry,
+        lambda term: replace(term, branch=names.get(term.branch, term.branch)),
+        lambda goal: replace(goal, branch=names.get(goal.branch, goal.branch)),
+        pattern,
+    )
 
 
 def _named_change(what: str, name: str, here: Placed | None, there: Placed | None) -> Change:

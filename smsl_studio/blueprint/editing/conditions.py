@@ -8,7 +8,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.editing.draft import Draft, rename_keys
-from smsl_studio.blueprint.properties.follow import followed
+from smsl_studio.blueprint.properties.follow import property_followed
 from smsl_studio.blueprint.properties.formula import Term
 from smsl_studio.blueprint.properties.property import KEY
 
@@ -76,56 +76,6 @@ def properties_follow(
             continue
         # One edit may do this twice, so the second time begins with the result of the first.
         file = draft.file(document)
-        after = [_property(entry, term, goal, operation) for entry in file[KEY]]
+        after = [property_followed(entry, term, goal, operation) for entry in file[KEY]]
         if after != file[KEY]:
             file[KEY] = after
-
-
-def _property(
-    entry: Json,
-    term: Callable[[Term], Term] | None,
-    goal: Callable[[Address], Address] | None,
-    operation: Callable[[str], str] | None,
-) -> Json:
-    if not isinstance(entry, dict):
-        return entry
-    after = dict(entry)
-    for kind in ("never", "reachable", "before", "after", "way_back"):
-        if kind in entry and term is not None:
-            after[kind] = _conditions(entry[kind], term)
-    for kind, key, change in (
-        ("cost", "goal", goal and _addressed(goal)),
-        ("at_most", "operation", operation),
-    ):
-        inside = entry.get(kind)
-        if change and isinstance(inside, dict) and isinstance(inside.get(key), str):
-            after[kind] = {**inside, key: change(inside[key])}
-    return after
-
-
-def _conditions(value: Json, term: Callable[[Term], Term]) -> Json:
-    if isinstance(value, str):
-        return followed(value, term)
-    if isinstance(value, list):
-        return [_conditions(one, term) for one in value]
-    if isinstance(value, dict):
-        return {
-            key: _conditions(one, term) if key in ("from", "to") else one
-            for key, one in value.items()
-        }
-    return value
-
-
-def _addressed(change: Callable[[Address], Address]) -> Callable[[str], str]:
-    """Return the change of a written address. One without an SB stays so."""
-
-    def changed(text: str) -> str:
-        """Return the text of the address after the edit."""
-        names = Address.split(text)
-        if len(names) != 2 or not all(names):
-            return text
-        before = Address(*names)
-        after = change(before)
-        return text if after == before else str(after)
-
-    return changed

@@ -1,9 +1,11 @@
-"""Lets the text of a formula follow an edit: other names, and every other character as it was."""
+"""Lets formulas and properties follow an edit: other names, and every other character as it was."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.properties.formula import (
     AllOf,
     AnyOf,
@@ -16,6 +18,8 @@ from smsl_studio.blueprint.properties.formula import (
 )
 from smsl_studio.blueprint.properties.reading import read_formula, written_name, written_plain
 from smsl_studio.errors import FormulaError
+
+Json = Any
 
 
 def terms_of(formula: Formula) -> Iterator[Term]:
@@ -49,6 +53,61 @@ def followed(text: str, change: Callable[[Term], Term]) -> str:
         found += [text[at:start], name]
         at = end
     return "".join((*found, text[at:]))
+
+
+def property_followed(
+    entry: Json,
+    term: Callable[[Term], Term] | None = None,
+    goal: Callable[[Address], Address] | None = None,
+    operation: Callable[[str], str] | None = None,
+) -> Json:
+    """Return an entry of ``_properties`` with other names.
+
+    ``term`` returns a comparison with its new names, ``goal`` the new address of a goal, and
+    ``operation`` the new pattern of an operation. What cannot be read stays as it is.
+    """
+    if not isinstance(entry, dict):
+        return entry
+    after = dict(entry)
+    for kind in ("never", "reachable", "before", "after", "way_back"):
+        if kind in entry and term is not None:
+            after[kind] = _conditions(entry[kind], term)
+    for kind, key, change in (
+        ("cost", "goal", goal and _addressed(goal)),
+        ("at_most", "operation", operation),
+    ):
+        inside = entry.get(kind)
+        if change and isinstance(inside, dict) and isinstance(inside.get(key), str):
+            after[kind] = {**inside, key: change(inside[key])}
+    return after
+
+
+def _conditions(value: Json, term: Callable[[Term], Term]) -> Json:
+    if isinstance(value, str):
+        return followed(value, term)
+    if isinstance(value, list):
+        return [_conditions(one, term) for one in value]
+    if isinstance(value, dict):
+        return {
+            key: _conditions(one, term) if key in ("from", "to") else one
+            for key, one in value.items()
+        }
+    return value
+
+
+def _addressed(change: Callable[[Address], Address]) -> Callable[[str], str]:
+    """Return the change of a written address. One without an SB stays so."""
+
+    def changed(text: str) -> str:
+        """Return the text of the address after the edit."""
+        names = Address.split(text)
+        if len(names) != 2 or not all(names):
+            return text
+        before = Address(*names)
+        after = change(before)
+        return text if after == before else str(after)
+
+    return changed
 
 
 def _pieces(before: Term, after: Term) -> Iterator[tuple[Span, str]]:

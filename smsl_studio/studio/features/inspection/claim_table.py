@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
-from smsl_studio.studio.base.controls import NameDelegate, name_parts
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.inspection.claim_model import (
-    HIGH,
     KIND,
     LOOKED_AT,
     NAME,
@@ -21,13 +19,14 @@ from smsl_studio.studio.features.inspection.claim_model import (
     ClaimModel,
     Index,
 )
+from smsl_studio.studio.features.inspection.row_table import RowTable
 
 NARROW = 860
 """Below this width the column Kind is hidden, because the sentence says the same (pixels)."""
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
-class ClaimTable(QTableView):
+class ClaimTable(RowTable):
     """Hazards and properties, one in a row. Enter or a double click edits, Del removes."""
 
     row_chosen = Signal(object)
@@ -36,27 +35,9 @@ class ClaimTable(QTableView):
     delete_wanted = Signal(object)
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("Hazards and properties", parent)
         self.claims = ClaimModel(tokens, self)
         self.setModel(self.claims)
-        self.setProperty("role", "table")
-        self.setAccessibleName("Hazards and properties")
-        self.setItemDelegate(NameDelegate(self))
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setShowGrid(False)
-        self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(HIGH)
-        self.verticalHeader().setMinimumSectionSize(HIGH)
-        heads = self.horizontalHeader()
-        heads.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        heads.setHighlightSections(False)
-        heads.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        name_parts(self)
         self.doubleClicked.connect(lambda index: self.edit_wanted.emit(index.data(_ROW)))
 
     @property
@@ -77,9 +58,6 @@ class ClaimTable(QTableView):
         self.choose(before.address if before else None)
         self.blockSignals(blocked)
         self.row_chosen.emit(self.chosen)
-
-    def keyboardSearch(self, search: str, /) -> None:
-        """Do nothing: letters are keys of the window."""
 
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Tell the chosen row."""

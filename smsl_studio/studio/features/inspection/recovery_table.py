@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtCore import QModelIndex, Signal
 from PySide6.QtGui import QColor, QResizeEvent, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtWidgets import QWidget
 
-from smsl_studio.studio.base.controls import NameDelegate, name_parts
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.inspection.claim_model import HIGH, Index
+from smsl_studio.studio.features.inspection.claim_model import Index
+from smsl_studio.studio.features.inspection.row_table import RowTable
 
 if TYPE_CHECKING:
     from smsl_studio.front.recovery_rows import RecoveryRow
@@ -22,36 +22,18 @@ SHARES = (4, 3, 5, 3, 2)
 """How the columns share the width."""
 
 
-class RecoveryTable(QTableView):
+class RecoveryTable(RowTable):
     """Failure states, one in a row. Those without a way back stand first."""
 
     row_chosen = Signal(object)
     """RecoveryRow, or None if no row is chosen."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("Recoverability", parent)
         self._tokens = tokens
         self.rows: tuple[RecoveryRow, ...] = ()
         self._model = QStandardItemModel(self)
         self.setModel(self._model)
-        self.setProperty("role", "table")
-        self.setAccessibleName("Recoverability")
-        self.setItemDelegate(NameDelegate(self))
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setShowGrid(False)
-        self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(HIGH)
-        self.verticalHeader().setMinimumSectionSize(HIGH)
-        heads = self.horizontalHeader()
-        heads.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        heads.setHighlightSections(False)
-        heads.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        name_parts(self)
 
     @property
     def chosen(self) -> RecoveryRow | None:
@@ -78,9 +60,6 @@ class RecoveryTable(QTableView):
         self.blockSignals(blocked)
         self._share()
         self.row_chosen.emit(self.chosen)
-
-    def keyboardSearch(self, search: str, /) -> None:
-        """Do nothing: letters are keys of the window."""
 
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Tell the chosen row."""

@@ -1,0 +1,38 @@
+"""RowTable: what the tables of the page Inspection share."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+from smsl_studio.studio.base.controls import NameDelegate, name_parts
+from smsl_studio.studio.features.inspection.claim_model import HIGH
+
+
+class RowTable(QTableView):
+    """A table in which whole rows are chosen, one at a time, and nothing is edited in place."""
+
+    def __init__(self, words: str, parent: QWidget | None) -> None:
+        """``words`` name the table for those who do not see it."""
+        super().__init__(parent)
+        self.setProperty("role", "table")
+        self.setAccessibleName(words)
+        self.setItemDelegate(NameDelegate(self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(HIGH)
+        self.verticalHeader().setMinimumSectionSize(HIGH)
+        heads = self.horizontalHeader()
+        heads.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        heads.setHighlightSections(False)
+        heads.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        name_parts(self)
+
+    def keyboardSearch(self, search: str, /) -> None:
+        """Do nothing: letters are keys of the window."""
