@@ -24,22 +24,41 @@ def failing_states(branch: StateBranch) -> Mapping[str, str]:
     return found
 
 
+def failures(branch: StateBranch, state: str) -> tuple[tuple[int, str], ...]:
+    """Return the facts that make a state a failure, as digits (from 0) with their values."""
+    return _failures(branch, state, _declared(branch))
+
+
 def _failing(branch: StateBranch) -> Mapping[str, str]:
-    declared = [
-        (digit, frozenset(note.failure))
-        for digit, note in sorted(branch.notes.facts.items())
-        if note.failure and digit < branch.num_facts
-    ]
+    declared = _declared(branch)
     if not declared:
         return _NONE
     found: dict[str, str] = {}
     for state in branch.table:
-        facts = branch.facts(state)
         words = [
-            f"{branch.fact_name(digit)} would be {facts[digit]}"
-            for digit, values in declared
-            if digit < len(facts) and facts[digit] in values
+            f"{branch.fact_name(digit)} would be {value}"
+            for digit, value in _failures(branch, state, declared)
         ]
         if words:
             found[state] = " and ".join(words)
     return MappingProxyType(found)
+
+
+def _declared(branch: StateBranch) -> list[tuple[int, frozenset[str]]]:
+    """Return the failure values of each fact that has some, by digit."""
+    return [
+        (digit, frozenset(note.failure))
+        for digit, note in sorted(branch.notes.facts.items())
+        if note.failure and digit < branch.num_facts
+    ]
+
+
+def _failures(
+    branch: StateBranch, state: str, declared: list[tuple[int, frozenset[str]]]
+) -> tuple[tuple[int, str], ...]:
+    facts = branch.facts(state)
+    return tuple(
+        (digit, facts[digit])
+        for digit, values in declared
+        if digit < len(facts) and facts[digit] in values
+    )

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 SHOWN = "shown for this blueprint as written, if every operation does what its edge says"
 MOST_HELD = 100
-"""The most hazards and properties that hold and are listed in the text."""
+"""The text lists at most so many hazards and properties that hold."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import OperationNote
-from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.failure_states import failures
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.recovery import FailureRecovery, recoverability
 from smsl_studio.front.views.claim_run import steps_of
+from smsl_studio.front.views.fact_tiles import value_words
 from smsl_studio.inspection.proof.verdict import Counterexample
 
 ROBOT = "robot"
@@ -43,7 +44,10 @@ def recovery_rows(blueprint: Blueprint, limit: int) -> tuple[RecoveryRow, ...]:
 
 def _row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
     branch = blueprint[one.state.branch]
-    failure = failing_states(branch)[one.state.state].replace(" would be ", " is ")
+    failure = " and ".join(
+        f"{branch.fact_name(digit)} is {value_words(blueprint, (branch.name, digit), value)}"
+        for digit, value in failures(branch, one.state.state)
+    )
     goal = "no route" if one.cost is None else f"cost {one.cost:g}"
     if one.path is None or one.start is None:
         way = f"Unknown: {one.bound}" if one.bound else "No way back"

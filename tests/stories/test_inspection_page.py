@@ -83,6 +83,30 @@ def test_each_hazard_and_property_has_a_verdict_and_a_sentence(sit: Sit, tmp_pat
     assert not any("safe" in text.lower() for text in texts)
 
 
+def test_the_first_row_that_fails_is_chosen_until_somebody_chooses(
+    sit: Sit, tmp_path: Path
+) -> None:
+    third = {"name": "Third", "never": "REG = 1"}
+    person = at_page(sit, tmp_path, _properties=[BOTH, third], _hazards=[HAZARD])
+    first = page(person).table.chosen
+    assert first is not None
+    assert first.name == "Blind"
+    assert page(person).run.isVisible()
+    assert person.window.canvas.marks.active == "State_0"
+    choose(person, "Third")
+    page(person).again.click()
+    answered(person)
+    chosen = page(person).table.chosen
+    assert chosen is not None
+    assert chosen.name == "Third", "a choice stays"
+
+
+def test_nothing_is_chosen_by_itself_where_all_holds(sit: Sit, tmp_path: Path) -> None:
+    person = at_page(sit, tmp_path, _properties=[BOTH])
+    assert page(person).table.chosen is None
+    assert person.window.canvas.marks.active is None
+
+
 def test_f1_on_a_verdict_tells_what_holds_means(sit: Sit, tmp_path: Path) -> None:
     person = at_page(sit, tmp_path, _hazards=[HAZARD])
     choose(person, "Blind")

@@ -319,7 +319,9 @@ def test_a_file_with_markers_says_what_it_is_and_is_merged_by_meaning(
     person = sit(path)
     window = person.window
     assert "marked.json has the conflict markers of a merge by lines" in window.toast.words
+    assert window.toast.severity == "W", "a file that is no blueprint is not good news"
     page = at_page(person)
+    assert not window.toast.words, "the page says the same itself"
     assert "in 3 places" in page.notice.words or "in 2 places" in page.notice.words
     person.click(page.notice.merge)
     person.until(lambda: bool(page.list.cards))

@@ -40,8 +40,14 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
     file.write_text(json.dumps(values, indent=1))
     person = at_tab(sit, file)
     assert rows(person) == [
-        ["TRACKER/State_o", "Tracker is o", "No way back", "", "no route"],
-        ["HEAD/State_m", "Head is m", "1 operation: Op_FixHeadAgain", "surgeon", "cost 25"],
+        ["TRACKER/State_o", "Tracker is occluded (o)", "No way back", "", "no route"],
+        [
+            "HEAD/State_m",
+            "Head is moved in the clamp (m)",
+            "1 operation: Op_FixHeadAgain",
+            "surgeon",
+            "cost 25",
+        ],
     ]
     table, run = page(person).recovery, page(person).run
     table.setFocus()
@@ -56,7 +62,8 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
     assert person.window.canvas.marks.active == "State_1"
 
     page(person).tabs.setCurrentIndex(0)
-    assert person.window.canvas.marks.active is None
+    assert run.title.text() == "Shortest run to it", "the run of the first row that fails"
+    assert person.window.canvas.marks.active == "State_0", "where that run stands in HEAD"
     page(person).choose(page(person).table.claims.rows[0].address)
     assert run.play.isVisible()
 
@@ -72,7 +79,8 @@ def test_after_an_edit_the_ways_are_asked_again(sit: Sit) -> None:
     person.until(lambda: page(person).look.rows is not None)
     assert rows(person)[0][:3] == [
         "REGISTRATION/State_1ee",
-        "Landmarks digitized is e and Registered is e",
+        "Landmarks digitized is badly: a point is too far from the plan (e) and "
+        "Registered is no more: the patient has moved (e)",
         "No way back",
     ]
 

@@ -42,11 +42,11 @@ def _ends(values: Json) -> tuple[Json, Json]:
     return said.get("INITIAL", states[0]), said.get("ACTIVATING", states[-1])
 
 
-def _is_spoilt(path: Path, base: Json, ours: Json, theirs: Json) -> bool:
-    """Return whether both sides changed what a hazard or a property says.
+def _says_two_things(path: Path, base: Json, ours: Json, theirs: Json) -> bool:
+    """Return whether both sides changed what a hazard or a property says, in different ways.
 
-    Its facts or conditions are one sentence. Of two of them key by key a third one would come,
-    which nobody wrote.
+    Its facts or conditions are one sentence. If two such sentences were merged key by key, the
+    result would be a third sentence, which nobody wrote. So it is a conflict instead.
     """
     if len(path) != 2 or path[0] not in NAMED:
         return False
@@ -76,7 +76,7 @@ class Merger:
         if same(ours, base):
             return theirs
         maps = _as_maps(path, (base, ours, theirs))
-        if maps is None or _is_spoilt(path, *maps):
+        if maps is None or _says_two_things(path, *maps):
             if self._is_quiet(path):
                 self.kept.append(path)
             else:

@@ -89,8 +89,11 @@ class Cut:
         return tuple(sorted(found))
 
     def condition(self, states: Collection[str]) -> dict[int, str]:
-        """Return the facts of the sub-SB, by digit of the base, that tell some chosen states from
-        the other chosen ones. CutRefused if no such facts hold together."""
+        """Return values of facts that ``states`` have, and no other chosen state has.
+
+        They are the fewest that were found, by the digit of the fact in the base. CutRefused if
+        another chosen state has all values that ``states`` have in common.
+        """
         if len(states) == len(self.chosen.states):
             return {}
         rows = [self.chosen.values(state, self.digits) for state in states]

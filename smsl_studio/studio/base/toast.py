@@ -101,9 +101,11 @@ class Toast(QWidget):
         """Show that something went well."""
         self._show(sentence, "", "", max(SAID_MS, READING_MS * len(brief(sentence))))
 
-    def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
-        """Show what was done, with a button that reacts to it, such as Undo."""
-        self._show(sentence, "", "", REFUSED_MS)
+    def offer(
+        self, sentence: str, words: str, call: Callable[[], object], severity: str = ""
+    ) -> None:
+        """Show what was done or found, with a button that reacts to it, such as Undo."""
+        self._show(sentence, "", severity, REFUSED_MS)
         self._call = call
         self._of_step = True
         self.button.setText(words)

@@ -25,7 +25,7 @@ Edge = tuple[str, str]
 class PaintedParts:
     """What the states, the operations and the marks of a small drawing look like, by their names.
 
-    It is made of a drawing that is laid out and not changed by a drag since.
+    Make it when the layout of the drawing is done. A drag that comes later makes it out of date.
     """
 
     def __init__(self, sheet: Sheet) -> None:

@@ -209,6 +209,7 @@ class InspectionPanel(QWidget):
         """Light the run of the chosen row again."""
         super().showEvent(event)
         self._look()
+        self._choose_first()
         self._show_row(self.table.chosen)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -259,8 +260,16 @@ class InspectionPanel(QWidget):
             self.table.choose(self._wanted)
             self.table.scrollTo(self.table.currentIndex())
             self._wanted = None
+        self._choose_first()
         self._show_page(bool(rows) or self.writing.open)
         self._show_tools()
+
+    def _choose_first(self) -> None:
+        """Choose the first row that fails if none is chosen, so that its run is shown."""
+        claims = self.table.claims
+        if self.isVisible() and self.table.chosen is None and not self.writing.open:
+            fails = (one for one in claims.rows if claims.verdict(one) == FAILS)
+            self.table.choose(next((one.address for one in fails), None))
 
     @property
     def _recovering(self) -> bool:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.recovery_rows import RecoveryRow
 
 HEADS = ("From", "Failure", "Nearest without failure", "Who decides", "Goal")
-SHARES = (4, 3, 5, 3, 2)
+SHARES = (3, 4, 4, 2, 2)
 """How the columns share the width."""
 
 

@@ -59,7 +59,6 @@ class MergeFeature(Feature):
     def show(self) -> None:
         """Show the page, if there is one."""
         if self.merge.exists or self.marked.exists:
-            self._parts.toast.hide()
             self._shell.set_mode(PAGE)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -84,6 +83,8 @@ class MergeFeature(Feature):
 
         page = MergePage(self._parts.session, self.merge, self._tokens)
         page.save_wanted.connect(self._save)
+        # The page says itself what the message offers.
+        page.opened.connect(self._parts.toast.hide)
         page.leave_wanted.connect(self._leave)
         page.merge_wanted.connect(self._merge_marked)
         self._tell_marked(page)
@@ -104,7 +105,7 @@ class MergeFeature(Feature):
         if self.part.made is not None:
             self._tell_marked(self.part.made)
         if marked.exists and not was_offered:
-            self._parts.toast.offer(f"{marked.words}.", "Show Merge", self.show)
+            self._parts.toast.offer(f"{marked.words}.", "Show Merge", self.show, "W")
         self._look_in_git()
 
     def _tell_marked(self, page: MergePage) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QSplitter, QStackedLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -26,6 +27,7 @@ class MergePage(QWidget):
     leave_wanted = Signal()
     merge_wanted = Signal()
     """Merge the text with conflict markers by what it means."""
+    opened = Signal()
 
     def __init__(self, session: Session, merge: OpenMerge, tokens: Tokens) -> None:
         super().__init__()
@@ -90,6 +92,11 @@ class MergePage(QWidget):
         if sides is not None and conflict in self._merge.conflicts:
             number = self._merge.conflicts.index(conflict) + 1
             self.source.show_conflict(conflict, number, sides)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Tell that somebody looks at the page."""
+        super().showEvent(event)
+        self.opened.emit()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""

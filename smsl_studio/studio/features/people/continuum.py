@@ -19,7 +19,7 @@ from smsl_studio.studio.running.run_session import RunSession
 
 RECORDED = "Levels were set before the run and are part of its record."
 UNSET = "Where nobody is named as acting, it counts as automatic."
-DECLARED = "As the blueprint declares them. They can be set before a run."
+DECLARED = "Levels of the blueprint. They can be set before a run."
 
 
 class Continuum(QWidget):

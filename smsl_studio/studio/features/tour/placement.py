@@ -24,11 +24,11 @@ class BesideControl:
 
 
 def beside(target: QRect, size: QSize, room: QRect, spared: Sequence[QRect] = ()) -> BesideControl:
-    """The first place inside ``room`` where a callout covers neither ``target`` nor what it speaks
-    of: below the target, above it, at its right or at its left.
+    """The place of a callout inside ``room``. It never covers ``target``, the control it explains.
 
-    If each of these covers some of ``spared``, it stands apart, where it covers least of them and
-    is nearest to the target.
+    Tried first are the places below the target, above it, at its right and at its left. The first
+    that covers nothing of ``spared`` is taken. If there is none, other places in the room are
+    tried too, and the one that covers least of ``spared`` is taken; of equal ones the nearest.
     """
     found = list(_sides(target, size, room))
     clear = [one for one in found if not _covered(one.box, spared)]

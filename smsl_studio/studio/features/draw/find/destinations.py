@@ -20,8 +20,11 @@ class Panels(Protocol):
 
 
 class Destinations:
-    """Shows facts in Properties, hazards on their page and operations in the library, and opens
-    files."""
+    """Where the results of a search are shown.
+
+    A fact is shown in the panel Properties, a hazard on the page Inspection, an operation of a
+    plugin in the panel Library. A file is opened.
+    """
 
     def __init__(
         self, panels: Panels, properties: Properties, library: Library, files: Files
