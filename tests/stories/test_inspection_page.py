@@ -12,7 +12,8 @@ from PySide6.QtTest import QTest
 
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.help.pages import HelpPlace
-from smsl_studio.studio.features.inspection.panel import SHOWN, InspectionPanel
+from smsl_studio.studio.features.inspection.panel import InspectionPanel
+from smsl_studio.studio.features.inspection.tab_line import SHOWN
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 

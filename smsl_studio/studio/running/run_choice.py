@@ -21,7 +21,8 @@ from smsl_studio.runlog.log import RunLog
 class RunChoice:
     """What a person chose to run. ``start`` and ``goal`` are addresses; empty means the default.
 
-    ``levels`` are those that were set for this run (see ``blueprint.levels``).
+    ``starts`` are start states of several SBs, instead of ``start``. ``levels`` are those that were
+    set for this run (see ``blueprint.levels``).
     """
 
     world: str
@@ -30,6 +31,7 @@ class RunChoice:
     seed: int = 0
     by_hand: bool = False
     levels: Mapping[str, str] = field(default_factory=dict)
+    starts: tuple[str, ...] = ()
     script: Script | None = None
     """What is done by hand in this run, one act after the other."""
 
@@ -41,7 +43,7 @@ class RunChoice:
         return RunRequest(
             blueprint,
             self.world,
-            starts=(self.start,) if self.start else (),
+            starts=self.starts or ((self.start,) if self.start else ()),
             goals=(self.goal,) if self.goal else (),
             seed=self.seed,
             levels=self.levels,

@@ -78,6 +78,7 @@ class Features(QObject):
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
         self.inspection.play = self._play_script
+        self.inspection.start_at = self._start_at
         self.run.asked = Watched(self.run, self.replay, lambda: shell.mode)
         self.run.shown_elsewhere = self.supervise.is_shown
         self.run.part.when_made(self._introduce)
@@ -96,6 +97,10 @@ class Features(QObject):
     def _play_script(self, text: str, name: str) -> None:
         self._shell.set_mode("run")
         self.run.pane.play_script(text, name)
+
+    def _start_at(self, states: tuple[str, ...]) -> None:
+        self._shell.set_mode("run")
+        self.run.pane.start_at(states)
 
     def _run_and_levels(self) -> tuple[RunSession, NextLevels]:
         return self.run.pane.run, self.run.pane.levels
@@ -169,7 +174,9 @@ class Features(QObject):
     def stop(self) -> None:
         """End all work, because the window closes. The run ends first."""
         self.end_run()
-        for feature in (self.replay, self.export, self.merge, self.draw, self.start):
+        for feature in (
+            self.replay, self.export, self.merge, self.inspection, self.draw, self.start,
+        ):  # fmt: skip
             feature.stop()
 
     def end_run(self) -> None:

@@ -15,6 +15,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.panel import InspectionPanel
+from smsl_studio.studio.features.inspection.tab_line import VERDICTS
 from smsl_studio.studio.running.window_parts import WindowParts
 
 NAME = "Inspection"
@@ -29,8 +30,12 @@ class InspectionFeature(Feature):
         self.panel = InspectionPanel(parts.session, parts.inspector, lit, parts.tokens)
         self.play: Callable[[str, str], None] = lambda text, name: None
         """Runs the text of a script with a name; another feature has the runs."""
-        self.panel.run.play_wanted.connect(lambda text: self.play(text, self._name))
-        self.panel.run.save_wanted.connect(self._save)
+        self.start_at: Callable[[tuple[str, ...]], None] = lambda states: None
+        """Lets the next run start in these states; another feature has the runs."""
+        for run in (self.panel.run, self.panel.configuration.run):
+            run.play_wanted.connect(lambda text: self.play(text, self._name))
+            run.save_wanted.connect(self._save)
+        self.panel.configuration.start_wanted.connect(lambda states: self.start_at(states))
         self.panel.unproved.connect(lambda count: shell.show_count(NAME, count))
         self.panels = (
             DockPanel(NAME, "bottom", self.panel, self.panel.tools, tall=True, after="Findings"),
@@ -47,11 +52,13 @@ class InspectionFeature(Feature):
     def stop(self) -> None:
         """End all work, because the window closes."""
         self.panel.look.stop()
+        self.panel.configuration.stop()
 
     def show_page(self) -> None:
         """Show the page with the keyboard on it."""
         self._shell.show_tab(NAME)
         panel = self.panel
+        panel.tabs.setCurrentIndex(VERDICTS)
         (panel.table if panel.table.isVisible() else panel.add_empty).setFocus()
 
     def show_claim(self, address: Address) -> None:

@@ -3,37 +3,33 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QSplitter,
-    QStackedWidget,
-    QTabBar,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QPushButton, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
-from smsl_studio.studio.document.inspector import LIMIT, Inspector
+from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.inspection.claim_form import ClaimForm
 from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
+from smsl_studio.studio.features.inspection.configuration_page import ConfigurationPage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.recovery_look import RecoveryLook
 from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
+from smsl_studio.studio.features.inspection.tab_line import (
+    CONFIGURATION,
+    RECOVERABILITY,
+    VERDICTS,
+    TabLine,
+)
 
-SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
 EMPTY = (
     "No hazard and no property is written.",
     "A hazard names facts that must never hold together. A property is a sentence about the whole "
@@ -45,8 +41,6 @@ NO_FAILURE = (
     "No failure value is declared, so nothing can fail. A value of a fact becomes a failure in the "
     "panel Facts; the failure states and the ways out of them stand here then."
 )
-NARROW = 780
-"""Below this width the sentence has no room for the limit beside it (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
 
@@ -69,6 +63,9 @@ class InspectionPanel(QWidget):
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setAccessibleName("Inspection")
+        self.line = TabLine()
+        self.tabs, self.shown = self.line.tabs, self.line.shown
+        self.configuration = ConfigurationPage(session, lit, tokens)
         self.table = ClaimTable(tokens)
         self.run = RunView(lit, tokens)
         self.recovery, self.look = RecoveryTable(tokens), RecoveryLook(session, self)
@@ -95,38 +92,16 @@ class InspectionPanel(QWidget):
         self._pages = QStackedWidget()
         self._pages.addWidget(self._empty_page())
         self._pages.addWidget(split)
+        self._pages.addWidget(self.configuration)
         self.tools = self._make_tools()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self._sentence())
+        column.addWidget(self.line)
         column.addWidget(self._pages, 1)
         self.setFocusProxy(self.table)
         self._connect()
         self._show_tools()
-
-    def _sentence(self) -> QWidget:
-        bar = QWidget()
-        bar.setProperty("role", "bar")
-        bar.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.tabs = QTabBar()
-        self.tabs.setDrawBase(False)
-        self.tabs.setExpanding(False)
-        self.tabs.setUsesScrollButtons(False)
-        self.tabs.setElideMode(Qt.TextElideMode.ElideNone)
-        self.tabs.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.tabs.setAccessibleName("Verdicts or recoverability")
-        for name in ("Verdicts", "Recoverability"):
-            self.tabs.addTab(name)
-        self.shown: QLabel = Elided(SHOWN)
-        self.shown.setProperty("role", "small")
-        self.limit = label(f"Limit {LIMIT:,}", "small")
-        self.limit.setToolTip(tip_text(f"At most {LIMIT:,} configurations are looked at here"))
-        line = row(self.tabs, self.shown, self.limit)
-        line.setContentsMargins(6, 0, 14, 0)
-        bar.setLayout(line)
-        return bar
 
     def _empty_page(self) -> QWidget:
         page = QWidget()
@@ -182,6 +157,7 @@ class InspectionPanel(QWidget):
         self.table.claims.set_tokens(tokens)
         self.recovery.set_tokens(tokens)
         self.run.set_tokens(tokens)
+        self.configuration.set_tokens(tokens)
         self.form.set_tokens(tokens)
 
     def write_new(self) -> None:
@@ -211,15 +187,13 @@ class InspectionPanel(QWidget):
         self._look()
         self._choose_first()
         self._show_row(self.table.chosen)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the limit out if the sentence needs its place."""
-        super().resizeEvent(event)
-        self.limit.setVisible(self.width() >= NARROW)
+        if self._walking:
+            self.configuration.enter()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Light nothing on the drawing, because nobody looks at the run."""
         super().hideEvent(event)
+        self.configuration.leave()
         self.run.clear()
 
     def _edit(self, claim: ClaimRow) -> None:
@@ -274,22 +248,35 @@ class InspectionPanel(QWidget):
     @property
     def _recovering(self) -> bool:
         """Whether the tab of recoverability is chosen."""
-        return self.tabs.currentIndex() == 1
+        return self.tabs.currentIndex() == RECOVERABILITY
+
+    @property
+    def _walking(self) -> bool:
+        """Whether the tab of the configuration is chosen."""
+        return self.tabs.currentIndex() == CONFIGURATION
 
     def _show_page(self, rows: bool) -> None:
         """Show the tables, or the page that says what may be written."""
-        self._pages.setCurrentIndex(int(rows or self._recovering))
+        if self._walking:
+            self._pages.setCurrentWidget(self.configuration)
+        else:
+            self._pages.setCurrentIndex(int(rows or self._recovering))
 
     def _tab_shown(self) -> None:
-        if self._recovering and self.writing.open:
+        if self.tabs.currentIndex() != VERDICTS and self.writing.open:
             # What is typed stays in its form, which is on the other tab.
             self.tabs.setCurrentIndex(0)
             return
-        self.above.setCurrentIndex(self.tabs.currentIndex())
-        self.setFocusProxy(self.recovery if self._recovering else self.table)
+        self.configuration.leave()
+        self.run.clear()
+        self.above.setCurrentIndex(int(self._recovering))
+        places = (self.table, self.recovery, self.configuration)
+        self.setFocusProxy(places[self.tabs.currentIndex()])
         self._show_page(bool(self.table.claims.rows) or self.writing.open)
         self._look()
         self._show_row(self.table.chosen)
+        if self._walking and self.isVisible():
+            self.configuration.enter()
 
     def _look(self) -> None:
         """Ask for the ways back, if somebody looks."""
@@ -348,7 +335,7 @@ class InspectionPanel(QWidget):
 
     def _show_row(self, claim: ClaimRow | None) -> None:
         waiting = self.table.claims.waiting
-        if self.writing.holds(claim):
+        if self.writing.holds(claim) or self._walking:
             return
         if self._recovering:
             self._show_way()

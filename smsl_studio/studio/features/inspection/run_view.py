@@ -104,6 +104,14 @@ class RunView(QWidget):
         steps = steps_of(blueprint, run)
         self._show(blueprint, RunCards(blueprint, steps, frozenset()), steps, False)
 
+    def show_steps(
+        self, blueprint: Blueprint, steps: tuple[RunStep, ...], title: str, bad: bool = False
+    ) -> None:
+        """Show a run from the start; ``bad`` marks its end."""
+        self._begins_at_start = True
+        self.title.setText(title)
+        self._show(blueprint, RunCards(blueprint, steps), steps, bad)
+
     def _show(
         self, blueprint: Blueprint, cards: RunCards, steps: tuple[RunStep, ...], bad: bool
     ) -> None:

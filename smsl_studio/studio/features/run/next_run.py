@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from smsl_studio import front
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.views.states import choices
+from smsl_studio.front.views.states import Choices, choices, short_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.transport import Transport
@@ -13,6 +14,8 @@ from smsl_studio.studio.running.run_choice import RunChoice
 from smsl_studio.studio.running.run_session import RunSession
 
 Wanted = tuple[Blueprint, str, int, Loaded]
+GIVEN = "given states"
+"""The start that is several states; the data of its entry. No address is like it."""
 
 
 class NextRun:
@@ -28,6 +31,7 @@ class NextRun:
     ) -> None:
         self._session, self._run, self._transport, self._levels = session, run, transport, levels
         self._offered = False
+        self._given: tuple[str, ...] = ()
         self.loaded: Loaded | None = None
 
     @property
@@ -48,9 +52,11 @@ class NextRun:
     def choice(self) -> RunChoice:
         """The present choice for the next run."""
         transport = self._transport
+        start = transport.start.currentData() or ""
         return RunChoice(
             world=transport.world.currentData(),
-            start=transport.start.currentData() or "",
+            start="" if start == GIVEN else start,
+            starts=self._given if start == GIVEN else (),
             goal=transport.goal.currentData() or "",
             seed=int(transport.seed.text() or 0),
             by_hand=transport.by_hand.isChecked(),
@@ -66,17 +72,37 @@ class NextRun:
         """Compute the offered choices again, because the drawing or the plugins changed."""
         self._offered = False
 
+    def start_at(self, states: tuple[str, ...]) -> None:
+        """Choose a start that is several states, as addresses."""
+        self._given, self._offered = states, False
+        self.offer()
+        self._transport.choose_start(GIVEN)
+
+    def _given_start(self, blueprint: Blueprint) -> Choices:
+        """Return the start that was given, as long as its states are drawn."""
+        words = []
+        for text in self._given:
+            names = Address.split(text)
+            branch = blueprint.branches.get(names[0])
+            if branch is None or len(names) < 2 or names[1] not in branch.table:
+                self._given = ()
+                return []
+            words.append(f"{names[0]} {short_name(branch, names[1])}")
+        return [(", ".join(words), GIVEN)] if words else []
+
     def offer(self) -> None:
         """Offer the choices of the drawing, or show and lock those of the run."""
         if self.is_fixed:
             choice = self._run.choice
             if choice is not None:
-                self._transport.show_choice(choice.world, choice.start, choice.goal, choice.seed)
+                start = GIVEN if choice.starts else choice.start
+                self._transport.show_choice(choice.world, start, choice.goal, choice.seed)
         elif not self._offered:
             self._offered = True
             blueprint = self._session.blueprint
             starts, goals = choices(blueprint)
             known = self.loaded is not None
+            starts = [*starts, *self._given_start(blueprint)]
             worlds = front.worlds_for(blueprint, loaded=self.loaded) if known else ()
             self._transport.offer(worlds, starts, goals)
         self._transport.lock(self.is_fixed)

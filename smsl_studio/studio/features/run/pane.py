@@ -205,6 +205,16 @@ class RunPane(QWidget):
             script = script_of(text.encode(), name, self._session.blueprint)
             self._begin(stepping=False, script=script)
 
+    def start_at(self, states: tuple[str, ...]) -> None:
+        """Let the next run start in these states, one for each SB. Nothing runs yet."""
+        if self.run.exists:
+            self.canvas.say("There is a run already. End it first")
+            return
+        if self.next.is_fixed:
+            self.show_drawing()
+        self.next.start_at(states)
+        self.canvas.say("The next run starts there. Play begins it")
+
     def _begin(self, stepping: bool, script: Script | None = None) -> None:
         if self._session.broken is not None:
             self._say_refused(self._session.broken.refusal)
@@ -223,7 +233,7 @@ class RunPane(QWidget):
             return
         choice = self.next.choice
         if script is not None:
-            choice = replace(choice, start="", goal="", by_hand=False, script=script)
+            choice = replace(choice, start="", starts=(), goal="", by_hand=False, script=script)
         self.events.clear()
         self.scene.clear()
         self.canvas.show_refusal("")

@@ -93,6 +93,12 @@ class Transport(QWidget):
         _fill(self.start, starts)
         _fill(self.goal, goals)
 
+    def choose_start(self, start: str) -> None:
+        """Choose a start, if it is offered."""
+        at = self.start.findData(start)
+        if at >= 0:
+            self.start.setCurrentIndex(at)
+
     def show_choice(self, world: str, start: str, goal: str, seed: int) -> None:
         """Show what a run was begun with; an empty address is the default."""
         for combo, data in ((self.world, world), (self.start, start), (self.goal, goal)):
