@@ -12,14 +12,20 @@ A signal does not interrupt two kinds of work: ``whole`` work, such as saving a 
 log, and, for ``GRACE`` seconds, ``graceful`` work, which calls ``heed`` itself. Python's garbage
 collection cannot be interrupted either, and with ten million objects it takes seconds. So commands
 switch it off (``let_garbage_be``) until a run begins (``look_for_garbage``).
+
+Who asks may also bound the time and the memory of work (``bounded``). Then the work heeds the bound
+where it heeds a stop, and BoundMet says which one was met.
 """
 
 from __future__ import annotations
 
 import gc
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
 
 GRACE = 0.1
 """The wall time (s) that graceful work has to heed a signal before it is broken off."""
@@ -186,3 +192,72 @@ def look_for_garbage() -> None:
     if not gc.isenabled():
         gc.freeze()
         gc.enable()
+
+
+# bounds that a caller sets ----------------------------------------------------------------------
+
+_OFTEN = 0.02
+"""Memory is looked at this often (s)."""
+
+_STATM = Path("/proc/self/statm")
+
+
+class BoundMet(Exception):  # noqa: N818 -- an answer, not an error of ours
+    """A bound was met, which the text names."""
+
+
+class EffortBounds(NamedTuple):
+    """The most seconds of wall time, and the most MB of memory of this process. None: no bound.
+
+    ``until`` is the moment at which the seconds are over, if they have begun.
+    """
+
+    seconds: float | None = None
+    megabytes: int | None = None
+    until: float | None = None
+
+    def begun(self) -> EffortBounds:
+        """Return the same bounds. Their seconds begin now, if they have not begun."""
+        if self.seconds is None or self.until is not None:
+            return self
+        return self._replace(until=time.monotonic() + self.seconds)
+
+
+UNBOUNDED = EffortBounds()
+
+
+@contextmanager
+def bounded(bounds: EffortBounds) -> Iterator[None]:
+    """Inside the block, ``heed`` raises BoundMet once a bound is met, and at each later call."""
+    if bounds == UNBOUNDED:
+        yield
+        return
+    most, until = bounds.megabytes, bounds.begun().until
+    before, looked = _thread.listener or _nobody, 0.0
+
+    def heed_all() -> None:
+        """Ask the listener before, then the clock, and now and then the memory."""
+        nonlocal looked
+        before()
+        now = time.monotonic()
+        if until is not None and now > until:
+            raise BoundMet(f"{bounds.seconds:g} seconds")
+        if most is not None and now - looked > _OFTEN:
+            if megabytes() > most:
+                raise BoundMet(f"{most:,} MB of memory")
+            looked = now
+
+    with heeding(heed_all):
+        yield
+
+
+def megabytes() -> float:
+    """Return the memory that this process has now. Where the system does not say it, the most that
+    it had."""
+    try:
+        pages = int(_STATM.read_text("ascii").split()[1])
+    except OSError:
+        import resource
+
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return pages * 4096 / 1e6

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from smsl_studio.blueprint.model import StateBranch
 
 _KEY = "_failing"
-_NONE: Mapping[str, str] = MappingProxyType({})
+_NONE: MappingProxyType[str, str] = MappingProxyType({})
 
 
 def failing_states(branch: StateBranch) -> Mapping[str, str]:
@@ -17,7 +17,7 @@ def failing_states(branch: StateBranch) -> Mapping[str, str]:
     The result is computed at the first call and kept with the branch.
     """
     kept = branch.__dict__.get(_KEY)
-    if isinstance(kept, Mapping):
+    if isinstance(kept, MappingProxyType):  # quicker than Mapping, and asked for every edge
         return kept
     found = _failing(branch) if "_facts" in branch.fields else _NONE
     branch.__dict__[_KEY] = found

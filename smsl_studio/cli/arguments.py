@@ -68,6 +68,16 @@ def add_limit(parser: ArgumentParser, words: str) -> None:
     parser.add_argument("--limit", type=_limit, default=None, metavar="N", help=words)
 
 
+def add_effort(parser: ArgumentParser) -> None:
+    """Add ``--seconds S`` and ``--memory MB``, bounds of time and memory. None is their default."""
+    parser.add_argument(
+        "--seconds", type=_seconds, default=None, metavar="S", help="look for at most S seconds"
+    )
+    parser.add_argument(
+        "--memory", type=_limit, default=None, metavar="MB", help="take at most MB of memory"
+    )
+
+
 def add_world(parser: ArgumentParser, required: bool) -> None:
     """Add ``--world NAME``."""
     parser.add_argument(
@@ -107,6 +117,13 @@ def _limit(text: str) -> int:
     if not (text.isascii() and text.isdecimal() and 0 < len(text) < 13 and int(text)):
         raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 1 up")
     return int(text)
+
+
+def _seconds(text: str) -> float:
+    whole, _, rest = text.partition(".")
+    if not (text.isascii() and len(text) < 13 and (whole + rest).isdecimal() and float(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds above 0")
+    return float(text)
 
 
 def _seed(text: str) -> int:

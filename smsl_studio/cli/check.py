@@ -6,7 +6,13 @@ import argparse
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit, add_world
+from smsl_studio.cli.arguments import (
+    ArgumentParser,
+    add_effort,
+    add_format,
+    add_limit,
+    add_world,
+)
 from smsl_studio.cli.blueprint_argument import read_argument, read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import ReadError
@@ -33,6 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
     )
     add_limit(parser, "store at most N configurations to show properties (default 1,000,000)")
+    add_effort(parser)
     parser.add_argument(
         "--with-failures",
         action="store_true",
@@ -107,7 +114,8 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
         from smsl_studio.front.proof import prove
 
         look_for_garbage()
-        proof = prove(blueprint, **limit, with_failures=options.with_failures)
+        effort = {"seconds": options.seconds, "megabytes": options.memory}
+        proof = prove(blueprint, **limit, with_failures=options.with_failures, **effort)
         shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
         findings = in_order(blueprint, (*one.findings, *shown))
         one = one._replace(findings=findings, verdicts=proof.verdicts)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit
+from smsl_studio.cli.arguments import ArgumentParser, add_effort, add_format, add_limit
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output
 from smsl_studio.front.exploration import LIMIT, explore
@@ -18,6 +18,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``explore``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_limit(parser, "store at most N configurations (default 1,000,000)")
+    add_effort(parser)
     add_format(parser)
 
 
@@ -25,7 +26,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Print what can happen in both modes. 0: the coupled SBs agree and have no trap; 1: not."""
     blueprint = read_argument(options.file)
     look_for_garbage()
-    found = explore(blueprint, options.limit or LIMIT)
+    found = explore(blueprint, options.limit or LIMIT, options.seconds, options.memory)
     if options.format == "json":
         out.json(found.as_json())
     else:

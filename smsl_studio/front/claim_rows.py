@@ -142,6 +142,8 @@ def looked_at(verdict: PropertyVerdict) -> str:
         limit = "configurations" in verdict.bound
         return f"{verdict.bound}, limit" if limit else verdict.bound
     if verdict.configurations is None:
+        if verdict.kind not in ("at_most", "cost"):
+            return "not counted: a part of the SBs is enough"
         run = verdict.counterexample
         if run is not None and run.path:
             return f"cheapest route, {_counted(len(run.path), 'operation')}"

@@ -12,6 +12,7 @@ from smsl_studio.inspection.explorer.explorer import (
     explored_coupled,
     explored_free,
 )
+from smsl_studio.stop import EffortBounds
 
 Json = Any
 LIMIT = 1_000_000
@@ -32,11 +33,17 @@ class ExploredSpace:
         return {"sbs": list(self.sbs), "modes": modes}
 
 
-def explore(blueprint: Blueprint, limit: int = LIMIT) -> ExploredSpace:
+def explore(
+    blueprint: Blueprint,
+    limit: int = LIMIT,
+    seconds: float | None = None,
+    megabytes: int | None = None,
+) -> ExploredSpace:
     """Return the configurations of all SBs together, once coupled and once free (paper, FSM-G).
 
-    At most ``limit`` configurations of the coupled SBs are stored; if there are more,
-    ``ours.bound`` says so. RunRefused if the blueprint has no start.
+    At most ``limit`` configurations of the coupled SBs are stored, unless they are counted as one
+    set. ``seconds`` and ``megabytes`` bound the time and the memory of this process. ``ours.bound``
+    says which of them was met. RunRefused if the blueprint has no start.
 
     >>> found = explore(read("hfsm.json"))
     >>> found.ours.configurations, found.free.configurations
@@ -44,4 +51,5 @@ def explore(blueprint: Blueprint, limit: int = LIMIT) -> ExploredSpace:
     """
     must_be_whole(blueprint)
     free = explored_free(blueprint)
-    return ExploredSpace(tuple(blueprint.branches), explored_coupled(blueprint, limit), free)
+    ours = explored_coupled(blueprint, limit, bounds=EffortBounds(seconds, megabytes))
+    return ExploredSpace(tuple(blueprint.branches), ours, free)

@@ -28,6 +28,7 @@ from smsl_studio.inspection.proof.verdict import (
 )
 from smsl_studio.inspection.rules.finding import Finding, Remark, Severity
 from smsl_studio.inspection.selection import listed
+from smsl_studio.stop import EffortBounds
 
 RULES = {HAZARD: "R19", "never": "R19", "way_back": "R20"}
 
@@ -40,13 +41,20 @@ class Proof:
     findings: tuple[Finding, ...]
 
 
-def prove(blueprint: Blueprint, limit: int = LIMIT, with_failures: bool = False) -> Proof:
+def prove(
+    blueprint: Blueprint,
+    limit: int = LIMIT,
+    with_failures: bool = False,
+    seconds: float | None = None,
+    megabytes: int | None = None,
+) -> Proof:
     """Return whether the hazards and properties of a blueprint hold (paper, Inspection).
 
     It is shown for the blueprint as written, if every operation does what its edge says. ``limit``
     is the largest number of configurations that are stored; beyond it a verdict may be ``unknown``.
     ``with_failures`` begins also in each configuration that can be reached, with the state of one
-    SB replaced by a failure state of it.
+    SB replaced by a failure state of it. ``seconds`` and ``megabytes`` bound the time, and the
+    memory of this process; what is not shown then is ``unknown``.
 
     >>> prove(read("hanoi-corrected.json")).verdicts
     ()
@@ -61,7 +69,8 @@ def prove(blueprint: Blueprint, limit: int = LIMIT, with_failures: bool = False)
             for one in claims.values()
         )
     else:
-        verdicts = proved(blueprint, _Routes(blueprint).planned, Scope(limit, with_failures))
+        scope = Scope(limit, with_failures, bounds=EffortBounds(seconds, megabytes))
+        verdicts = proved(blueprint, _Routes(blueprint).planned, scope)
     by_claim = [(claims[one.address.path[0], one.name], one) for one in verdicts]
     return Proof(verdicts, tuple(listed(blueprint, _remarks(blueprint, by_claim))))
 
@@ -122,7 +131,9 @@ def _remarks(
 def _words(verdict: PropertyVerdict, blueprint: Blueprint, written: Property | None = None) -> str:
     """Return the sentence of a finding. ``written`` is the property as it was read."""
     if verdict.verdict == UNKNOWN:
-        return f"it is unknown whether {verdict.name} holds: {verdict.bound}"
+        many = verdict.configurations
+        seen = "" if many is None else f"; {_configurations(many)} looked at"
+        return f"it is unknown whether {verdict.name} holds: {verdict.bound}{seen}"
     assert verdict.verdict == FAILS
     run = verdict.counterexample
     many = len(run.path) if run else 0
@@ -159,6 +170,10 @@ def _after(many: int) -> str:
 
 def _counted(many: int) -> str:
     return f"{many} operation{'' if many == 1 else 's'}"
+
+
+def _configurations(many: int) -> str:
+    return "1 configuration was" if many == 1 else f"{many:,} configurations were"
 
 
 def _failed(run: Counterexample | None, blueprint: Blueprint) -> str:

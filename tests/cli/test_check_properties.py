@@ -217,7 +217,8 @@ def test_many_sbs_fill_no_memory(
     asked = [{"name": "a", "after": ["R0 = 1", "R5 = 1"]}]
     file = tmp_path / "many.json"
     file.write_text(json.dumps({"_properties": asked, **{f"R{n}": one for n in range(12)}}))
-    _, found = report(shell, str(file))
+    # With failures no other engine is asked.
+    _, found = report(shell, str(file), "--with-failures")
     (verdict,) = found["properties"]
     assert verdict["verdict"] == "unknown"
     assert "with 500 steps, which would fill the memory" in verdict["bound"]
@@ -231,3 +232,22 @@ def test_a_run_that_is_met_at_the_limit_is_shown(shell: Shell, tmp_path: Path) -
     assert found["properties"][0]["verdict"] == "fails"
     (finding,) = [one for one in found["findings"] if one["rule"] == "R19"]
     assert finding["counterexample"]["path"] == ["SB/State_00/on"]
+
+
+COUNTERS = {
+    "_properties": [{"name": "p", "never": "A in S9"}],
+    "A": {f"S{n}": {"on": f"S{(n + 1) % 9}"} for n in range(9)} | {"S9": {}},
+}
+
+
+def test_bounds_of_effort_on_the_command_line(shell: Shell, tmp_path: Path) -> None:
+    file = tmp_path / "counters.json"
+    file.write_text(json.dumps(COUNTERS))
+    answer = shell("check", str(file), "--memory", "1", "--format", "json")
+    assert answer.status == 1
+    (found,) = answer.json["files"]
+    assert {one["bound"] for one in found["properties"]} == {"1 MB of memory"}
+    assert shell("explore", str(file), "--seconds", "0.000001").status == 1
+    for wrong in ("0", "-1", "x", "1e3", "nan"):
+        assert shell("check", str(file), "--seconds", wrong).status == 2
+        assert shell("explore", str(file), "--memory", wrong).status == 2

@@ -6,9 +6,10 @@ is the empty set, node 1 the end of a configuration. Equal sets are the same nod
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import islice
 
-from smsl_studio.graph.joint.products import JointMoves, TooLarge
+from smsl_studio.graph.joint.products import JointBox, JointMoves, TooLarge
 from smsl_studio.stop import heed
 
 MOST_NODES = 100_000
@@ -83,10 +84,14 @@ class Diagram:
             raise TooLarge(f"{self._most_work:,} looks at the nodes of a diagram")
         heed()
 
+    def allow(self, work: int = 4 * MOST_WORK) -> None:
+        """Let the looks at nodes that come be at most so many."""
+        self._most_work = self._work + work
+
     def keep(self) -> None:
         """Keep the nodes that there are. Those that come later are forgotten by ``renew``."""
         self._kept = len(self.children)
-        self._most, self._most_work = MOST_FOR_QUESTION, 4 * MOST_WORK
+        self._most = MOST_FOR_QUESTION
         self.renew()
 
     def renew(self) -> None:
@@ -101,6 +106,7 @@ class Diagram:
                 del self._known[level][children]
         self._counts = {node: count for node, count in self._counts.items() if node < kept}
         self._unions, self._cuts, self._work = {}, {}, 0
+        self.allow()
 
     def box(self, values: Mapping[int, Collection[int]]) -> int:
         """Return the configurations with these states of some SBs, and any states of the others."""
@@ -195,6 +201,51 @@ class Diagram:
                 ),
             )
         return found
+
+    def boxes(self, found: int, most: int) -> list[JointBox]:
+        """Return boxes that together are a set. TooLarge if they are more than ``most``."""
+        one_of = [0] * self.height
+        for one, level in enumerate(self.levels):
+            one_of[level] = one
+        boxes: list[JointBox] = []
+
+        def below(node: int, level: int, box: JointBox) -> None:
+            """Add the boxes of a node. ``box`` has the states of the levels above."""
+            self.spend()
+            if level < 0:
+                boxes.append(box)
+                if len(boxes) > most:
+                    raise TooLarge(f"{most:,} parts of a condition")
+                return
+            ways: dict[int, set[int]] = {}
+            for state, child in enumerate(self.children[node]):
+                if child:
+                    ways.setdefault(child, set()).add(state)
+            for child, states in ways.items():
+                free = len(states) == self.sizes[level]
+                more = box if free else {**box, one_of[level]: frozenset(states)}
+                below(child, level - 1, more)
+
+        if found:
+            below(found, self.height - 1, {})
+        return boxes
+
+    def members(self, found: int, most: int) -> Iterator[tuple[int, ...]]:
+        """Yield at most ``most`` configurations of a set, in an order that is always the same."""
+        one_of = {level: one for one, level in enumerate(self.levels)}
+        states = [0] * self.height
+
+        def below(node: int, level: int) -> Iterator[tuple[int, ...]]:
+            """Yield the configurations of a node."""
+            if level < 0:
+                yield tuple(states)
+                return
+            for state, child in enumerate(self.children[node]):
+                if child:
+                    states[one_of[level]] = state
+                    yield from below(child, level - 1)
+
+        return islice(below(found, self.height - 1) if found else (), most)
 
     def count(self, found: int) -> int:
         """Return the number of configurations in a set."""

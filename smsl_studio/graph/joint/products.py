@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.edges import Edge
 from smsl_studio.stop import heed
 
 Pairs = frozenset[tuple[int, int]]
@@ -46,14 +48,29 @@ class StateNumbers:
         )
 
 
+class AskedMoves(NamedTuple):
+    """A product of the steps that are taken if one of some operations of one SB is asked.
+
+    ``passed`` are what all steps of these operations pass, ``rough`` those of which some may not be
+    passed in truth.
+    """
+
+    edges: Sequence[Edge]
+    moves: JointMoves
+    passed: Sequence[JointMoves] = ()
+    rough: Sequence[JointMoves] = ()
+
+
 @dataclass
 class JointProducts:
     """All steps of a blueprint, and what they pass on their way.
 
-    ``rough`` are passed configurations of which some may not be passed in truth.
+    ``asked`` has the same steps by the operations that are asked. ``rough`` are passed
+    configurations of which some may not be passed in truth.
     """
 
     steps: list[JointMoves] = field(default_factory=list)
+    asked: list[AskedMoves] = field(default_factory=list)
     passed: list[JointMoves] = field(default_factory=list)
     rough: list[JointMoves] = field(default_factory=list)
 

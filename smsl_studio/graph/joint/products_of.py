@@ -19,6 +19,7 @@ from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError
 from smsl_studio.graph.joint.products import (
+    AskedMoves,
     JointMoves,
     JointProducts,
     Pairs,
@@ -31,6 +32,9 @@ from smsl_studio.stop import heed
 
 MOST_BOXES = 20_000
 """The largest number of joint steps that are worked out one by one."""
+
+ANY_EDGE = Terms(failing=None)
+"""The terms that leave no edge out."""
 
 MOST_PAIRS = 4_000_000
 """The largest number of pairs of one SB, for what is passed on the way."""
@@ -56,12 +60,17 @@ class _Group:
 
 
 class ProductSteps:
-    """Writes the product steps of a blueprint, in which any operation may succeed."""
+    """Writes the product steps of a blueprint, in which any operation may succeed.
 
-    def __init__(self, hierarchy: Hierarchy, most: int = MOST_BOXES) -> None:
+    ``terms`` leave edges out, such as those into a failure.
+    """
+
+    def __init__(
+        self, hierarchy: Hierarchy, terms: Terms = ANY_EDGE, most: int = MOST_BOXES
+    ) -> None:
         self.numbers = StateNumbers(hierarchy)
         self._hierarchy, self._blueprint = hierarchy, hierarchy.blueprint
-        self._stepper = Stepper(hierarchy, Terms(failing=None))
+        self._terms, self._stepper = terms, Stepper(hierarchy, terms)
         self._tame = TameSubs(self._stepper, self.numbers)
         self._left = most
         self._most = most
@@ -79,7 +88,7 @@ class ProductSteps:
                 if len(found.rough) > rough:
                     self._rough.append(group)
         steps = [one for one in joined(found.steps) if not _stands(one)]
-        return JointProducts(steps, joined(found.passed), joined(found.rough))
+        return JointProducts(steps, found.asked, joined(found.passed), joined(found.rough))
 
     def exactly_passed(self) -> list[JointMoves]:
         """Return what the steps pass that have rough products. TooLarge if that are too many."""
@@ -95,6 +104,8 @@ class ProductSteps:
             for edge in self._stepper.edges.out(name, state):
                 if any(digit < 0 for _, digit, _ in edge.requires):
                     continue  # it requires what is no fact
+                if self._stepper.closed(edge):
+                    continue
                 key = (edge.falls, edge.rises, edge.crossing, edge.function, edge.load,
                        edge.requires)  # fmt: skip
                 if key not in groups:
@@ -124,7 +135,10 @@ class ProductSteps:
             moves = self._requiring(moves, group)
             if all(moves.values()):
                 found.steps.append(moves)
+                passed, rough = len(found.passed), len(found.rough)
                 self._pass(moves, group, driven, found)
+                more = found.passed[passed:], found.rough[rough:]
+                found.asked.append(AskedMoves(group.edges, moves, *more))
         return True
 
     def _pairs(self, edges: Iterable[Edge]) -> Pairs:
@@ -199,7 +213,8 @@ class ProductSteps:
             for edge in self._stepper.edges.out(base, state)
             if edge.kind is kind and digit in (*edge.rises, *edge.falls) and not edge.load
         )
-        return sorted(found, key=lambda edge: (edge.price, edge.name))
+        fit = (edge for edge in found if not self._stepper.closed(edge))
+        return sorted(fit, key=lambda edge: (edge.price, edge.name))
 
     def _pass(
         self,
@@ -241,7 +256,7 @@ class ProductSteps:
         branches = {name: self._blueprint[name] for name in self._blueprint.branches
                     if name in names}  # fmt: skip
         part = Hierarchy(replace(self._blueprint, branches=MappingProxyType(branches)))
-        stepper = Stepper(part, Terms(failing=None))
+        stepper = Stepper(part, self._terms)
         at = self.numbers.at[group.branch]
         for edges in self._alike(group, names):
             asked, pairs = edges[0], self._pairs(edges)
@@ -254,12 +269,13 @@ class ProductSteps:
                     raise TooLarge(f"{self._most:,} configurations of single operations")
                 for after in self._carried(stepper, here, asked, passed):
                     steps.append(after)
-            found.steps += joined({**one, at: pairs} for one in steps)
+            fresh = joined({**one, at: pairs} for one in steps)
+            found.steps += fresh
             still = frozenset((source, source) for source, _ in pairs)
             began = frozenset({(self.numbers.number[at][asked.source],) * 2})
-            found.passed += joined(
-                {**one, at: still if one[at] == began else pairs} for one in passed
-            )
+            on_the_way = joined({**one, at: still if one[at] == began else pairs} for one in passed)
+            found.passed += on_the_way
+            found.asked += [AskedMoves(edges, one, on_the_way) for one in fresh]
 
     def _alike(self, group: _Group, names: set[str]) -> Iterable[list[Edge]]:
         """Return the edges of a group in classes. Those of a class do the same with all SBs of

@@ -2,110 +2,74 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from math import prod
 
-from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
-from smsl_studio.blueprint.properties.meaning import Meaning, States
-from smsl_studio.graph.joint.diagram import Diagram, Relation
-from smsl_studio.graph.joint.force_order import force_order
-from smsl_studio.graph.joint.products import JointBox, JointMoves, TooLarge, guarded
-from smsl_studio.graph.joint.products_of import ProductSteps
+from smsl_studio.blueprint.properties.meaning import Meaning
+from smsl_studio.graph.joint.diagram import Relation
+from smsl_studio.graph.joint.goals import FoundRun, SearchGoals
+from smsl_studio.graph.joint.joint_steps import JointSteps
+from smsl_studio.graph.joint.products import JointBox, TooLarge, guarded
 from smsl_studio.graph.joint.saturation import Saturation
 
-MOST_BRANCHES = 200
-"""The largest number of SBs: so deep may a diagram be."""
+IN_ARRAYS = 1 << 26
+"""A product of state counts up to which all configurations can be looked at in arrays."""
 
-MOST_BOXES = 64
-"""The largest number of boxes of a condition."""
+LEAST_WORK, SHARE = 200_000, 8
+"""Then so many looks at nodes are tried for a diagram, or one for so many configurations."""
 
 
 class JointReach:
-    """What can be reached from the start of a blueprint.
+    """What can be reached by some steps from their start. TooLarge if a bound is met.
 
-    TooLarge if a bound is met, RunRefused if there is no start.
+    With ``soon`` it is given up earlier if all configurations can be looked at in arrays.
     """
 
-    def __init__(self, hierarchy: Hierarchy) -> None:
-        start = start_configuration(hierarchy, {})
-        if len(hierarchy.order) > MOST_BRANCHES:
-            raise TooLarge(f"{MOST_BRANCHES} SBs")
-        self._written = ProductSteps(hierarchy)
-        self.numbers, products = self._written.numbers, self._written.products()
-        self._steps, self._passed, self._rough = products.steps, products.passed, products.rough
-        levels = force_order(len(hierarchy.order), self._steps)
-        self.diagram = Diagram(self.numbers.sizes, levels)
+    def __init__(self, steps: JointSteps, soon: bool = False) -> None:
+        self.steps, self.start, self.diagram = steps, steps.start, steps.diagram()
         self._top = self.diagram.height - 1
-        self._onward = [Relation(one, levels) for one in self._steps]
-        self._back = [Relation(one, levels, True) for one in self._steps]
-        self.start = self.numbers.coded(start)
+        self._onward = [Relation(one, steps.levels) for one in steps.products]
+        self._back = [Relation(one, steps.levels, True) for one in steps.products]
+        product = prod(self.diagram.sizes)
+        if soon and product <= IN_ARRAYS:
+            self.diagram.allow(max(LEAST_WORK, product // SHARE))
         self.whole = Saturation(self.diagram, self._onward).reached(self.start)
         self.count = self.diagram.count(self.whole)
         self.diagram.keep()
 
-    def boxes(self, meaning: Meaning, holds: bool) -> list[JointBox]:
-        """Return boxes that together have all configurations in which a condition holds, or does
-        not hold. TooLarge if they are many.
-        """
-        if isinstance(meaning, States):
-            at = self.numbers.at[meaning.branch]
-            states = {self.numbers.number[at][one] for one in meaning.states}
-            if not holds:
-                states = set(range(len(self.numbers.states[at]))) - states
-            return [{at: frozenset(states)}] if states else []
-        parts = [self.boxes(part, holds) for part in meaning.parts]
-        if meaning.every != holds:
-            found = [box for part in parts for box in part]
-        else:
-            found = [{}]
-            for part in parts:
-                found = [one for a in found for b in part if (one := _both(a, b)) is not None]
-                if len(found) > MOST_BOXES:
-                    break
-        if len(found) > MOST_BOXES:
-            raise TooLarge(f"{MOST_BOXES} parts of a condition")
-        return found
-
     def meant(self, meaning: Meaning) -> int:
         """Return the set of all configurations that meet a condition."""
-        if isinstance(meaning, States):
-            at = self.numbers.at[meaning.branch]
-            return self.diagram.box({at: {self.numbers.number[at][one] for one in meaning.states}})
-        found = self.diagram.box({}) if meaning.every else 0
-        join = self.diagram.both if meaning.every else self.diagram.union
-        for part in meaning.parts:
-            found = join(found, self.meant(part), self._top)
-        return found
+        return self.steps.meant(self.diagram, meaning)
 
     def can_meet(self, wanted: int) -> bool:
         """Return whether a configuration of a set can be reached."""
         return bool(self.diagram.both(self.whole, wanted, self._top))
 
     def passing(self, wanted: int, branches: Collection[str]) -> int:
-        """Return the configurations outside of a set out of which a step passes one of it.
+        """Return what can be reached outside of a set, and out of which a step passes one of it.
 
         ``branches`` are the SBs that the set depends on. TooLarge if what steps pass takes too much
         to be worked out exactly.
         """
-        seen = {self.numbers.at[name] for name in branches}
-        if self._rough and self._before(wanted, self._rough, seen):
-            self._passed, self._rough = [*self._passed, *self._written.exactly_passed()], []
-        return self._before(wanted, self._passed, seen)
-
-    def _before(self, wanted: int, products: Sequence[JointMoves], seen: set[int]) -> int:
-        found, diagram, top = 0, self.diagram, self._top
-        for one in products:
-            if any(a != b for at in seen & one.keys() for a, b in one[at]):
-                image = diagram.image(wanted, Relation(one, diagram.levels, True))
-                reached = diagram.both(image, self.whole, top)
-                found = diagram.union(found, diagram.without(reached, wanted, top), top)
-        return found
+        return self.steps.passing(self.diagram, wanted, branches, self.whole)
 
     def avoiding(self, boxes: Iterable[JointBox]) -> JointPaths:
         """Return the steps that begin in some boxes alone."""
-        products = guarded(self._steps, boxes)
+        products = guarded(self.steps.products, boxes)
         levels = self.diagram.levels
         forth = [Relation(one, levels) for one in products]
         return JointPaths(self, forth, [Relation(one, levels, True) for one in products])
+
+    def in_arrays(self, goals: SearchGoals) -> FoundRun | None:
+        """Return the first of the shortest runs, configuration by configuration in arrays.
+
+        TooLarge if that takes too much.
+        """
+        # numpy is loaded for this alone.
+        from smsl_studio.graph.joint.array_runs import shortest_run
+
+        return shortest_run(self.steps, goals, (self.diagram, self.whole))
 
     @property
     def paths(self) -> JointPaths:
@@ -114,7 +78,7 @@ class JointReach:
 
     def has(self, found: int, configuration: Mapping[str, str]) -> bool:
         """Return whether a configuration is in a set."""
-        return self.diagram.has(found, self.numbers.coded(configuration))
+        return self.diagram.has(found, self.steps.coded(configuration))
 
 
 class JointPaths:
@@ -130,6 +94,18 @@ class JointPaths:
         """Return what can be reached from the start."""
         return Saturation(self._diagram, self._forth).reached(self._reach.start)
 
+    def onward(self, found: int) -> int:
+        """Return where one step leads from a set."""
+        return self._image(found, self._forth)
+
+    def backward(self, found: int) -> int:
+        """Return from where one step leads into a set."""
+        return self._image(found, self._back)
+
+    def reached_from(self, found: int) -> int:
+        """Return what can be reached from a set."""
+        return Saturation(self._diagram, self._forth).closed(found)
+
     def leading_to(self, wanted: int, within: int | None) -> int:
         """Return from where a set can be reached, with at most ``within`` steps."""
         if within is None:
@@ -142,11 +118,12 @@ class JointPaths:
                 break
         return found
 
-    def nearest(self, hits: int, passing: int) -> tuple[list[int], bool]:
+    def nearest(self, hits: int, passing: int, most: int | None = None) -> tuple[list[int], bool]:
         """Return the sets of configurations on shortest runs, step by step from the start.
 
         The last set has the nearest of ``hits``. If one of ``passing`` is nearer by more than a
-        step, the last set has those, and True is returned. One of them must be reached.
+        step, the last set has those, and True is returned. One of them must be reached. TooLarge
+        after ``most`` steps.
         """
         diagram, top = self._diagram, self._top
         layers = [diagram.point(self._reach.start)]
@@ -161,8 +138,26 @@ class JointPaths:
                 return self._ways(layers, met), True
             if not further:
                 raise TooLarge("the run that was expected")
+            if most is not None and len(layers) > most:
+                raise TooLarge(f"{most:,} steps")
             layers.append(further)
             seen = diagram.union(seen, further, top)
+
+    def approaches(self, wanted: int) -> Iterator[tuple[Callable[[int], list[int]], int]]:
+        """Yield the configurations of a set that are reached with as many steps, the nearest first.
+
+        With them comes a function that returns the sets on the shortest runs to some of them.
+        """
+        diagram, top = self._diagram, self._top
+        layers = [diagram.point(self._reach.start)]
+        seen = layers[0]
+        while layers[-1]:
+            found = diagram.both(layers[-1], wanted, top)
+            if found:
+                yield partial(self._ways, tuple(layers)), found
+            further = self._image(layers[-1], self._forth)
+            layers.append(diagram.without(further, seen, top))
+            seen = diagram.union(seen, layers[-1], top)
 
     def _ways(self, layers: Sequence[int], ends: int) -> list[int]:
         ways = [ends]
@@ -180,11 +175,3 @@ class JointPaths:
             pairs = zip(images[::2], [*images[1::2], 0], strict=False)
             images = [self._diagram.union(a, b, self._top) for a, b in pairs]
         return images[0] if images else 0
-
-
-def _both(one: JointBox, other: JointBox) -> JointBox | None:
-    """Return what is in both of two boxes, None if there is nothing."""
-    found = dict(one)
-    for at, states in other.items():
-        found[at] = states & found[at] if at in found else states
-    return found if all(found.values()) else None

@@ -7,6 +7,7 @@ coupling prevents is seen by comparing the two.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from math import prod
@@ -14,20 +15,26 @@ from typing import Any
 
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.joint.products import TooLarge
+from smsl_studio.inspection.explorer.as_set import counted
 from smsl_studio.inspection.explorer.combinations import joined, nearest
 from smsl_studio.inspection.explorer.part import (
     Path,
     SpacePart,
     configuration_of,
     coupled_part,
+    explored_part,
     free_part,
     independent,
 )
-from smsl_studio.stop import heed
+from smsl_studio.stop import UNBOUNDED, BoundMet, EffortBounds, bounded, heed
 
 Json = Any
 MOST = 100
 """The largest number of disagreements, and of traps, that are listed."""
+
+FEW = 50_000
+"""A product of state counts up to which the configurations of a part are looked at one by one."""
 
 
 @dataclass(frozen=True)
@@ -84,18 +91,36 @@ class ExploredMode:
         return found
 
 
-def explored_coupled(blueprint: Blueprint, limit: int) -> ExploredMode:
-    """Explore the SBs as a run couples them. At most ``limit`` configurations are stored.
+def explored_coupled(
+    blueprint: Blueprint, limit: int, few: int = FEW, bounds: EffortBounds = UNBOUNDED
+) -> ExploredMode:
+    """Explore the SBs as a run couples them. At most ``limit`` configurations are stored, within
+    the ``bounds`` of time and memory.
 
-    RunRefused if there is no start, or if the SBs go round in a circle.
+    If the product of the state counts of a part is more than ``few``, all are one set if possible,
+    of which nothing is stored one by one. RunRefused if there is no start, or if the SBs go round
+    in a circle.
     """
+    bounds = bounds.begun()
     hierarchy = Hierarchy(blueprint)
+    groups = independent(hierarchy)
+    if any(prod(len(blueprint[name].table) or 1 for name in names) > few for names in groups):
+        with suppress(TooLarge, BoundMet), bounded(bounds):
+            return _as_set(hierarchy)
     parts, stored = [], 0
-    for names in independent(hierarchy):
-        parts.append(coupled_part(blueprint, names, max(limit - stored, 1)))
+    for names in groups:
+        with bounded(bounds):
+            found = explored_part(blueprint, names, max(limit - stored, 1))
+        parts.append(coupled_part(found))
         stored += len(parts[-1].keys)
     pairs = [pair for part in parts for pair in _pairs_in(hierarchy, part)]
     return _mode(blueprint, parts, len(pairs), iter(pairs))
+
+
+def _as_set(hierarchy: Hierarchy) -> ExploredMode:
+    found = counted(hierarchy, MOST)
+    traps = tuple(FoundPlace(configuration, path) for configuration, path in found.nearest)
+    return ExploredMode(found.configurations, (), 0, traps, found.traps)
 
 
 def explored_free(blueprint: Blueprint) -> ExploredMode:

@@ -86,15 +86,18 @@ def touching(blueprint: Blueprint, branch: str) -> Blueprint:
     return restricted(blueprint, next(names for names in groups if branch in names))
 
 
-def coupled_part(blueprint: Blueprint, names: tuple[str, ...], limit: int) -> SpacePart:
+def explored_part(blueprint: Blueprint, names: tuple[str, ...], limit: int) -> Exploration:
     """Explore some SBs together, with everything that couples them (docs/running.md).
 
     At most ``limit`` configurations are stored. RunRefused if there is no start.
     """
-    space = Space(restricted(blueprint, names))
-    found = Exploration(space, limit)
+    return Exploration(Space(restricted(blueprint, names)), limit)
+
+
+def coupled_part(found: Exploration) -> SpacePart:
+    """Return what was explored as a part."""
     return SpacePart(
-        space.order,
+        found.space.order,
         found.keys,
         [found.depth(node) for node in range(len(found))],
         _good(found),

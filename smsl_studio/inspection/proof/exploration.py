@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.proof.space import Key, Space, Test
-from smsl_studio.stop import heed
+from smsl_studio.stop import BoundMet, heed
 
 NOWHERE = -1
 MOST_STEPS = 6_000_000
@@ -77,7 +77,7 @@ class Exploration:
         """Return the configuration before one on the shortest way, and the operation between
         them. None at the start."""
         before = self._origin[node]
-        return None if before == NOWHERE else (before, self._names[self._label[node]])
+        return None if before == NOWHERE else (before, self.name(self._label[node]))
 
     def depth(self, node: int) -> int:
         """Return the number of steps from the nearest start."""
@@ -90,11 +90,14 @@ class Exploration:
     def _explore(self) -> None:
         node = 0
         while node < len(self.keys) and not self.bound:
-            heed()
             try:
+                heed()
                 steps = self.space.steps(self.keys[node])
             except PlanningError as error:
                 self.bound = error.sentence
+                return
+            except BoundMet as error:
+                self.bound = str(error)
                 return
             depth = self._depth[node]
             for step in steps:

@@ -6,7 +6,7 @@ where a route may go. Of a large one only the cone of a question is explored.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from fnmatch import translate
 from functools import cached_property
 from math import prod
@@ -23,11 +23,14 @@ from smsl_studio.blueprint.terms import Terms
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.inspection.proof import kinds
+from smsl_studio.inspection.proof.arrays import ArraySpace
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.cone import Cone, cone_of
+from smsl_studio.inspection.proof.engines import ENGINES, Engines
 from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.failed_starts import failed_starts
 from smsl_studio.inspection.proof.kinds import Answer
+from smsl_studio.inspection.proof.lone import LoneExploration, is_lone
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.inspection.proof.symbolic import SymbolicSpace
 from smsl_studio.inspection.proof.verdict import (
@@ -39,6 +42,7 @@ from smsl_studio.inspection.proof.verdict import (
     PropertyVerdict,
 )
 from smsl_studio.inspection.proof.verdict import Counterexample as Run
+from smsl_studio.stop import UNBOUNDED, BoundMet, EffortBounds, bounded
 
 LIMIT = 1_000_000
 """The largest number of configurations that are stored."""
@@ -54,16 +58,18 @@ class Scope(NamedTuple):
     """How much is looked at. ``limit`` is the largest number of configurations that are stored.
 
     With ``failures`` each configuration in which one SB has failed is a start too. ``small`` is the
-    product of state counts up to which no SB is left out. Without ``diagrams`` configurations are
-    looked at one by one alone; with them, the shortest run is looked for one by one if the product
-    of the state counts of the cone is at most ``near``.
+    product of state counts up to which no SB is left out. ``engines`` are those that may look at
+    all configurations together; without them configurations are looked at one by one alone. The
+    shortest run is looked for one by one if the product of the state counts of the cone is at most
+    ``near``. ``bounds`` are those of time and memory.
     """
 
     limit: int = LIMIT
     failures: bool = False
     small: int = SMALL
-    diagrams: bool = True
+    engines: Collection[str] = ENGINES
     near: int = NEAR
+    bounds: EffortBounds = UNBOUNDED
 
 
 class PlannedRoute(NamedTuple):
@@ -90,8 +96,13 @@ def prove(
     blueprint: Blueprint, planned: Planned, scope: Scope | None = None
 ) -> tuple[PropertyVerdict, ...]:
     """Return a verdict for each hazard and property, in the order of the file."""
+    scope = scope or Scope()
+    bounds = scope.bounds.begun()
     claims = list(claims_of(blueprint))
-    return _Prover(blueprint, claims, planned, scope or Scope()).verdicts() if claims else ()
+    if not claims:
+        return ()
+    with bounded(bounds):
+        return _Prover(blueprint, claims, planned, scope).verdicts()
 
 
 class _Found(NamedTuple):
@@ -113,6 +124,8 @@ class _Prover:
         self._planned, self._scope = planned, scope
         self._cones: dict[tuple[str, ...], Cone] = {}
         self._explored: dict[tuple[bool, Cone], Exploration] = {}
+        self._lone: dict[Cone, bool] = {}
+        self._looked_at: int | None = None
 
     def verdicts(self) -> tuple[PropertyVerdict, ...]:
         """Return all verdicts."""
@@ -122,6 +135,7 @@ class _Prover:
         if one.meanings is None:
             bound = "it cannot be read"
             return PropertyVerdict(one.name, one.kind, one.severity, UNKNOWN, None, bound)
+        self._looked_at = None
         try:
             if one.kind in ("at_most", "cost"):
                 found = self._of_route(one)
@@ -129,6 +143,8 @@ class _Prover:
                 found = self._of_configurations(one, one.meanings)
         except (RunRefused, PlanningError) as error:
             found = _Found(Answer(UNKNOWN), error.sentence)
+        except BoundMet as error:
+            found = _Found(Answer(UNKNOWN), str(error), self._looked_at)
         # A bound that does not matter for the answer is told too: fewer were counted.
         (verdict, run), limit, count, engine = found
         return PropertyVerdict(one.name, one.kind, one.severity, verdict, count, limit, run, engine)
@@ -152,38 +168,52 @@ class _Prover:
             within = one.written.within if one.written else None
             answer = kinds.way_back(found, first, others[0], within)
         count = len(found) if found.space.is_whole or found.bound else None
-        if count is None and one.kind not in ROUTED and "_symbolic" in self.__dict__:
-            count = self._symbolic.count if self._symbolic else None
+        if count is None and one.kind not in ROUTED and "_engines" in self.__dict__:
+            space = self._engines.engine(self._hierarchy.order, False)
+            count = space.count if isinstance(space, SymbolicSpace) else None
         return _Found(answer, found.bound or None, count)
 
     def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
-        """Answer from all configurations as one set, None if that is not possible."""
+        """Answer from all configurations together, None if that is not possible."""
         scope = self._scope
-        if scope.failures or not scope.diagrams or self._is_small:
-            return None
-        if one.kind == "after" or (one.kind == "way_back" and not self._routes_are_free):
-            return None
-        space = self._symbolic
-        if space is None:
+        if scope.failures or not scope.engines or self._is_small:
             return None
         cone = self._cone(one)
-        shown = self._product(cone) > self._scope.near
+        if self._is_lone(cone):
+            return None
+        routed = self._goes_around(one)
+        shown = self._product(cone) > scope.near
+        how = routed, one.kind not in ROUTED
+        space = whole = self._engines.engine(self._hierarchy.order, *how)
+        if not isinstance(space, SymbolicSpace) and shown:
+            space = self._engines.engine(cone.kept | cone.quiet, *how)
+        answer: Answer | None
         try:
-            if one.kind in WATCHED:
-                answer = space.never(meanings[0], shown)
-            elif one.kind == "reachable":
-                answer = space.reachable(meanings[0])
-            elif one.kind == "before":
-                answer = space.before(meanings[0], meanings[1], shown)
+            if isinstance(space, SymbolicSpace):
+                answer = _from_set(space, one, meanings, shown)
+            elif space is not None and shown:
+                answer = _from_arrays(space, one, meanings)
             else:
-                within = one.written.within if one.written else None
-                answer = space.way_back(meanings[0], meanings[1], within, shown)
+                return None
         except (TooLarge, RecursionError):
             return None
-        if answer.verdict == FAILS and answer.run is None:
+        if answer is None or (answer.verdict != HOLDS and answer.run is None):
             # The shortest run lies in the cone, which is small enough to be looked at one by one.
             return None
-        return _Found(answer, None, space.count, "diagram")
+        count = space.count if space is whole else None
+        return _Found(answer, space.bound or None, count, space.engine)
+
+    def _is_lone(self, cone: Cone) -> bool:
+        """Whether the graph of one SB has all that a question looks at."""
+        found = self._lone.get(cone)
+        if found is None:
+            found = is_lone(self._hierarchy, cone) and self._product(cone) <= self._scope.limit
+            self._lone[cone] = found
+        return found
+
+    def _goes_around(self, one: Claim) -> bool:
+        """Whether a claim looks at fewer steps than there are: those that a route may take."""
+        return one.kind in ROUTED and not self._routes_are_free
 
     @cached_property
     def _routes_are_free(self) -> bool:
@@ -191,17 +221,14 @@ class _Prover:
         return not self._hazards and not any(map(failing_states, self._blueprint))
 
     @cached_property
-    def _symbolic(self) -> SymbolicSpace | None:
-        try:
-            return SymbolicSpace(self._hierarchy)
-        except TooLarge:
-            return None
+    def _engines(self) -> Engines:
+        return Engines(self._blueprint, self._hazards, self._scope.engines)
 
     # what is looked at
 
     def _exploration(self, one: Claim) -> Exploration:
         """Return what can be reached, as far as it can change the answer of a claim."""
-        routed, cone = one.kind in ROUTED, self._cone(one)
+        routed, cone = self._goes_around(one), self._cone(one)
         found = self._explored.get((routed, cone))
         if found is None:
             hazards = self._near_hazards(cone) if routed else ()
@@ -209,11 +236,13 @@ class _Prover:
             mates = self._watched(cone).values()
             tests = [space.test(one.meanings[0]) for one in mates if one.meanings]
             limit, watched = self._scope.limit, () if routed else tests
-            found = Exploration(space, limit, watched)
+            explored = LoneExploration if self._is_lone(cone) else Exploration
+            found = explored(space, limit, watched)
             if self._scope.failures and not found.bound:
                 starts = (space.start(), *failed_starts(space, found.keys))
-                found = Exploration(space, limit, watched, starts)
+                found = explored(space, limit, watched, starts)
             self._explored[routed, cone] = found
+        self._looked_at = len(found)
         return found
 
     def _watched(self, cone: Cone) -> dict[int, Claim]:
@@ -309,6 +338,30 @@ class _Prover:
             return _Found(Answer(HOLDS))
         start, *_, end = (route.configurations[0], *route.configurations)
         return _Found(Answer(FAILS, Run(start, route.asked, end)))
+
+
+def _from_set(
+    space: SymbolicSpace, one: Claim, meanings: tuple[Meaning, ...], shown: bool
+) -> Answer:
+    if one.kind in WATCHED:
+        return space.never(meanings[0], shown)
+    if one.kind == "reachable":
+        return space.reachable(meanings[0])
+    if one.kind == "before":
+        return space.before(meanings[0], meanings[1], shown)
+    if one.kind == "after":
+        return space.after(meanings[0], meanings[1], shown)
+    within = one.written.within if one.written else None
+    return space.way_back(meanings[0], meanings[1], within, shown)
+
+
+def _from_arrays(space: ArraySpace, one: Claim, meanings: tuple[Meaning, ...]) -> Answer | None:
+    """Answer from arrays, None for a kind that looks back."""
+    if one.kind in WATCHED:
+        return space.never(meanings[0])
+    if one.kind == "reachable":
+        return space.reachable(meanings[0])
+    return space.before(meanings[0], meanings[1]) if one.kind == "before" else None
 
 
 def _pattern(text: str) -> Callable[[Address], bool]:

@@ -69,6 +69,7 @@ class Space:
         self._quiet = tuple(name for name in self.hierarchy.order if name in self.cone.quiet)
         self._at = {name: index for index, name in enumerate(self.order)}
         self.blueprint = blueprint
+        self.routed = routed
         self._terms = Terms() if routed else Terms(failing=None)
         self._start = start or start_configuration(self.hierarchy, {})
         coupled = {name for name, subs in self.hierarchy.subs.items() if subs}
@@ -210,6 +211,11 @@ class Space:
             found.append(Passed(following.edge.address, now))
         return tuple(found)
 
+    def shuts(self, key: Key) -> bool:
+        """Return whether no step may enter or pass a configuration."""
+        return any(shut(key) for shut in self._shut)
+
     def _meets(self, step: Step) -> bool:
-        keys = (step.to, *(one.key for one in step.passed))
-        return any(shut(key) for shut in self._shut for key in keys)
+        return bool(self._shut) and any(
+            map(self.shuts, (step.to, *(one.key for one in step.passed)))
+        )

@@ -2,29 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable
+from contextlib import suppress
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.properties.meaning import Meaning, branches_in
-from smsl_studio.graph.joint.products import TooLarge
-from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.blueprint.properties.meaning import Joined, Meaning, States, branches_in
+from smsl_studio.graph.joint.diagram import MOST_WORK
+from smsl_studio.graph.joint.goals import FoundRun, SearchGoals
+from smsl_studio.graph.joint.joint_steps import JointSteps
+from smsl_studio.graph.joint.products import JointBox, TooLarge
+from smsl_studio.graph.joint.reach import JointPaths, JointReach
+from smsl_studio.inspection.proof.armed import ArmedSearch
 from smsl_studio.inspection.proof.kinds import Answer
-from smsl_studio.inspection.proof.space import Space, Test
-from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, Counterexample
-from smsl_studio.stop import heed
+from smsl_studio.inspection.proof.space import Space
+from smsl_studio.inspection.proof.told import at_start, told
+from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
+from smsl_studio.inspection.proof.walk import walked
+
+SOON, SHARE = 100_000, 10
+"""Before a search in arrays, layers of diagrams are tried for a shortest run: so many looks at
+nodes, and one more for so many configurations."""
+
+STEPS, A_STEP = 80, 20_000
+"""And so many steps, or one for so many configurations. Many small layers are quicker in arrays."""
+
+MOST_BOXES = 512
+"""The largest number of boxes of what is looked for in arrays."""
 
 
 class SymbolicSpace:
-    """Answers what can happen. TooLarge if that takes too much, RunRefused if there is
-    no start.
+    """Answers what can happen. TooLarge if that takes too much.
+
+    ``steps`` are those of the blueprint, or of a part of it that nothing else touches. ``space``
+    makes the same steps one by one. With ``soon`` it is given up early where arrays do.
     """
 
-    def __init__(self, hierarchy: Hierarchy) -> None:
-        self._hierarchy = hierarchy
+    engine, bound = "diagram", ""
+
+    def __init__(self, space: Callable[[], Space], steps: JointSteps, soon: bool) -> None:
+        self._space = space
         try:
-            self._reach = JointReach(hierarchy)
+            self._reach = JointReach(steps, soon)
         except RecursionError as error:
             raise TooLarge("the depth of a diagram") from error
 
@@ -38,9 +56,7 @@ class SymbolicSpace:
         self._reach.diagram.renew()
         if self._reach.can_meet(self._reach.meant(meaning)):
             return Answer(HOLDS)
-        space = Space(self._hierarchy.blueprint)
-        start = space.in_order(space.whole(space.start()))
-        return Answer(FAILS, Counterexample(start, (), start))
+        return Answer(FAILS, at_start(self._space()))
 
     def never(self, meaning: Meaning, shown: bool = True) -> Answer:
         """Answer ``never F``. Without ``shown`` no run is looked for, here and below."""
@@ -52,30 +68,44 @@ class SymbolicSpace:
             return Answer(HOLDS)
         if not shown:
             return Answer(FAILS)
-        ways, during = reach.paths.nearest(wanted, passing)
-        space, start, path, here = self._walk(ways)
-        if not during:
-            return Answer(FAILS, _run(space, start, path, here))
-        return Answer(FAILS, _passing(space, start, path, here, space.test(meaning)))
+        run = self._shortest(reach.paths, wanted, passing)
+        return Answer(FAILS, told(self._space(), run, meaning))
 
     def before(self, first: Meaning, second: Meaning, shown: bool = True) -> Answer:
         """Answer ``before [F, G]``."""
         reach = self._reach
         reach.diagram.renew()
         top = reach.diagram.height - 1
-        paths = reach.avoiding(reach.boxes(first, False))
+        may = reach.steps.boxes(first, False)
+        paths = reach.avoiding(may)
         hits = reach.diagram.without(reach.meant(second), reach.meant(first), top)
         if not reach.diagram.both(paths.reached(), hits, top):
             return Answer(HOLDS)
         if not shown:
             return Answer(FAILS)
-        return Answer(FAILS, _run(*self._walk(paths.nearest(hits, 0)[0])))
+        return Answer(FAILS, told(self._space(), self._shortest(paths, hits, may=may)))
+
+    def after(self, first: Meaning, second: Meaning, shown: bool = True) -> Answer:
+        """Answer ``after [F, G]``, if the steps are those that a route may take."""
+        reach, diagram = self._reach, self._reach.diagram
+        diagram.renew()
+        top = diagram.height - 1
+        disarming = reach.meant(second)
+        arming = diagram.without(reach.meant(first), disarming, top)
+        begun = diagram.both(arming, reach.whole, top)
+        paths = reach.avoiding(reach.steps.boxes(second, False))
+        goal = diagram.without(reach.meant(goal_of(reach.steps.numbers.hierarchy)), disarming, top)
+        if not diagram.both(paths.reached_from(begun), goal, top):
+            return Answer(HOLDS)
+        if not shown:
+            return Answer(FAILS)
+        run = ArmedSearch(reach, arming, disarming, goal).run(self._space())
+        return Answer(FAILS, told(self._space(), run))
 
     def way_back(
         self, first: Meaning, second: Meaning, within: int | None, shown: bool = True
     ) -> Answer:
-        """Answer ``way_back`` where routes may go everywhere: nothing fails, and there is no
-        hazard."""
+        """Answer ``way_back``, if the steps are those that a route may take."""
         reach = self._reach
         reach.diagram.renew()
         top = reach.diagram.height - 1
@@ -87,52 +117,38 @@ class SymbolicSpace:
             return Answer(HOLDS)
         if not shown:
             return Answer(FAILS)
-        return Answer(FAILS, _run(*self._walk(reach.paths.nearest(lost, 0)[0])))
+        return Answer(FAILS, told(self._space(), self._shortest(reach.paths, lost)))
 
-    def _walk(self, ways: list[int]) -> tuple[Space, dict[str, str], list[Address], dict[str, str]]:
-        """Return the first run by its addresses through some sets, with its start and its end."""
-        space = Space(self._hierarchy.blueprint)
-        here = start = space.whole(space.start())
-        path: list[Address] = []
-        for goals in ways[1:]:
-            address, step = self._first(space, here, goals)
-            path.append(address)
-            here = {**here, **step.after}
-        return space, start, path, here
+    def _shortest(
+        self, paths: JointPaths, hits: int, passing: int = 0, may: list[JointBox] | None = None
+    ) -> FoundRun:
+        """Return the shortest run to a hit, or to one of ``passing``. Steps begin in ``may``.
 
-    def _first(
-        self, space: Space, here: Mapping[str, str], goals: int
-    ) -> tuple[Address, JointStep]:
-        """Return the first operation by its address that leads into a set."""
-        for address in space.operations(here):
-            heed()
-            step = space.joint_step(here, address)
-            if step is not None and self._reach.has(goals, {**here, **step.after}):
-                return address, step
-        raise AssertionError("a way in the diagram is none of the stepper")
-
-
-def _run(
-    space: Space,
-    start: Mapping[str, str],
-    path: list[Address],
-    end: Mapping[str, str],
-    during: Address | None = None,
-) -> Counterexample:
-    return Counterexample(space.in_order(start), tuple(path), space.in_order(end), during)
+        Layers of diagrams are tried first, because they are cheap where they are few.
+        """
+        diagram, count = self._reach.diagram, self._reach.count
+        diagram.allow(min(SOON + count // SHARE, 4 * MOST_WORK))
+        steps = max(STEPS, count // A_STEP)
+        with suppress(TooLarge):
+            return walked(self._space(), self._reach, *paths.nearest(hits, passing, steps))
+        diagram.allow()
+        with suppress(TooLarge):
+            wanted, passed = (diagram.boxes(one, MOST_BOXES) for one in (hits, passing))
+            found = self._reach.in_arrays(SearchGoals(wanted, passed, may))
+            if found is not None:
+                return found
+        diagram.allow()
+        return walked(self._space(), self._reach, *paths.nearest(hits, passing))
 
 
-def _passing(
-    space: Space, start: Mapping[str, str], path: list[Address], here: Mapping[str, str], test: Test
-) -> Counterexample:
-    """Return the run that ends with the first operation that passes a condition."""
-    for address in space.operations(here):
-        step = space.joint_step(here, address)
-        if step is None:
-            continue
-        now = dict(here)
-        for action, following in zip(step.actions, step.actions[1:], strict=False):
-            now.update(action.moved)
-            if test(space.key(now)):
-                return _run(space, start, [*path, address], now, following.edge.address)
-    raise AssertionError("what passes in the diagram does not with the stepper")
+def goal_of(hierarchy: Hierarchy) -> Meaning:
+    """Return the condition that every root is in ACTIVATING."""
+    blueprint = hierarchy.blueprint
+    ends = [(root, blueprint[root].activating) for root in hierarchy.roots]
+    return Joined(
+        True,
+        tuple(
+            States(root, frozenset({state} if state in blueprint[root].table else ()))
+            for root, state in ends
+        ),
+    )

@@ -1,7 +1,8 @@
 """Inspector: inspects the blueprint in a second thread after every change.
 
 The rules are pure functions of a frozen blueprint, so a large one does not freeze the window. After
-them the hazards and properties are answered, which may take longer. Findings of a blueprint that is
+them the hazards and properties are answered, which may take longer. If a person has chosen a world,
+the rules about it are checked too. Findings of a blueprint that is
 no longer shown are dropped. Those of the last ones are kept, because an undo shows the same
 blueprint again.
 """
@@ -15,7 +16,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.inspect import ALL, inspect, order
+from smsl_studio.errors import WorldError
+from smsl_studio.inspection.inspect import ALL, in_order, inspect, order
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
@@ -23,6 +25,7 @@ from smsl_studio.studio.document.session import Session
 if TYPE_CHECKING:
     from smsl_studio.front.claim_rows import ClaimAnswers, ClaimRow
     from smsl_studio.front.proof import Proof
+    from smsl_studio.library.loaded import Loaded
 
 KEPT = 40
 """The findings of so many blueprints are kept. An undo shows those of its blueprint at once."""
@@ -75,7 +78,10 @@ class Inspector(QObject):
         """The verdicts about the blueprint that is shown; None as long as they are not known."""
         self.stopped = False
         """Whether a person has stopped the search for verdicts about this blueprint."""
-        session.opened.connect(self._known.clear)
+        self.world = ""
+        """The world that a person has chosen for this file; empty if none was chosen."""
+        self._loaded: Loaded | None = None
+        session.opened.connect(self._forget)
         session.blueprint_changed.connect(lambda *_: self._changed())
         self._changed()
 
@@ -118,6 +124,17 @@ class Inspector(QObject):
         self._known.pop(id(self._session.blueprint), None)
         self._changed(0)
 
+    def look_in(self, world: str, loaded: Loaded | None) -> None:
+        """Check the rules about a world too (R24 to R26), with the plugins that are known."""
+        if (world, loaded) != (self.world, self._loaded):
+            self.world, self._loaded = world, loaded
+            self._known.clear()
+            self._changed(0)
+
+    def _forget(self) -> None:
+        self._known.clear()
+        self.world, self._loaded = "", None
+
     def _changed(self, wait: int = WAIT) -> None:
         self.current, self.answered, self.stopped = False, None, False
         self._patience.stop()
@@ -134,7 +151,8 @@ class Inspector(QObject):
         if known is not None:
             self._arrived(blueprint, known.findings)
         else:
-            self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
+            look = partial(_inspected, blueprint, self.world, self._loaded)
+            self._beside.do(look, partial(self._arrived, blueprint))
 
     def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
         if not self._is_wanted(blueprint):
@@ -172,6 +190,20 @@ class Inspector(QObject):
         self._patience.stop()
         self.current = True
         self.found.emit(self.findings)
+
+
+def _inspected(blueprint: Blueprint, world: str, loaded: Loaded | None) -> tuple[Finding, ...]:
+    """Inspect a blueprint, in a world if there is one. It is called in the worker thread."""
+    found = inspect(blueprint)
+    if not world:
+        return found
+    from smsl_studio.front.equipment import findings_in_world
+
+    try:
+        more = findings_in_world(blueprint, world, loaded=loaded)
+    except WorldError:
+        return found  # its plugin is gone, and Run says so
+    return in_order(blueprint, (*found, *more))
 
 
 def _answer(blueprint: Blueprint) -> ClaimAnswers:

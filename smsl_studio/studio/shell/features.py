@@ -58,7 +58,7 @@ class Features(QObject):
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
-        self._shell = shell
+        self._shell, self._inspector = shell, parts.inspector
         self.draw = DrawFeature(parts, shell)
         self.draw.notes.author = windows.persons.author
         self.inspection = InspectionFeature(parts, shell, self.draw.canvas)
@@ -110,6 +110,7 @@ class Features(QObject):
         supervise, people = self.supervise.part(), self.people.part()
         self.tour.follow(pane.run)
         pane.monitor_wanted.connect(self.monitor.toggle)
+        pane.transport.world.activated.connect(lambda *_: self._inspect_in_world(pane))
         supervise.begin_wanted.connect(pane.play)
         pane.reset_wanted.connect(lambda: supervise.ask_for("reset"))
         people.take_places(supervise.task_slot, supervise.add_levels)
@@ -120,6 +121,10 @@ class Features(QObject):
         pane.said.connect(self.said)
         pane.said.connect(self._tell_phase)
         pane.named.connect(self.named)
+
+    def _inspect_in_world(self, pane: RunPane) -> None:
+        """Check also what the world lacks that a person has chosen."""
+        self._inspector.look_in(pane.transport.world.currentData() or "", pane.next.loaded)
 
     def _introduce_replay(self, verbs: ReplayVerbs) -> None:
         verbs.pane.said.connect(self.said)

@@ -13,6 +13,7 @@ import pytest
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
+from smsl_studio.graph.joint.joint_steps import JointSteps
 from smsl_studio.graph.joint.products import JointMoves
 from smsl_studio.graph.joint.products_of import ProductSteps
 from smsl_studio.graph.joint.reach import JointReach
@@ -115,7 +116,7 @@ def agree(plain: dict[str, Any], limit: int = 3_000) -> bool:
         assert exact <= passed
         assert passed <= exact | set(applied(products.rough, here))
         assert passed == exact | set(applied(more, here))
-    assert JointReach(Hierarchy(blueprint)).count == len(found)
+    assert JointReach(JointSteps(Hierarchy(blueprint))).count == len(found)
     return True
 
 

@@ -14,7 +14,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.exploration import ExploredSpace, explore
-from smsl_studio.inspection.explorer.explorer import MOST, ExploredMode
+from smsl_studio.inspection.explorer.as_set import counted
+from smsl_studio.inspection.explorer.explorer import MOST, ExploredMode, explored_coupled
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.naive import Config
@@ -185,3 +186,39 @@ def test_the_limit_is_told_and_traps_are_not_known_then() -> None:
     assert mode.bound == "1 configurations"
     assert not mode.clean
     assert mode.as_json()["bound"] == mode.bound
+
+
+@pytest.mark.parametrize("seed", range(0, 40, 2))
+def test_one_set_of_all_configurations_gives_the_same(seed: int) -> None:
+    whole = blueprint(blueprint_values(seed))
+    try:
+        one_by_one = explored_coupled(whole, 100_000, few=10**9)
+    except RunRefused:
+        return
+    found = counted(Hierarchy(whole), MOST)
+    assert found.configurations == one_by_one.configurations
+    assert found.traps == one_by_one.trap_count
+    ways = {tuple(place.configuration.items()): place.path for place in one_by_one.traps}
+    assert len(found.nearest) == len(ways)
+    assert [len(path) for _, path in found.nearest] == [len(one) for one in ways.values()]
+    if found.traps <= MOST:
+        assert {tuple(one.items()): path for one, path in found.nearest} == ways
+
+
+def test_a_thousand_million_configurations_are_counted() -> None:
+    """Nothing of them is stored. One counter may stand still for ever: that is a trap."""
+    values: dict[str, Any] = {}
+    for n in range(9):
+        table: dict[str, dict[str, str]] = {f"S{m}": {} for m in range(10)}
+        for m in range(9):
+            table[f"S{m}"]["go"], table[f"S{m + 1}"]["back"] = f"S{m + 1}", f"S{m}"
+        values[f"C{n}"] = {"HEADER": {"NUM_FACTS": 1}, **table}
+    values["C0"]["S0"]["lost"] = "Sx"
+    values["C0"] = {**values["C0"], "Sx": {}}
+    values["C0"]["HEADER"] = {"NUM_FACTS": 1, "INITIAL": "S0", "ACTIVATING": "S9"}
+    # They are one part, because an operation of each requires a fact of the next.
+    for n in range(8):
+        values[f"C{n}"]["_operations"] = {"S0/go": {"requires": {f"C{n + 1}/0": "0"}}}
+    found = explored_coupled(blueprint(values), 1_000)
+    assert (found.bound, found.configurations, found.trap_count) == ("", 11 * 10**8, 10**8)
+    assert [len(place.path) for place in found.traps[:2]] == [1, 2]

@@ -19,6 +19,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.claim_rows import ClaimAnswers, answered
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.stop import Stopped, heed
 from smsl_studio.studio.document import inspector as room
@@ -246,3 +247,26 @@ def test_a_person_stops_the_search_and_lets_it_begin_again(
     inspector.look_again()
     assert not inspector.stopped
     qtbot.waitUntil(lambda: inspector.proof is not None)
+
+
+def test_a_world_is_asked_too_until_another_file_is_opened(
+    session: Session, inspector: Inspector, qtbot: QtBot
+) -> None:
+    note = {"cut": {"actor": "shared", "risk": "high"}}
+    plain = {"SB": {"_operations": note, "S_0": {"cut": "S_1"}, "S_1": {"back": "S_0"}}}
+    session.open(read_blueprint(parse_json(json.dumps(plain), "file.json")))
+    qtbot.waitUntil(lambda: inspector.current)
+    assert "R26" not in {one.rule for one in inspector.findings}
+    inspector.look_in("table", None)
+    assert not inspector.current
+    qtbot.waitUntil(lambda: inspector.current)
+    assert "R26" in {one.rule for one in inspector.findings}
+    inspector.look_in("table", None)
+    assert inspector.current, "nothing has changed"
+    inspector.look_in("nowhere", Loaded(()))
+    qtbot.waitUntil(lambda: inspector.current)
+    assert "R26" not in {one.rule for one in inspector.findings}, "a world that is gone"
+    inspector.look_in("table", None)
+    session.open(read_blueprint(parse_json(json.dumps(plain), "other.json")))
+    qtbot.waitUntil(lambda: inspector.current)
+    assert "R26" not in {one.rule for one in inspector.findings}

@@ -1,0 +1,130 @@
+"""``after [F, G]`` from sets: a way to a goal that has passed F, and since then no G, shows that it
+fails.
+
+A set is kept twice: once with the configurations on whose way nothing is owed, and once *armed*,
+with those on whose way F has held and since then no G.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.graph.joint.goals import FoundRun
+from smsl_studio.graph.joint.products import TooLarge
+from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.space import Space
+from smsl_studio.stop import heed
+
+
+class MarkedSet(NamedTuple):
+    """Configurations that are not armed, and armed ones."""
+
+    plain: int
+    armed: int
+
+
+class ArmedSearch:
+    """Looks for the shortest way to ``goal`` that is armed at its end.
+
+    Configurations of ``arming`` arm a way, and those of ``disarming`` disarm it. No configuration
+    is in both.
+    """
+
+    def __init__(self, reach: JointReach, arming: int, disarming: int, goal: int) -> None:
+        self._reach, self._diagram = reach, reach.diagram
+        self._top = reach.diagram.height - 1
+        self._arming, self._disarming, self._goal = arming, disarming, goal
+
+    def ways(self) -> list[MarkedSet]:
+        """Return the sets on the shortest ways, step by step. There must be one."""
+        diagram, top = self._diagram, self._top
+        start = diagram.point(self._reach.start)
+        is_armed = bool(diagram.both(start, self._arming, top))
+        layers = [MarkedSet(0, start) if is_armed else MarkedSet(start, 0)]
+        seen = layers[0]
+        while True:
+            heed()
+            ends = diagram.both(layers[-1].armed, self._goal, top)
+            if ends:
+                return self._back(layers, MarkedSet(0, ends))
+            plain, armed = self._further(layers[-1])
+            layer = MarkedSet(
+                diagram.without(plain, seen.plain, top), diagram.without(armed, seen.armed, top)
+            )
+            if not any(layer):
+                raise TooLarge("the run that was expected")
+            layers.append(layer)
+            seen = MarkedSet(
+                diagram.union(seen.plain, layer.plain, top),
+                diagram.union(seen.armed, layer.armed, top),
+            )
+
+    def _further(self, layer: MarkedSet) -> MarkedSet:
+        diagram, top, paths = self._diagram, self._top, self._reach.paths
+        plain, armed = paths.onward(layer.plain), paths.onward(layer.armed)
+        return MarkedSet(
+            diagram.union(
+                diagram.without(plain, self._arming, top),
+                diagram.both(armed, self._disarming, top),
+                top,
+            ),
+            diagram.union(
+                diagram.both(plain, self._arming, top),
+                diagram.without(armed, self._disarming, top),
+                top,
+            ),
+        )
+
+    def _back(self, layers: Sequence[MarkedSet], ends: MarkedSet) -> list[MarkedSet]:
+        diagram, top, paths = self._diagram, self._top, self._reach.paths
+        ways = [ends]
+        for layer in reversed(layers[:-1]):
+            heed()
+            plain, armed = ways[-1]
+            to_plain = diagram.union(
+                diagram.without(plain, self._arming, top),
+                diagram.both(armed, self._arming, top),
+                top,
+            )
+            to_armed = diagram.union(
+                diagram.both(plain, self._disarming, top),
+                diagram.without(armed, self._disarming, top),
+                top,
+            )
+            ways.append(
+                MarkedSet(
+                    diagram.both(layer.plain, paths.backward(to_plain), top),
+                    diagram.both(layer.armed, paths.backward(to_armed), top),
+                )
+            )
+        ways.reverse()
+        return ways
+
+    def run(self, space: Space) -> FoundRun:
+        """Return the first of the shortest ways by its addresses. ``space`` has its steps."""
+        ways = self.ways()
+        here = space.whole(space.start())
+        is_armed = bool(ways[0].armed)
+        path: list[Address] = []
+        for plain, armed in ways[1:]:
+            for address in space.operations(here):
+                heed()
+                step = space.joint_step(here, address)
+                if step is None:
+                    continue
+                after = {**here, **step.after}
+                marked = self._marked(after, is_armed)
+                if self._reach.has(armed if marked else plain, after):
+                    path.append(address)
+                    here, is_armed = after, marked
+                    break
+            else:
+                raise AssertionError("a way in the diagram is none of the stepper")
+        return FoundRun(path, here, False)
+
+    def _marked(self, configuration: dict[str, str], was: bool) -> bool:
+        if self._reach.has(self._disarming, configuration):
+            return False
+        return was or self._reach.has(self._arming, configuration)

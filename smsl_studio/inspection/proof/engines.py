@@ -1,0 +1,88 @@
+"""Chooses how a large space is looked at: as one set, or in arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from types import MappingProxyType
+
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.properties.meaning import Meaning, branches_in
+from smsl_studio.graph.joint.joint_steps import JointSteps
+from smsl_studio.graph.joint.products import TooLarge
+from smsl_studio.inspection.proof.arrays import ArraySpace
+from smsl_studio.inspection.proof.space import Space
+from smsl_studio.inspection.proof.symbolic import SymbolicSpace
+
+Engine = SymbolicSpace | ArraySpace
+
+ENGINES = (SymbolicSpace.engine, ArraySpace.engine)
+"""The words of all engines."""
+
+
+MOST_PARTS = 4
+"""The largest number of parts whose engines are kept, because each may take much memory."""
+
+_Key = tuple[frozenset[str], bool, bool]
+
+
+class Engines:
+    """The engines of a blueprint and of its parts. Each is made only if it is asked.
+
+    ``hazards`` hinder the steps that a route may take. ``allowed`` are the engines that may be
+    used, by their words.
+    """
+
+    def __init__(
+        self, blueprint: Blueprint, hazards: Sequence[Meaning], allowed: Collection[str] = ENGINES
+    ) -> None:
+        self._blueprint, self._hazards, self._allowed = blueprint, hazards, allowed
+        self._known: dict[_Key, Engine | None] = {}
+        self._parts: list[_Key] = []
+        self._arrays: ArraySpace | None = None
+
+    def engine(self, names: Collection[str], routed: bool, soon: bool = True) -> Engine | None:
+        """Return the engine for some SBs that nothing else touches, None if they take too much.
+
+        With ``routed`` the steps are those that a route may take. Without ``soon`` arrays do not
+        answer the question, so a diagram is given all of its time. RunRefused if there is no start.
+        """
+        key = frozenset(names), routed, soon
+        if key not in self._known:
+            other = self._known.get((*key[:2], not soon))
+            self._known[key] = other if isinstance(other, SymbolicSpace) else self._made(*key)
+            self._forget_others(key)
+        found = self._known[key]
+        if isinstance(found, ArraySpace) and found is not self._arrays:
+            if self._arrays is not None:
+                self._arrays.forget()
+            self._arrays = found
+        return found
+
+    def _forget_others(self, key: _Key) -> None:
+        """Forget the engine of a part that was made long ago."""
+        if self._known[key] is None or len(key[0]) == len(self._blueprint.branches):
+            return
+        self._parts.append(key)
+        if len(self._parts) > MOST_PARTS:
+            del self._known[self._parts.pop(0)]
+
+    def _made(self, names: frozenset[str], routed: bool, soon: bool) -> Engine | None:
+        blueprint = self._blueprint
+        branches = {name: blueprint[name] for name in blueprint.branches if name in names}
+        part = blueprint
+        if len(branches) < len(blueprint.branches):
+            part = replace(blueprint, branches=MappingProxyType(branches))
+        shut = [one for one in self._hazards if names.issuperset(branches_in(one))]
+        space = partial(Space, blueprint, routed, tuple(shut))
+        try:
+            steps = JointSteps(Hierarchy(part), shut if routed else None)
+        except TooLarge:
+            return None
+        if SymbolicSpace.engine in self._allowed:
+            with suppress(TooLarge):
+                return SymbolicSpace(space, steps, soon)
+        return ArraySpace(space, steps) if ArraySpace.engine in self._allowed else None

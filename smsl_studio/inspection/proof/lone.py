@@ -1,0 +1,70 @@
+"""Explores one SB that nothing else touches: its graph has all of its steps."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.address import Address, escape
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.graph.build import graph_of
+from smsl_studio.inspection.proof.cone import Cone
+from smsl_studio.inspection.proof.exploration import MOST_STEPS, NOWHERE, Exploration
+from smsl_studio.stop import BoundMet, heed
+
+
+def is_lone(hierarchy: Hierarchy, cone: Cone) -> bool:
+    """Whether a question looks at one SB alone, without bases, sub-SBs and ``requires``."""
+    if cone.quiet or len(cone.kept) != 1:
+        return False
+    (name,) = cone.kept
+    notes = hierarchy.blueprint[name].notes.operations.values()
+    return not (
+        hierarchy.subs[name] or hierarchy.bases[name] or any(note.requires for note in notes)
+    )
+
+
+class LoneExploration(Exploration):
+    """The states of such an SB that can be reached. An operation's label is its edge's number."""
+
+    def name(self, label: int) -> Address:
+        """Return the operation with a number."""
+        graph = self._graph
+        return Address(graph.branch, graph.names[graph.sources[label]], graph.operations[label])
+
+    def _explore(self) -> None:
+        (name,) = self.space.order
+        branch = self.space.blueprint[name]
+        graph = self._graph = graph_of(branch)
+        failing = failing_states(branch) if self.space.routed else {}
+        closed = [self.space.shuts((state,)) for state in graph.names]
+        fails = [state in failing for state in graph.names]
+        here = [graph.index[state] for (state,) in self.keys]
+        node_of = {state: node for node, state in enumerate(here)}
+        for node, state in enumerate(here):
+            try:
+                heed()
+            except BoundMet as error:
+                self.bound = str(error)
+                return
+            edges = graph.edges_out(state)
+            for edge in sorted(edges, key=self._text) if len(edges) > 1 else edges:
+                target = graph.targets[edge]
+                if closed[target] or (fails[target] and not fails[state]):
+                    continue
+                to = node_of.get(target)
+                if to is None:
+                    to = self._seen((graph.names[target],), node, edge)
+                    if to == NOWHERE:
+                        self._first.append(len(self._targets))
+                        return
+                    node_of[target] = to
+                    here.append(target)
+                self._targets.append(to)
+                self._labels.append(edge)
+            self._first.append(len(self._targets))
+            if len(self._targets) > MOST_STEPS:
+                count = f"{len(self.keys):,} configurations"
+                self.bound = f"{count} with {MOST_STEPS:,} steps, which would fill the memory"
+                return
+
+    def _text(self, edge: int) -> str:
+        return escape(self._graph.operations[edge])

@@ -1,0 +1,41 @@
+"""A person who chooses a world sees what it lacks among the findings, until another file is
+opened."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.stories.at_run import AtRun
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+
+SHARED = {
+    "_operations": {"cut": {"actor": "shared", "risk": "high"}},
+    "State_0": {"cut": "State_1"},
+    "State_1": {"back": "State_0"},
+}
+
+
+def rules(person: Person) -> set[str]:
+    return {one.rule for one in person.window.findings.findings}
+
+
+def test_the_rules_of_a_chosen_world_are_asked(sit: Sit, tmp_path: Path) -> None:
+    file = tmp_path / "shared.json"
+    file.write_text(json.dumps({"SB": SHARED}, indent=1))
+    person = sit(file)
+    inspector = person.window.inspector
+    person.until(lambda: inspector.current)
+    assert "R26" not in rules(person), "no world was chosen"
+    run = AtRun(person)
+    worlds = run.pane.transport.world
+    person.until(lambda: worlds.findText("table") >= 0)
+    person.choose(worlds, "table")
+    person.until(lambda: inspector.current and "R26" in rules(person))
+    assert inspector.world == "table"
+    other = tmp_path / "other.json"
+    other.write_text(file.read_text())
+    person.window.open_path(other)
+    person.until(lambda: inspector.current and "R26" not in rules(person))
+    assert inspector.world == ""
