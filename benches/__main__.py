@@ -53,6 +53,7 @@ BENCHES = (
     "proof",
     "shapes",
     "spin",
+    "tampers",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -14,6 +14,8 @@
     ├── PluginError          a plugin that cannot be loaded or bound
     ├── WorldError           a world that is unknown or cannot be built
     ├── HostError            the place where library code runs is gone or silent
+    ├── SealError            an envelope, a signature or a key is not as it must be
+    ├── ApprovalRefused      nothing was signed, because something is open   (exit 1)
     ├── RunRefused           a guard at the start said no; nothing moved     (exit 1)
     └── PlanningError        a plan was sought as far as is sensible         (exit 1)
 """
@@ -147,8 +149,41 @@ class HostError(StudioError):
     """The host of library code is gone or does not answer."""
 
 
+class SealError(StudioError):
+    """Signed bytes, an envelope or a key are not as they must be."""
+
+
+class ApprovalRefused(StudioError):  # noqa: N818
+    """An approval was refused, because something is open. Nothing was signed."""
+
+
 class RunRefused(StudioError):  # noqa: N818
-    """A check at the start of a run has refused it. Nothing has moved."""
+    """A check at the start of a run has refused it. Nothing has moved.
+
+    ``refusals`` are the reasons as pairs of a code and a sentence (see ``inspection.approval``).
+    They are told if a policy guards the run.
+    """
+
+    def __init__(
+        self,
+        sentence: str,
+        place: Place | None = None,
+        advice: str = "",
+        *,
+        refusals: Sequence[tuple[str, str]] = (),
+    ) -> None:
+        super().__init__(sentence, place, advice)
+        self.refusals = tuple(refusals)
+
+    @property
+    def words(self) -> str:
+        """The sentence with its advice, as the end of a run tells it."""
+        return f"{self.sentence}. {self.advice}".strip()
+
+    @property
+    def told(self) -> tuple[dict[str, str], ...]:
+        """The refusals as the end of a run tells them."""
+        return tuple({"code": code, "sentence": words} for code, words in self.refusals)
 
 
 class PlanningError(StudioError):

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from smsl_studio.blueprint.meaning import MeantBranch
 from smsl_studio.seal.digest import digest_of
 
+Json = Any
 _RUNS = ("initial", "activating", "facts", "sub_sbs", "states")
+
+
+def behaviour_values(branches: Iterable[MeantBranch]) -> list[Json]:
+    """Return the parts of some SBs that are carried out, as plain values: pairs of a name and its
+    states, operations and headers."""
+    return [[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches]
 
 
 def behaviour_of(branches: Iterable[MeantBranch]) -> str:
     """Return the SHA-256 of some SBs: their states, operations and headers, without annotations."""
-    return digest_of([[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches])
+    return digest_of(behaviour_values(branches))

@@ -7,11 +7,11 @@ only where it decides a default.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from smsl_studio.blueprint.behaviour import behaviour_of
+from smsl_studio.blueprint.behaviour import behaviour_of, behaviour_values
 from smsl_studio.blueprint.meaning import (
     hazards_meaning,
     levels_meaning,
@@ -45,25 +45,72 @@ class Digests:
 
 def digests(blueprint: Blueprint) -> Digests:
     """Return all three digests. Without a world the closure has no library code."""
-    own = [one for one in blueprint if one.name not in blueprint.imported]
+    own = _own(blueprint)
     behaviour = behaviour_of(own) if blueprint.imported else blueprint.behaviour
-    said = [_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))]
-    levels = levels_meaning(levels_written(blueprint.document))
-    properties = _properties(blueprint.document)
-    meaning = digest_of([*(said if levels is None else [*said, levels]), *properties])
-    brought = [one for one in blueprint if one.name in blueprint.imported]
-    imported = [behaviour_of(brought), _notes(brought), blueprint.meaning["hazards"]]
-    theirs = levels_meaning(levels_written(*blueprint.documents[1:]))
+    imported = [behaviour_of(_brought(blueprint)), *_said_elsewhere(blueprint)]
+    return _joined(behaviour, _said(blueprint), imported, _missing(blueprint))
+
+
+def content_of(blueprint: Blueprint) -> dict[str, Json]:
+    """Return the plain values that the digests are made of, so that others can compute them again.
+
+    The canonical bytes of ``behaviour`` and of ``meaning`` have these digests. ``imported`` has the
+    SBs of imported files, then what these files say. ``missing`` are imports that failed.
+    """
+    return {
+        "behaviour": behaviour_values(_own(blueprint)),
+        "meaning": _said(blueprint),
+        "imported": [behaviour_values(_brought(blueprint)), *_said_elsewhere(blueprint)],
+        "missing": _missing(blueprint),
+    }
+
+
+def digests_of(content: Mapping[str, Json]) -> Digests:
+    """Return the digests of a content (see ``content_of``)."""
+    brought, *said = content["imported"]
+    imported = [digest_of(brought), *said]
+    return _joined(
+        digest_of(content["behaviour"]), content["meaning"], imported, content["missing"]
+    )
+
+
+def _joined(behaviour: str, said: list[Json], imported: list[Json], missing: list[Json]) -> Digests:
+    meaning = digest_of(said)
     closure = {
         "behaviour": behaviour,
         "meaning": meaning,
-        "imported": [
-            *(imported if theirs is None else [*imported, theirs]),
-            *_properties(*blueprint.documents[1:]),
-        ],
-        "missing": sorted(map(_as_written, blueprint.import_faults)),
+        "imported": imported,
+        "missing": missing,
     }
     return Digests(behaviour, meaning, digest_of(closure))
+
+
+def _own(blueprint: Blueprint) -> list[StateBranch]:
+    return [one for one in blueprint if one.name not in blueprint.imported]
+
+
+def _brought(blueprint: Blueprint) -> list[StateBranch]:
+    return [one for one in blueprint if one.name in blueprint.imported]
+
+
+def _said(blueprint: Blueprint) -> list[Json]:
+    """Return what the annotations of the file itself mean."""
+    said = [_notes(_own(blueprint)), hazards_meaning(blueprint.fields.get("_hazards"))]
+    levels = levels_meaning(levels_written(blueprint.document))
+    own = said if levels is None else [*said, levels]
+    return [*own, *_properties(blueprint.document)]
+
+
+def _said_elsewhere(blueprint: Blueprint) -> list[Json]:
+    """Return what the annotations of imported files mean. The hazards are those of all files."""
+    said = [_notes(_brought(blueprint)), blueprint.meaning["hazards"]]
+    levels = levels_meaning(levels_written(*blueprint.documents[1:]))
+    theirs = said if levels is None else [*said, levels]
+    return [*theirs, *_properties(*blueprint.documents[1:])]
+
+
+def _missing(blueprint: Blueprint) -> list[Json]:
+    return sorted(map(_as_written, blueprint.import_faults))
 
 
 def _properties(*documents: Document) -> list[Json]:

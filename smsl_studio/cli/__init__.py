@@ -14,7 +14,14 @@ from importlib import import_module
 from smsl_studio.cli.arguments import COMMANDS, ArgumentParser, overview
 from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report
 from smsl_studio.cli.signals import Signals, heard
-from smsl_studio.errors import PlanningError, RunRefused, StudioError, UsageError, did_you_mean
+from smsl_studio.errors import (
+    ApprovalRefused,
+    PlanningError,
+    RunRefused,
+    StudioError,
+    UsageError,
+    did_you_mean,
+)
 from smsl_studio.stop import let_garbage_be
 
 __all__ = ["main", "program"]
@@ -65,7 +72,7 @@ def _told(arguments: Sequence[str], name: str, signals: Signals) -> int:
                 return _dispatch(arguments, Output(stream), signals)
             except SystemExit as end:  # argparse has printed its help
                 return end.code if isinstance(end.code, int) else 2
-            except (RunRefused, PlanningError) as error:
+            except (ApprovalRefused, PlanningError, RunRefused) as error:
                 report(error, name)
                 return 1
             except StudioError as error:

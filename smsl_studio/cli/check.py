@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
@@ -14,7 +15,7 @@ from smsl_studio.cli.arguments import (
     add_world,
 )
 from smsl_studio.cli.blueprint_argument import read_argument, read_each
-from smsl_studio.cli.output import Output
+from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import ReadError
 from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.inspect import PROVED, in_order
@@ -51,7 +52,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="tell how the procedure recovers from each failure state",
     )
     parser.add_argument(
-        "--against", metavar="OTHER", help="tell what has changed since this version"
+        "--against", metavar="OTHER", help="tell what has changed since this version, or record"
     )
     add_world(parser, required=False)
     add_format(parser, "sarif")
@@ -61,7 +62,9 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Inspect each file and print its findings. 0: no error; 1: an error; 2: unreadable."""
     loaded = _loaded(options.world)
     inspect(_nothing(), options.rule)
-    other = None if options.against is None else read_argument(options.against)
+    against = options.against
+    is_record = against is not None and _is_record(against)
+    other = None if against is None or is_record else read_argument(against)
     checked: list[_Checked] = []
     unread: list[ReadError] = []
     worst = 0
@@ -69,7 +72,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if isinstance(blueprint, ReadError):
             unread.append(blueprint)
             continue
-        one = _with_changes(_checked(blueprint, options, loaded), other, options.rule)
+        one = _checked(blueprint, options, loaded)
+        if other is not None:
+            one = _with_changes(one, other, options.rule)
+        elif "R27" in (options.rule or ("R27",)):
+            one = _since_record(one, against)
         worst = max(worst, one.status)
         if options.format == "text":
             _print(one, out)
@@ -127,10 +134,36 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
     return one
 
 
-def _with_changes(one: _Checked, other: Blueprint | None, rules: list[str] | None) -> _Checked:
-    """Add what has changed since another version, after all other findings."""
-    if other is None:
+def _is_record(file: str) -> bool:
+    """Whether a file is a record, which has exactly one member."""
+    path = Path(file)
+    if not path.is_file():
+        return False
+    with path.open("rb") as stream:
+        return stream.read(64).lstrip().startswith(b'{"records"')
+
+
+def _since_record(one: _Checked, record: str | None) -> _Checked:
+    """Add what has changed since the newest record, after all other findings. Most files have no
+    record, and then nothing is loaded."""
+    from smsl_studio.front.former_record import changes_since_record, may_have_record
+
+    if record is None and not may_have_record(one.blueprint.file):
         return one
+    try:
+        name, changes = changes_since_record(one.blueprint, record)
+    except ReadError as error:
+        if record is not None:
+            raise
+        note(f"{error}; nothing is said about what has changed since")
+        return one
+    if name:
+        note(f"{one.blueprint.file}: compared with {name}; its signature was not checked")
+    return one._replace(findings=(*one.findings, *changes))
+
+
+def _with_changes(one: _Checked, other: Blueprint, rules: list[str] | None) -> _Checked:
+    """Add what has changed since another version, after all other findings."""
     from smsl_studio.inspection.against import inspect_against
 
     changes = inspect_against(one.blueprint, other, rules)

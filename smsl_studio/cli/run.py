@@ -48,6 +48,12 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
     parser.add_argument(
+        "--policy", metavar="FILE", help="start only if this trust policy is met (see: verify)"
+    )
+    parser.add_argument(
+        "--record", metavar="RECORD", help="start only if this record approves it (see: approve)"
+    )
+    parser.add_argument(
         "--speed", default="max", metavar="X|max", help="times real time; max is as fast as it goes"
     )
     parser.add_argument(
@@ -65,7 +71,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Run the blueprint and print its events. 0: every goal was reached; 1: it was not."""
-    told = _ToldEvents(out, options.format, options.signals)
+    told = _ToldEvents(out, options)
     try:
         return _execute(options, told)
     except Stopped:
@@ -82,10 +88,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 class _ToldEvents:
     """Prints the events of a run on standard output."""
 
-    def __init__(self, out: Output, form: str, signals: Signals) -> None:
+    def __init__(self, out: Output, options: argparse.Namespace) -> None:
         self.finished = False
-        self._out, self._form, self._signals = out, form, signals
-        self._begun = False
+        self._out, self._form = out, options.format
+        self._signals: Signals = options.signals
+        self._begun = options.policy is not None or options.record is not None
 
     def tell(self, event: Event) -> None:
         """Print one event. The last event ends the run, and so it completes a requested stop."""
@@ -130,9 +137,13 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         stop_when=options.signals.is_asked,
         broker=options.broker,
         site=options.site,
+        policy=options.policy,
+        record=options.record,
     )
     for words in done.unbound:
         note(words)
+    if done.trust and done.reason != "refused":
+        note(done.trust)
     if script is not None:
         for event in done.events:
             if isinstance(event, Commanded) and event.refused:

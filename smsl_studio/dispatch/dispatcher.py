@@ -9,8 +9,9 @@ file, or starts a thread.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
@@ -100,16 +101,13 @@ class Dispatcher(Commands):
         try:
             terms = self._terms
             hazards = guard_hazards(self._blueprint) if terms.guarded else ()
-            run, goals = begin_run(
-                self._blueprint, self.host, terms.start, terms.goals, self._levels, hazards
-            )
-            run.left_out = tuple(terms.left_out)
+            run, goals = begin_run(self._blueprint, self.host, terms, self._levels, hazards)
             avoid = dict.fromkeys(terms.avoid, "avoided")
             course = Course(run.hierarchy, goals, run.bound, avoid, hazards)
             self._driver = Driver(run, course, self._reviewer, terms, self._someone)
             self._driver.starting.go_on()
         except RunRefused as refused:
-            return self._end("refused", f"{refused.sentence}. {refused.advice}".strip())
+            return self._end("refused", refused.words, refusals=refused.told)
         except HostError as error:
             return self._host_gone(error)
         return self._drain()
@@ -259,9 +257,15 @@ class Dispatcher(Commands):
             configuration=dict(run.configuration) if run else {},
         )
 
-    def _end(self, reason: str, sentence: str, *before: Event) -> tuple[Event, ...]:
+    def _end(
+        self,
+        reason: str,
+        sentence: str,
+        *before: Event,
+        refusals: Sequence[Mapping[str, str]] = (),
+    ) -> tuple[Event, ...]:
         """End the run outside the driver. Its waiting events come first."""
-        self._ended = self.end_for(reason, sentence)
+        self._ended = replace(self.end_for(reason, sentence), refusals=tuple(refusals))
         if self._driver is not None:
             refuse(self._driver, self._waiting, "the run is over")
             self._driver.let_go()

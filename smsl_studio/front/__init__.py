@@ -16,6 +16,15 @@ if TYPE_CHECKING:
     from smsl_studio.front.hosts import worlds
     from smsl_studio.front.inputs import inspect, read, refusals
     from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
+    from smsl_studio.front.key_ring import (
+        export_key,
+        import_key,
+        list_keys,
+        make_key,
+        revoke_digest,
+        revoke_key,
+        sign_register,
+    )
     from smsl_studio.front.logs import account, replay, verify
     from smsl_studio.front.outputs import (
         convert,
@@ -33,21 +42,26 @@ if TYPE_CHECKING:
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
     from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
+    from smsl_studio.front.signatures import ApprovalRequest, approve
     from smsl_studio.front.single_edge import try_edge
     from smsl_studio.front.suitable_worlds import worlds_for
     from smsl_studio.front.sweeps import sweep
+    from smsl_studio.front.verdicts import verify_approval
 
 __all__ = [
+    "ApprovalRequest",
     "Run",
     "RunRequest",
     "account",
     "allow_plugin",
+    "approve",
     "convert",
     "converted",
     "diff",
     "diff_behaviour",
     "digest",
     "explore",
+    "export_key",
     "extract",
     "flatten",
     "fmt",
@@ -55,8 +69,11 @@ __all__ = [
     "from_multidigraph",
     "git_setup",
     "identify",
+    "import_key",
     "inline",
     "inspect",
+    "list_keys",
+    "make_key",
     "merge",
     "multidigraph",
     "open_request",
@@ -70,11 +87,15 @@ __all__ = [
     "refusals",
     "render",
     "replay",
+    "revoke_digest",
+    "revoke_key",
     "run",
     "run_request",
+    "sign_register",
     "sweep",
     "try_edge",
     "verify",
+    "verify_approval",
     "worlds",
     "worlds_for",
 ]
@@ -111,6 +132,12 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "replay": Verb("tell a run again from its log, or verify the log",
                    ("replay", "verify", "account")),
+    "keys": Verb("make, list, move and revoke the keys that sign",
+                 ("list_keys", "make_key", "export_key", "import_key", "sign_register",
+                  "revoke_key")),
+    "approve": Verb("sign what the check says about a blueprint", ("approve",)),
+    "verify": Verb("say whether a blueprint is approved, and why not", ("verify_approval",)),
+    "store": Verb("revoke records and blueprints by their digests", ("revoke_digest",)),
     "worlds": Verb("list the worlds there are", ("worlds",)),
     "plugins": Verb("list the plugins there are; allow or forbid one",
                     ("plugins", "allow_plugin", "forbid_plugin")),
@@ -145,6 +172,16 @@ _HOMES = {
     "sweep": "sweeps",
     "try_edge": "single_edge",
     "account": "logs",
+    "ApprovalRequest": "signatures",
+    "approve": "signatures",
+    "verify_approval": "verdicts",
+    "list_keys": "key_ring",
+    "make_key": "key_ring",
+    "export_key": "key_ring",
+    "import_key": "key_ring",
+    "sign_register": "key_ring",
+    "revoke_key": "key_ring",
+    "revoke_digest": "key_ring",
     "replay": "logs",
     "verify": "logs",
     "convert": "outputs",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from pathlib import Path
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.plugin_offers import describe
@@ -14,14 +15,16 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.world.engines import TABLE
 
 
-def loaded_for(world: str) -> Loaded:
+def loaded_for(world: str, plugin_paths: Sequence[Path] = ()) -> Loaded:
     """Return the plugins that serve a world. No plugin's code runs in this process.
+
+    ``plugin_paths`` are searched before all other folders.
 
     WorldError, with a similar name, if there is no such world. The table world needs no plugins.
     """
     if world == TABLE:
         return Loaded(())
-    loaded = describe()
+    loaded = describe(plugin_paths)
     loaded.world(world)
     return loaded
 

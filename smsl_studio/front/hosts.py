@@ -3,7 +3,7 @@ worlds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,7 +35,8 @@ def make_host(
         return LocalHost(blueprint, world, seed, request.plugin_paths, loaded)
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
-    terms = ChildTerms(_locations(loaded, world))
+    signed = request.trust.code if request.trust is not None else None
+    terms = ChildTerms(_locations(loaded, world), signed=signed)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 
@@ -57,16 +58,20 @@ def _locations(loaded: Loaded | None, world: str) -> tuple[str, ...] | None:
 
 
 def known_world(
-    world: str, plugin_paths: Sequence[Path] = (), host: str = "local"
+    world: str,
+    plugin_paths: Sequence[Path] = (),
+    host: str = "local",
+    signed: Mapping[str, str] | None = None,
 ) -> Loaded | None:
     """Find the plugins of a world. The table world needs none, so the result is None.
 
+    ``signed`` has the SHA-256 of code that was signed, by location: other code there is not loaded.
     For the host ``process`` no plugin's code runs in this process. WorldError, with a similar name,
     if there is no such world.
     """
     if world == TABLE:
         return None
-    loaded = discover(plugin_paths) if host == "local" else describe(plugin_paths)
+    loaded = discover(plugin_paths, signed=signed) if host == "local" else describe(plugin_paths)
     loaded.world(world)
     return loaded
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from datetime import datetime
 from itertools import count
 from pathlib import Path
@@ -63,14 +64,21 @@ class Recorder:
                     return events[:index], error
         return events, None
 
-    def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
+    def end(
+        self,
+        reason: str,
+        sentence: str,
+        dispatcher: Dispatcher | None,
+        refusals: Sequence[Mapping[str, str]] = (),
+    ) -> None:
         """Record the end of a run whose dispatcher cannot report it. A failure first gets an event
-        ``held``."""
+        ``held``. ``refusals`` have a code and a sentence each."""
         finished = (
             RunFinished(t=0.0, reason=reason, sentence=sentence, operations=0, configuration={})
             if dispatcher is None
             else dispatcher.end_for(reason, sentence)
         )
+        finished = replace(finished, refusals=tuple(refusals))
         held = Held(t=finished.t, reason=sentence)
         self._end([held, finished] if reason == "failed" else [finished])
 

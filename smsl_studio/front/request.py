@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.errors import UsageError
+from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.supervisors import supervisor_of
@@ -35,7 +37,9 @@ class RunRequest:
     ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold; None
     means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
     supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all other
-    folders.
+    folders. ``policy`` is the file of a trust policy, and ``record`` that of a record: with either
+    the run starts only if the blueprint is approved. ``now`` is the clock that asks it (None: that
+    of the computer). ``trust`` is the answer.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -60,6 +64,21 @@ class RunRequest:
     supervisor: Supervisor | None = None
     person: str = ""
     plugin_paths: tuple[Path, ...] = ()
+    policy: Path | None = None
+    record: Path | None = None
+    now: datetime | None = None
+    trust: RunTrust | None = None
+
+    @property
+    def asks_approval(self) -> bool:
+        """Whether the run starts only if the blueprint is approved."""
+        return self.policy is not None or self.record is not None
+
+    @property
+    def supervised(self) -> bool:
+        """Whether a person, an agent or a script supervises the run."""
+        acts = self.script is not None and bool(self.script.acts)
+        return bool(self.supervisor or self.person or acts or self.by_hand or self.attended)
 
     def checked(self) -> RunRequest:
         """Return the request with checked addresses, the levels of its script, and its supervisor.

@@ -31,8 +31,8 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
     """Return the first line of a log: the request of the run, and its surroundings.
 
     ``digests`` has the values of the command ``digest``, and the SHA-256 of every file. ``policy``
-    is kept for a trust policy, and null if the run has none. ``mqtt`` has the broker, and the facts
-    of remote sensors; it is null if there are none.
+    says who approved the blueprint under which policy, and is null if the run asked for none.
+    ``mqtt`` has the broker, and the facts of remote sensors; it is null if there are none.
     """
     blueprint, world = request.blueprint, request.world
     plugins = loaded.plugins if loaded else ()
@@ -42,7 +42,7 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
         "process": getpid(),
         "world": world,
         **request.as_json(),
-        "policy": None,
+        "policy": dict(request.trust.header) if request.trust is not None else None,
         "mqtt": _elsewhere(request),
         "file": str(Path(blueprint.file).absolute()),
         "digests": {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,6 +26,7 @@ from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script
+from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
@@ -41,7 +42,8 @@ class Run:
     """A finished run: the reason of its end in one word and one sentence, and all its events.
 
     ``left`` are the acts of its script whose moment never came. ``unbound`` has sentences about
-    bindings that do not fit, with their places.
+    bindings that do not fit, with their places. ``trust`` says who approved the blueprint, if a
+    policy or a record was named.
 
     >>> run(read("hfsm.json"), goal="SB1/State111").reason
     'goal_reached'
@@ -52,6 +54,7 @@ class Run:
     events: tuple[Event, ...]
     left: tuple[Act, ...] = ()
     unbound: tuple[str, ...] = ()
+    trust: str = ""
 
 
 def open_run(
@@ -119,7 +122,12 @@ def open_request(
 
     >>> open_request(RunRequest(read("hanoi-2.json"), host="local")).close()
     """
-    checked = request.checked()
+    checked = _trusted(request.checked())
+    trust = checked.trust
+    if trust is not None:
+        trust.must_hold()
+    else:
+        _refuse_hardware(checked, loaded)
     blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
     refuse_nonsense(blueprint, "Mend what this finding says, then run it again.")
     refuse_too_large(Hierarchy(blueprint))
@@ -133,6 +141,8 @@ def open_request(
         attended=checked.attended,
         findings=to_accept(blueprint, chosen),
         left_out=left_out(blueprint),
+        approved=trust is not None,
+        met=trust.met if trust is not None else (),
     )
     host = with_remote(checked, make_host(checked, loaded, spare))
     return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=checked.supervisor)
@@ -158,6 +168,8 @@ def run(
     plugin_paths: Sequence[Path] = (),
     broker: str = "",
     site: str = "",
+    policy: Path | str | None = None,
+    record: Path | str | None = None,
 ) -> Run:
     """Run a blueprint without a window to its end, and return what happened.
 
@@ -167,7 +179,9 @@ def run(
     Lines of the script may replace ``levels``. ``log`` is written line by line during the run.
     ``on_event`` is called with each event after that. ``stop_when`` is called before every tick,
     and True stops the run. ``broker`` (HOST:PORT) and ``site`` are for remote sensors; with such
-    sensors ``speed`` is at most 1. ``RunRequest`` explains the other arguments.
+    sensors ``speed`` is at most 1. ``policy`` is a trust policy, and ``record`` a record: with
+    either the run is refused unless the blueprint is approved. ``RunRequest`` explains the other
+    arguments.
 
     AddressError, UsageError, PluginError and WorldError for names that do not exist. ReadError if
     the script injects a fault that the world does not have. Every other failure is the ``reason``
@@ -195,6 +209,8 @@ def run(
         attended=True if script and script.acts else None,
         supervisor=supervisor,
         plugin_paths=tuple(plugin_paths),
+        policy=None if policy is None else Path(policy),
+        record=None if record is None else Path(record),
     )
     return run_request(request, on_event, stop_when)
 
@@ -224,9 +240,10 @@ def run_request(
     loaded: Loaded | None = None
     try:
         with heeding(asked.heed):
-            loaded = known_world(request.world, request.plugin_paths, request.host)
+            request = _trusted(request)
+            request, loaded = _with_plugins(request)
             checked = request.checked()
-            if script is not None:
+            if script is not None and not (request.trust and request.trust.refusals):
                 world, drawn = request.world, request.blueprint
                 check_faults(
                     script, world, loaded.faults_of(world) if loaded else table_faults(drawn)
@@ -241,12 +258,12 @@ def run_request(
                     with whole():
                         recording.log = start_log(checked, loaded)
                 if refusal is not None:
-                    recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
+                    recording.end("refused", refusal.words, None, refusal.told)
                 if dispatcher is not None:
                     to_its_end(dispatcher, recording, request.speed, asked, acting)
             except (SaveError, WorldError) as error:
                 failed = "failed" if recording.told else "refused"
-                recording.end(failed, str(error), dispatcher)
+                recording.end(failed, str(error), dispatcher, _told(request, failed, error))
     except Stopped:
         if request.log is not None:
             # The request may be unchecked here, because the stop may come before the check.
@@ -258,7 +275,54 @@ def run_request(
                 dispatcher.close()
         finally:
             recording.close()
-    return _over(events, acting, dispatcher)
+    done = _over(events, acting, dispatcher)
+    return replace(done, trust=request.trust.words) if request.trust is not None else done
+
+
+def _trusted(request: RunRequest) -> RunRequest:
+    """Return a request with the answer whether it may start, if it asks for an approval."""
+    if request.trust is not None or not request.asks_approval:
+        return request
+    from smsl_studio.front.trust import with_trust
+
+    return with_trust(request)
+
+
+def _refuse_hardware(request: RunRequest, loaded: Loaded | None) -> None:
+    """Raise RunRefused if a world is hardware, and no approval was asked for."""
+    if loaded is None or request.world not in loaded.worlds or request.world == TABLE:
+        return
+    if loaded.world(request.world)[1].hardware:
+        words = f"{request.world} is hardware, and no policy is named"
+        advice = "Run it in a simulated world, or name a trust policy that is met."
+        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
+
+
+def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
+    """Return a request with the plugins of its world. Where code that was signed has changed since
+    it was verified, the request is refused, and the code is not loaded."""
+    world, paths, trust = request.world, request.plugin_paths, request.trust
+    if trust is None:
+        return request, known_world(world, paths, request.host)
+    if trust.refusals or world == TABLE:
+        return request, None
+    if request.host != "local":
+        return request, trust.loaded
+    try:
+        return request, known_world(world, paths, request.host, trust.code)
+    except WorldError as error:
+        changed = replace(trust, refusals=(Refusal("code_changed", str(error)),))
+        return replace(request, trust=changed), None
+
+
+def _told(
+    request: RunRequest, reason: str, error: SaveError | WorldError
+) -> Sequence[Mapping[str, str]]:
+    """Return the refusals that an error at the start means, where an approval was asked for."""
+    if request.trust is None or reason != "refused":
+        return ()
+    code = "log_unwritable" if isinstance(error, SaveError) else "code_changed"
+    return ({"code": code, "sentence": str(error)},)
 
 
 def _over(

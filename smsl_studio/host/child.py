@@ -59,6 +59,8 @@ class Recipe:
     """The locations of the plugins to load. None means all plugins."""
     memory: int | None = None
     """The largest memory of the child in bytes. None means half of the machine's memory."""
+    signed: tuple[tuple[str, str], ...] | None = None
+    """Locations of plugins, and the SHA-256 of the code there that was signed. None: of none."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -122,7 +124,8 @@ class _Child:
         paths = [Path(path) for path in recipe.plugin_paths]
         loaded = Loaded()
         if recipe.world != TABLE:
-            loaded = discover(paths, only=recipe.only, begins=lambda name, _: self._loads(name))
+            signed = None if recipe.signed is None else dict(recipe.signed)
+            loaded = discover(paths, recipe.only, lambda name, _: self._loads(name), signed)
             self._loads("")
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded)
         self._run = RunAnswers(blueprint)

@@ -50,7 +50,8 @@ class ChildTerms:
 
     ``only`` are the places of the plugins that it loads; None: all there are. ``hang_limit`` holds
     for one answer, ``open_limit`` for the first, ``silence_limit`` for the time without a pulse.
-    ``memory`` is in bytes; None: half of the machine's.
+    ``memory`` is in bytes; None: half of the machine's. ``signed`` has the SHA-256 of code that was
+    signed, by location: other code there is not loaded.
     """
 
     only: tuple[str, ...] | None = None
@@ -58,6 +59,7 @@ class ChildTerms:
     silence_limit: float = 3.0
     open_limit: float = 60.0
     memory: int | None = None
+    signed: Mapping[str, str] | None = None
 
 
 USUAL = ChildTerms()
@@ -80,7 +82,8 @@ class ProcessHost:
     ) -> None:
         texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
-        self._recipe = Recipe(texts, world, seed, paths, terms.only, terms.memory)
+        signed = None if terms.signed is None else tuple(sorted(terms.signed.items()))
+        self._recipe = Recipe(texts, world, seed, paths, terms.only, terms.memory, signed)
         self._terms = terms
         self._blueprint = blueprint
         self._answers: RunAnswers | None = None

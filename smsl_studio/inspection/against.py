@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from typing import Any
 
+from smsl_studio.blueprint.comparison import compare
+from smsl_studio.blueprint.digests import content_of
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.rules.changes import r27_changed_since
+from smsl_studio.blueprint.recorded import blueprint_of_content
+from smsl_studio.inspection.rules.changes import r27_changed_since, remarks_of
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.inspection.selection import listed
 
@@ -18,3 +22,19 @@ def inspect_against(
     if rules is not None and "R27" not in rules:
         return ()
     return tuple(listed(blueprint, r27_changed_since(blueprint, other)))
+
+
+def inspect_against_content(
+    blueprint: Blueprint, content: Mapping[str, Any], name: str
+) -> tuple[Finding, ...]:
+    """Return what has changed since a record whose content this is. ``name`` names the record.
+
+    What the content does not have, such as the layout, is no change. ReadError if the content is
+    not that of a blueprint.
+    """
+    now = content_of(blueprint)
+    if now == content:
+        return ()
+    before = blueprint_of_content(content, name)
+    difference = compare(before, blueprint_of_content(now, blueprint.file))
+    return tuple(listed(blueprint, remarks_of(blueprint, difference)))

@@ -12,13 +12,16 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from smsl_studio.errors import Place, PluginError
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.operation_library import OperationLibrary
+from smsl_studio.library.plugin_code import CHANGED, code_of
 from smsl_studio.library.plugin_package import import_plugin, place_of
+from smsl_studio.library.sources import read_sources
 from smsl_studio.library.survey import FoundPlugin, PluginState, survey
 
 
@@ -26,19 +29,23 @@ def discover(
     extra: Sequence[Path] = (),
     only: Collection[str] | None = None,
     begins: Callable[[str, str], None] | None = None,
+    signed: Mapping[str, str] | None = None,
 ) -> Loaded:
     """Load every plugin that may be loaded.
 
     ``extra`` are plugin folders, or folders of plugins, that are searched first. With ``only``,
     plugins at other locations are not loaded. ``begins`` is called with the name and the location
-    of each plugin before its code runs. The printed output of plugins goes to standard error, so
-    that data on standard output stays intact.
+    of each plugin before its code runs. ``signed`` has the SHA-256 of code by location: a plugin
+    there is loaded from exactly these bytes, or not at all. The printed output of plugins goes to
+    standard error, so that data on standard output stays intact.
     """
 
     def load(found: FoundPlugin) -> Plugin | PluginFault:
         """Call ``begins``, then load one plugin."""
         if begins is not None:
             begins(found.name, found.location)
+        if signed is not None and found.location in signed:
+            return load_signed(found, signed[found.location])
         return load_plugin(found)
 
     every: Sequence[FoundPlugin] = survey(extra)
@@ -65,6 +72,21 @@ def gathered(
         else:
             waiting.append(found)
     return Loaded(tuple(plugins), tuple(faults), tuple(waiting))
+
+
+def load_signed(found: FoundPlugin, code: str) -> Plugin | PluginFault:
+    """Run the code of one plugin if its SHA-256 is ``code``. Return the plugin, or a fault.
+
+    The modules of a folder are imported from the bytes that were hashed.
+    """
+    try:
+        if found.point is None:
+            found = replace(found, sources=read_sources(Path(found.location)))
+        if code_of(found) != code:
+            raise PluginError(CHANGED, advice="Let it be looked at and signed again.")
+    except PluginError as error:
+        return _fault_of(found, error)
+    return load_plugin(found)
 
 
 def load_plugin(found: FoundPlugin) -> Plugin | PluginFault:

@@ -73,12 +73,15 @@ class RunStarted(Event):
     """The run begins. All start states have passed their state checks, which are told next."""
 
     event: ClassVar[str] = "run_started"
+    sparse: ClassVar[tuple[str, ...]] = ("met",)
     world: str
     seed: int
     start: Mapping[str, str]
     goals: tuple[str, ...]
     behaviour: str = ""
     """SHA-256 of the blueprint's behaviour. It identifies the blueprint."""
+    met: tuple[str, ...] = ()
+    """The typed conditions of its approval that were asked and are met."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -285,13 +288,16 @@ class RunFinished(Event):
     """The last event of a run.
 
     ``reason`` is ``goal_reached``, ``no_route``, ``held``, ``refused``, ``stopped`` or ``failed``.
+    ``refusals`` have a code and a sentence each, where an approval was asked for and is missing.
     """
 
     event: ClassVar[str] = "run_finished"
+    sparse: ClassVar[tuple[str, ...]] = ("refusals",)
     reason: str
     sentence: str
     operations: int
     configuration: Mapping[str, str]
+    refusals: tuple[Mapping[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

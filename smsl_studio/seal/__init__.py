@@ -1,1 +1,2 @@
-"""Canonical bytes, digests and chains. This package knows neither blueprints nor runs."""
+"""Canonical bytes, digests, chains, and signatures. This package knows neither blueprints nor
+runs."""

@@ -20,11 +20,12 @@ VALUES = {
     "--sb": "SB",
     "--states": "FROM",
     "--as": "NEW",
+    "--key": "KEY",
 }
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""
-NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup")
+NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store")
 
 
 def calls() -> dict[str, list[str]]:

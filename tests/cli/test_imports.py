@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from smsl_studio.front.key_ring import make_key
 from tests.cli.calls import calls, filled, json_calls
 from tests.cli.shell import Shell
 
@@ -44,8 +45,10 @@ def hostile(tmp_path: Path) -> Path:
 
 
 def test_what_is_named_is_neither_quoted_nor_drawn_nor_recorded(
-    shell: Shell, hostile: Path
+    shell: Shell, hostile: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    make_key("Ada", "engineer", b"open", "KEY")
+    monkeypatch.setenv("SMSL_PASSPHRASE", "open")
     out = hostile.with_name("out")
     other = hostile.with_name("other.json")
     other.write_text("{}")

@@ -58,6 +58,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
     "paho": ("monitor/mqtt.py",),
+    "cryptography": ("seal/",),
     "numpy": ("graph/", "world/", "picture/", "studio/"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from smsl_studio import ApprovalRequest, approve, make_key, read
 from smsl_studio.shipped import samples_dir
 
 HEAVY = ("PySide6", "shiboken6", "pybullet", "pyqtgraph", "moderngl")
@@ -144,6 +146,30 @@ sys.exit(status)
     done = python(told, "check", sample("hanoi-corrected.json"))
     assert done.returncode == 0, done.stderr
     assert done.stderr.splitlines()[-1] == "[]"
+
+
+def test_what_signs_is_loaded_where_something_is_signed_alone(tmp_path: Path) -> None:
+    """``check`` of a file with a record compares with the record, and does not load it."""
+    told = """
+import sys
+from smsl_studio.__main__ import main
+status = main(sys.argv[1:])
+print("cryptography" in sys.modules, file=sys.stderr)
+sys.exit(status)
+"""
+    file = tmp_path / "door.json"
+    shutil.copy(sample("hanoi-corrected.json"), file)
+    make_key("Ada", "engineer", b"open", "ada")
+    approve(ApprovalRequest(read(file), "ada", b"open"))
+    for words, loaded in (
+        (("check", str(file)), "False"),
+        (("run", str(file), "--world", "table"), "False"),
+        (("digest", str(file)), "False"),
+        (("verify", str(file)), "True"),
+    ):
+        done = python(told, *words)
+        assert done.returncode == 0, done.stderr
+        assert done.stderr.splitlines()[-1] == loaded, words
 
 
 @pytest.mark.parametrize(

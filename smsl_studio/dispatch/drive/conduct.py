@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from smsl_studio.blueprint.joint import JointStep
@@ -19,8 +20,10 @@ class Conduct(Protocol):
     def hold(self, hold: Hold | None) -> None:
         """Let nothing move until somebody decides. None does nothing."""
 
-    def finish(self, reason: str, sentence: str) -> None:
-        """End the run."""
+    def finish(
+        self, reason: str, sentence: str, refusals: Sequence[Mapping[str, str]] = ()
+    ) -> None:
+        """End the run. ``refusals`` have a code and a sentence each."""
 
     def arrived(self, new: bool, moved: bool, sentence: str) -> None:
         """Note that the run stands at goals, after a fresh check. ``new`` says that one of them is

@@ -6,7 +6,7 @@ joint step. ``supervision`` has the effects of commands on the driver.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from smsl_studio.blueprint.address import Address
@@ -112,7 +112,7 @@ class Driver:
         try:
             self.starting.go_on()
         except RunRefused as refused:
-            self.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
+            self.finish("refused", refused.words, refused.told)
 
     def _wait(self, watched: bool) -> None:
         """Go on with the answers of people. Until they are complete, time passes in the world."""
@@ -373,7 +373,9 @@ class Driver:
         self.sentence, self._broken_since = "", None
         self.trouble.forget()
 
-    def finish(self, reason: str, sentence: str) -> None:
+    def finish(
+        self, reason: str, sentence: str, refusals: Sequence[Mapping[str, str]] = ()
+    ) -> None:
         """End the run. The event with the reason is told at the end of the tick."""
         run = self.run
         self.desk.withdraw()
@@ -385,4 +387,5 @@ class Driver:
             sentence=sentence,
             operations=run.operations,
             configuration=configuration,
+            refusals=tuple(refusals),
         )

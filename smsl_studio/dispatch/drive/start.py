@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from smsl_studio.blueprint.address import Address, fact_text
 from smsl_studio.blueprint.check import CheckResult
@@ -10,6 +10,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.hazards import GuardHazard
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.hazard_guard import met, met_words
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
@@ -22,12 +23,11 @@ from smsl_studio.runlog.events import Event, FactChanged, LeftOut, RunStarted, S
 def begin_run(
     blueprint: Blueprint,
     host: Host,
-    start: Mapping[str, str],
-    goals: Sequence[Address],
+    terms: RunTerms,
     levels: Levels | None = None,
     hazards: Sequence[GuardHazard] = (),
 ) -> tuple[LiveRun, tuple[Address, ...]]:
-    """Open the host in the start configuration. Return the run and its goals in order.
+    """Open the host in the start configuration of ``terms``. Return the run and its goals in order.
 
     RunRefused says why a run cannot start. If the blueprint, the start or the goals are the reason,
     nothing is opened.
@@ -35,17 +35,18 @@ def begin_run(
     hierarchy = Hierarchy(blueprint)
     if not blueprint.branches:
         raise RunRefused("the blueprint has no State Branch", advice="Add one and draw its states.")
-    configuration = start_configuration(hierarchy, start)
+    configuration = start_configuration(hierarchy, terms.start)
     _refuse_hazards([one for one in hazards if one.meets(configuration)])
-    ordered = goals_of(hierarchy, goals)
+    ordered = goals_of(hierarchy, terms.goals)
     opened = host.open(configuration)
-    if opened.hardware:
-        raise RunRefused(
-            f"{opened.world} is hardware and this blueprint has no inspection record",
-            advice="Run it in a simulated world first.",
-        )
+    if opened.hardware and not terms.approved:
+        words = f"{opened.world} is hardware and this blueprint has no inspection record"
+        advice = "Run it in a simulated world first."
+        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
     run = LiveRun(hierarchy, host, opened, configuration, levels)
     run.guard_against(hazards)
+    run.left_out = tuple(terms.left_out)
+    run.approved, run.met = terms.approved, tuple(terms.met)
     return run, ordered
 
 
@@ -72,7 +73,9 @@ def start_events(
         if len(failed) > _TOLD:
             said.append(f"{len(failed) - _TOLD:,} more state checks are not true")
         advice = _silent(run, checks) or "Put the world where the start has it."
-        raise RunRefused("; ".join(said), advice=advice)
+        words = "; ".join(said)
+        told = [("start_unconfirmed", words)] if run.approved else []
+        raise RunRefused(words, advice=advice, refusals=told)
     _refuse_hazards(met(run))
     started = RunStarted(
         t=run.time,
@@ -81,6 +84,7 @@ def start_events(
         start=dict(run.configuration),
         goals=tuple(map(str, goals)),
         behaviour=run.blueprint.behaviour,
+        met=run.met,
     )
     missing = [LeftOut(t=run.time, address=one, sentence=words) for one, words in run.left_out]
     return (started, *missing, *changes, *_checked(run))

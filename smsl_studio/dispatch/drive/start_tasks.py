@@ -77,7 +77,7 @@ class StartTasks:
                 raise RunRefused(no, advice="The start must be known before anything moves.")
             self._tell(())
         except RunRefused as refused:
-            self._conduct.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
+            self._conduct.finish("refused", refused.words, refused.told)
 
     def _tell(self, changes: tuple[FactChanged, ...]) -> None:
         self._run.emit(*start_events(self._run, self._seed, self._goals, changes))

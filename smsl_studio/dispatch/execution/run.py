@@ -43,7 +43,8 @@ class LiveRun:
     any. ``guarded`` says whether there are any, or an operation requires facts. ``history`` has the
     results of edges, for cost functions. ``hazards`` are those that guard the run, and
     ``told_hazards`` the names of those that are met and were told. ``left_out`` are annotations
-    that cannot be read, as addresses with sentences.
+    that cannot be read, as addresses with sentences. ``approved`` says that a policy guards the
+    run and is met, ``met`` which typed conditions are met.
     """
 
     def __init__(
@@ -77,6 +78,8 @@ class LiveRun:
         self.hazards: tuple[GuardHazard, ...] = ()
         self.told_hazards: set[str] = set()
         self.left_out: tuple[tuple[str, str], ...] = ()
+        self.approved = False
+        self.met: tuple[str, ...] = ()
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparison import Change, ChangeKind, compare
+from smsl_studio.blueprint.comparison import Change, ChangeKind, Difference, compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.property import KEY
 from smsl_studio.inspection.rules.finding import Remark, Severity
@@ -30,7 +30,11 @@ def r27_changed_since(blueprint: Blueprint, other: Blueprint) -> Iterator[Remark
     What was removed has its former address, and the place of the nearest element above it that is
     still there.
     """
-    difference = compare(other, blueprint)
+    yield from remarks_of(blueprint, compare(other, blueprint))
+
+
+def remarks_of(blueprint: Blueprint, difference: Difference) -> Iterator[Remark]:
+    """Return the remarks about a difference, removals first. They stand in ``blueprint``."""
     changes = sorted(difference.changes, key=lambda one: ORDER.index(one.kind))
     for change in changes:
         path = change.path_after or change.path_before
@@ -41,7 +45,7 @@ def r27_changed_since(blueprint: Blueprint, other: Blueprint) -> Iterator[Remark
             "R27",
             Severity.WARNING,
             _address(blueprint, change),
-            f"since {other.file} {words}",
+            f"since {difference.before.file} {words}",
             _ADVICE,
             spot=(home, path),
         )

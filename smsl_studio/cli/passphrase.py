@@ -1,0 +1,75 @@
+"""Passphrases of keys: from a file, from ``SMSL_PASSPHRASE``, or typed at a prompt.
+
+They never stand on a command line, because every program of the computer could read them there.
+"""
+
+from __future__ import annotations
+
+import getpass
+import os
+import sys
+from pathlib import Path
+
+from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.errors import UsageError
+from smsl_studio.smsl.files import read_content
+
+VARIABLE, NEW_VARIABLE = "SMSL_PASSPHRASE", "SMSL_NEW_PASSPHRASE"
+MOST = 10_000
+
+
+def add_passphrase(parser: ArgumentParser) -> None:
+    """Add ``--passphrase-file FILE``."""
+    parser.add_argument(
+        "--passphrase-file",
+        metavar="FILE",
+        help="the first line of this file is the passphrase (else SMSL_PASSPHRASE, else a prompt)",
+    )
+
+
+def passphrase(file: str | None, whose: str) -> bytes:
+    """Return the passphrase of a key. ``whose`` names the key at the prompt.
+
+    UsageError if there is none, and nobody to ask.
+    """
+    return _given(file, VARIABLE) or _typed(f"Passphrase of {whose}: ", "--passphrase-file")
+
+
+def new_passphrase(file: str | None, whose: str, variable: str = VARIABLE) -> bytes:
+    """Return a passphrase for a new key or a new copy. At a prompt it is typed twice."""
+    given = _given(file, variable)
+    if given:
+        return given
+    option = "--passphrase-file" if variable == VARIABLE else "--new-passphrase-file"
+    first = _typed(f"New passphrase of {whose}: ", option)
+    if _typed("The same again: ", option) != first:
+        raise UsageError("the two passphrases differ", advice="Nothing was changed. Try again.")
+    return first
+
+
+def _given(file: str | None, variable: str) -> bytes:
+    if file is None:
+        return os.environ.get(variable, "").encode("utf-8", "surrogateescape")[:MOST]
+    line = read_content(Path(file)).raw.split(b"\n", 1)[0].removesuffix(b"\r")[:MOST]
+    if not line:
+        raise UsageError(f"the first line of {file} is empty", advice="Write the passphrase there.")
+    return line
+
+
+def _typed(prompt: str, option: str) -> bytes:
+    try:
+        asks = sys.stdin is not None and sys.stdin.isatty()
+    except ValueError:
+        asks = False
+    if not asks:
+        raise UsageError(
+            "there is no passphrase, and nobody to ask for it",
+            advice=f"Name a file with {option}, or set SMSL_PASSPHRASE.",
+        )
+    try:
+        typed = getpass.getpass(prompt, stream=sys.stderr)
+    except EOFError:
+        typed = ""
+    if not typed:
+        raise UsageError("the passphrase is empty", advice="Nothing was changed. Try again.")
+    return typed.encode("utf-8", "surrogateescape")

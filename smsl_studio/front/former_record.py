@@ -1,0 +1,58 @@
+"""The newest record of a file, and what has changed since (R27). Signatures are not checked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place, ReadError, SealError
+from smsl_studio.home import user_folder
+from smsl_studio.inspection.rules.finding import Finding
+
+
+def may_have_record(file: str) -> bool:
+    """Whether there may be a record of a file. It is quick, and loads nothing."""
+    beside = os.path.lexists(f"{file}.record.json")
+    return beside or os.path.lexists(user_folder() / "store" / "records")
+
+
+def changes_since_record(
+    blueprint: Blueprint, record: str | None = None
+) -> tuple[str, tuple[Finding, ...]]:
+    """Return the name of the newest record of a blueprint, and what has changed since then.
+
+    ``record`` is a record's file. Without it the record beside the blueprint and the store are
+    looked at; both results are empty if there is none. ReadError if a record cannot be read.
+    """
+    from smsl_studio.inspection.against import inspect_against_content
+    from smsl_studio.inspection.approval.record_file import (
+        SignedRecord,
+        read_record_file,
+        record_beside,
+    )
+    from smsl_studio.inspection.approval.seen_records import newest_seen
+    from smsl_studio.seal.strict_json import LARGEST
+    from smsl_studio.smsl.inputs import read_ordinary
+
+    path = Path(record_beside(blueprint.file) if record is None else record)
+    found: Sequence[SignedRecord] = ()
+    try:
+        if record is not None or os.path.lexists(path):
+            found = read_record_file(read_ordinary(path, LARGEST).raw)
+        newest = found[-1] if found else None
+        seen = newest_seen(blueprint.file) if record is None else None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ReadError(f"the record cannot be read: {reason}", Place(str(path), 1, 1)) from None
+    except SealError as error:
+        raise ReadError(error.sentence, error.place or Place(str(path), 1, 1)) from None
+    if seen is not None and (newest is None or newest.statement.time < seen.statement.time):
+        newest = seen
+    if newest is None:
+        return "", ()
+    said = newest.statement.predicate
+    name = f"the record of {said.person} of {said.time[:19]}Z"
+    content = said.content[newest.statement.subject[0].name]
+    return name, inspect_against_content(blueprint, content, name)

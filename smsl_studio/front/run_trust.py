@@ -1,0 +1,34 @@
+"""The answer whether a run may start, as its request carries it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from smsl_studio.errors import RunRefused
+from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.library.loaded import Loaded
+
+Json = Any
+
+
+@dataclass(frozen=True)
+class RunTrust:
+    """The refusals of a run, the typed conditions that are met, and the code that was signed, by
+    location. ``header`` is what the log says about it. ``words`` say in one line who approved the
+    blueprint, and whose keys count. ``loaded`` are the plugins as they were described."""
+
+    refusals: tuple[Refusal, ...] = ()
+    met: tuple[str, ...] = ()
+    code: Mapping[str, str] = field(default_factory=dict)
+    header: Mapping[str, Json] = field(default_factory=dict)
+    words: str = ""
+    loaded: Loaded | None = None
+
+    def must_hold(self) -> None:
+        """Raise RunRefused if there are refusals."""
+        if self.refusals:
+            words = "; ".join(one.sentence for one in self.refusals)
+            advice = "smsl-studio verify tells what is missing."
+            raise RunRefused(f"it is not approved: {words}", advice=advice, refusals=self.refusals)

@@ -1,0 +1,71 @@
+"""Asks whether a run may start: the approval of its blueprint, before any code is loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.run_trust import RunTrust
+from smsl_studio.front.verdicts import ApprovalAnswer, ApprovalQuestion, answered
+from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.smsl.files import read_content
+
+Json = Any
+
+
+def with_trust(request: RunRequest) -> RunRequest:
+    """Return a request with the answer whether it may start.
+
+    PluginError if the policy cannot be read. No code of a plugin runs in this process.
+    """
+    question = ApprovalQuestion(
+        request.blueprint,
+        request.record,
+        request.policy,
+        request.world,
+        request.now or datetime.now(UTC),
+        request.supervised,
+        request.plugin_paths,
+    )
+    answer = answered(question)
+    refusals = (*answer.judgement.refusals, *_changed(request.blueprint))
+    met, code, loaded = answer.judgement.met, answer.code, answer.loaded
+    told = RunTrust(refusals, met, code, _header(answer), _words(answer), loaded)
+    return replace(request, trust=told)
+
+
+def _changed(blueprint: Blueprint) -> Iterator[Refusal]:
+    """Yield the files whose bytes are not those that were read."""
+    for document in blueprint.documents:
+        try:
+            same = read_content(document.file).raw == document.encoded()
+        except ReadError:
+            same = document.file.startswith("<")  # standard input has no file
+        if not same:
+            words = f"{document.file} is not what was read, or it is not saved"
+            yield Refusal("file_changed", words)
+
+
+def _header(answer: ApprovalAnswer) -> dict[str, Json]:
+    trust, judgement = answer.trust, answer.judgement
+    return {
+        "verdict": judgement.verdict,
+        "policy": trust.policy if trust else None,
+        "record": answer.record.digest if answer.record else None,
+        "register": trust.register if trust else None,
+        "serial": trust.serial if trust else None,
+        "keys": trust.keys if trust else "",
+        "signers": [one.as_json() for one in judgement.signers],
+        "met": list(judgement.met),
+    }
+
+
+def _words(answer: ApprovalAnswer) -> str:
+    many = sum(one.counts for one in answer.judgement.signers)
+    keys = answer.trust.keys if answer.trust else ""
+    return f"APPROVED by {many} {'person' if many == 1 else 'persons'}; {keys}"

@@ -1,0 +1,198 @@
+"""Asks whether a blueprint is approved: one question of command line, window, Python and runs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.approval_files import (
+    RecordFile,
+    TrustFiles,
+    name_in,
+    parts_of,
+    record_in,
+    trust_files,
+)
+from smsl_studio.front.check_findings import WHOLE, whole_check
+from smsl_studio.front.world_codes import WorldSurvey, surveyed
+from smsl_studio.inspection.approval.case import ApprovalCase, PresentState
+from smsl_studio.inspection.approval.conditions import Asking
+from smsl_studio.inspection.approval.judge import Judgement, judge, refused
+from smsl_studio.inspection.approval.record_file import SignedRecord, record_beside
+from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.inspection.approval.rule_code import rule_codes
+from smsl_studio.inspection.approval.seen_records import has_seen, keep_record
+from smsl_studio.inspection.approval.statement import InspectionOptions, SignedFile
+from smsl_studio.inspection.approval.store_files import store_alone
+from smsl_studio.library.loaded import Loaded
+
+Name = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class ApprovalQuestion:
+    """The question whether a blueprint is approved.
+
+    ``record`` is the record's file (None: the one beside the blueprint), and ``policy`` the trust
+    policy. ``world`` asks also about the code of a world. ``supervised`` says whether somebody
+    supervises the run that asks; None: no run asks. ``now`` is the clock.
+    """
+
+    blueprint: Blueprint
+    record: Path | None = None
+    policy: Path | None = None
+    world: str | None = None
+    now: datetime = field(default_factory=lambda: datetime.now(UTC))
+    supervised: bool | None = None
+    plugin_paths: tuple[Path, ...] = ()
+
+    @property
+    def record_file(self) -> Path:
+        """The file of the record."""
+        return Path(record_beside(self.blueprint.file)) if self.record is None else self.record
+
+
+@dataclass(frozen=True)
+class ApprovalAnswer:
+    """The judgement, the files that it rests on, the code that a run may load, and the plugins of
+    the world as they were described."""
+
+    judgement: Judgement
+    trust: TrustFiles | None = None
+    record: RecordFile | None = None
+    code: Mapping[str, str] = field(default_factory=dict)
+    loaded: Loaded | None = None
+
+
+def verify_approval(
+    blueprint: Blueprint,
+    record: Name | None = None,
+    policy: Name | None = None,
+    world: str | None = None,
+    now: datetime | None = None,
+) -> Judgement:
+    """Return whether a blueprint is approved: ``approved``, ``conditions`` or ``refused``.
+
+    ``record`` is a record's file; None is the one beside the blueprint. Without a ``policy`` one
+    person whose key is in this user's store is enough. ``world`` asks also about the code there.
+    PluginError if the policy cannot be read, SealError if a file of the store is not believed.
+
+    >>> found = verify_approval(read("hanoi-corrected.json"))
+    >>> found.verdict, [one.code for one in found.refusals]
+    ('refused', ['no_record'])
+    """
+    question = ApprovalQuestion(
+        blueprint,
+        path_of(record),
+        path_of(policy),
+        world,
+        now or datetime.now(UTC),
+    )
+    return answered(question).judgement
+
+
+def path_of(name: Name | None) -> Path | None:
+    """Return the path of a name, None for None."""
+    return None if name is None else Path(name)
+
+
+def answered(question: ApprovalQuestion) -> ApprovalAnswer:
+    """Answer a question. Records with a right signature are noted as seen in the store."""
+    trust = trust_files(question.policy)
+    if isinstance(trust, Refusal):
+        return ApprovalAnswer(refused(trust))
+    record = record_in(question.record_file)
+    return _answered(question, trust, record)
+
+
+def _answered(question: ApprovalQuestion, trust: TrustFiles, record: RecordFile) -> ApprovalAnswer:
+    found = WorldSurvey()
+    if question.world is not None:
+        found = surveyed(question.blueprint, question.world, question.plugin_paths)
+    case = ApprovalCase(
+        record.records,
+        trust.grounds,
+        _present(question, trust, record, found),
+        _asking(question, found),
+        _Parts(question, trust).uncovered,
+    )
+    judgement = judge(case)
+    _keep(question, judgement)
+    return ApprovalAnswer(judgement, trust, record, found.locations, found.loaded)
+
+
+def _asking(question: ApprovalQuestion, found: WorldSurvey) -> Asking:
+    asked = question.supervised is not None
+    rates = dict(found.rates) if asked and question.world is not None else None
+    return Asking(question.now, question.world, question.supervised, rates)
+
+
+def _present(
+    question: ApprovalQuestion, trust: TrustFiles, record: RecordFile, found: WorldSurvey
+) -> PresentState:
+    """Return what is there now. The rules are asked only if there is a record to compare with."""
+    blueprint, records = question.blueprint, record.records
+    present = PresentState(digests(blueprint), {}, question.world, found.code, found.missing)
+    if isinstance(records, Refusal) or not records:
+        return present
+    codes = rule_codes() if trust.grounds.policy.rules_unchanged else {}
+    worlds = {} if question.world is None or not found.loaded else {question.world: found.loaded}
+    answer = whole_check(blueprint, _options(records), worlds)
+    relied = [{one.name for one in each.statement.predicate.relies_on} for each in records]
+    apart = set.intersection(*relied)
+    files = {one.file for one in blueprint.documents if name_in(blueprint, one.file) in apart}
+    return replace(present, rules=codes, errors=answer.errors(files))
+
+
+def _options(records: Sequence[SignedRecord]) -> InspectionOptions:
+    """Return the options of the newest record. All rules are asked, whatever it asked."""
+    options = records[-1].statement.predicate.options
+    return WHOLE.model_copy(
+        update={
+            "limit": options.limit,
+            "with_failures": options.with_failures,
+            "recoverability": options.recoverability,
+        }
+    )
+
+
+def _keep(question: ApprovalQuestion, judgement: Judgement) -> None:
+    """Note the records that were not seen before."""
+    new = [one for one in judgement.signers if not has_seen(one.record.digest)]
+    if not new:
+        return
+    with store_alone():
+        for one in new:
+            keep_record(one.record, one.person, question.blueprint.file)
+
+
+class _Parts:
+    """The imported files that were not looked at again, each with an answer of its own."""
+
+    def __init__(self, question: ApprovalQuestion, trust: TrustFiles) -> None:
+        self._question, self._trust = question, trust
+        self._known: dict[str, str] = {}
+
+    def uncovered(self, file: SignedFile) -> str:
+        """Say why a file has no valid record of its own. Empty if it has one."""
+        if file.name not in self._known:
+            self._known[file.name] = self._reason(file)
+        return self._known[file.name]
+
+    def _reason(self, file: SignedFile) -> str:
+        parts = dict(parts_of(self._question.blueprint))
+        part = parts.get(file.name)
+        if part is None or part is self._question.blueprint:
+            return "it is not imported"
+        if not file.digest.are(digests(part)):
+            return "it has changed"
+        asked = replace(self._question, blueprint=part, record=None)
+        answer = _answered(asked, self._trust, record_in(asked.record_file))
+        if answer.judgement.is_approved:
+            return ""
+        return "; ".join(one.sentence for one in answer.judgement.refusals[:3])

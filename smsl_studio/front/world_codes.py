@@ -1,0 +1,54 @@
+"""The code of a world for a blueprint: what is bound there, with the SHA-256 of each plugin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import PluginError, WorldError
+from smsl_studio.front.equipment import loaded_for
+from smsl_studio.inspection.approval.statement import WorldCode
+from smsl_studio.inspection.approval.world_code import world_code
+from smsl_studio.library.bindings import bind
+from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.plugin_code import code_at
+from smsl_studio.world.engines import TABLE
+
+
+@dataclass(frozen=True)
+class WorldSurvey:
+    """What a world has for a blueprint. ``code`` is None for the table world, which has no code.
+
+    ``locations`` has the SHA-256 of the code at each location, for the process that loads it.
+    ``rates`` has the readings a second (Hz) of the quickest sensor of each fact. ``missing`` says
+    why there is no such world. ``loaded`` are the plugins, as they were described.
+    """
+
+    code: WorldCode | None = None
+    locations: Mapping[str, str] = field(default_factory=dict)
+    rates: Mapping[FactKey, float] = field(default_factory=dict)
+    missing: str = ""
+    loaded: Loaded | None = None
+
+
+def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()) -> WorldSurvey:
+    """Return what a world has for a blueprint. No plugin's code runs in this process."""
+    try:
+        loaded = loaded_for(world, plugin_paths)
+        file = bindings_beside(blueprint.file)
+        bindings = bind(blueprint, loaded, world, file)
+        rates: dict[FactKey, float] = {}
+        for one in bindings.sensors:
+            key = (one.branch, one.digit)
+            rates[key] = max(rates.get(key, 0.0), 1 / one.period)
+        if world == TABLE:
+            return WorldSurvey(rates=rates, loaded=loaded)
+        locations = code_at(loaded.locations(world), plugin_paths)
+        code = world_code(world, loaded, bindings, file, locations)
+        return WorldSurvey(code, locations, rates, loaded=loaded)
+    except (WorldError, PluginError) as error:
+        return WorldSurvey(missing=str(error))

@@ -1,0 +1,90 @@
+"""The audit log of the store: what was done with keys and records, one line each, as a chain.
+
+A line cannot be changed or taken out without a trace. The last lines can be cut off; the number and
+the hash of the last line stand beside the log, so that this is seen too.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.errors import Place, SaveError, SealError
+from smsl_studio.inspection.approval.store_files import (
+    LARGEST,
+    read_stored,
+    store_folder,
+    write_stored,
+)
+from smsl_studio.inspection.approval.times import written_time
+from smsl_studio.seal.chain import Chain, unlinked
+from smsl_studio.seal.strict_json import read_strictly
+from smsl_studio.smsl.inputs import NOTHING, seen_at
+
+Json = Any
+
+
+def append_act(now: datetime, act: str, **said: Json) -> None:
+    """Append a line to the audit log. SealError if the log has been changed, SaveError if it cannot
+    be written. The caller holds the store (see ``store_alone``)."""
+    path = audit_file()
+    chain, count = _checked(path)
+    line = json.dumps({"time": written_time(now), "act": act, **said}, separators=(",", ":"))
+    linked = chain.linked(line.encode("ascii"))
+    try:
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with path.open("ab", buffering=0) as stream:
+            stream.write(linked)
+        path.chmod(0o600)
+    except OSError as error:
+        raise SaveError(f"{path} cannot be written: {error.strerror or error}") from None
+    write_stored(_head_file(), {"count": count + 1, "hash": chain.digest})
+
+
+def read_acts() -> tuple[Mapping[str, Json], ...]:
+    """Return the lines of the audit log. SealError if it has been changed."""
+    raw = seen_at(audit_file(), LARGEST).raw
+    _checked(audit_file())
+    lines = (unlinked(line) for line in raw.splitlines(keepends=True))
+    return tuple(read_strictly(found[0], "a line") for found in lines if found)
+
+
+def audit_file() -> Path:
+    """Return the path of the audit log. It need not exist."""
+    return store_folder() / "audit.jsonl"
+
+
+def _head_file() -> Path:
+    return store_folder() / "audit-head.json"
+
+
+def _checked(path: Path) -> tuple[Chain, int]:
+    """Return the chain over the log, and the number of its lines."""
+    try:
+        found = seen_at(path, LARGEST)
+    except OSError as error:
+        raise _changed(path, 1, f"it cannot be read: {error.strerror or error}") from None
+    chain, count = Chain(), 0
+    for line in found.raw.splitlines(keepends=True):
+        count += 1
+        if not chain.holds(line):
+            raise _changed(path, count, "this line was changed, or one before it")
+    head = read_stored(_head_file())
+    if head is None and found == NOTHING:
+        return chain, 0
+    count_said = head.get("count") if isinstance(head, dict) else None
+    # A stop between the line and its head leaves exactly one line more.
+    if head != {"count": count, "hash": chain.digest} and count_said != count - 1:
+        raise _changed(path, max(count, 1), "lines at its end were taken away or put there")
+    return chain, count
+
+
+def _changed(path: Path, line: int, words: str) -> SealError:
+    return SealError(
+        f"the audit log of your store is not what was written: {words}",
+        Place(str(path), line, 1),
+        "Put back your copy of it, or move it away to begin a new one.",
+    )

@@ -1,0 +1,178 @@
+"""The keys of this user: their public halves with person and role, and private halves in a box."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.errors import SealError, UsageError, did_you_mean
+from smsl_studio.inspection.approval.known_keys import KnownKey
+from smsl_studio.inspection.approval.store_files import read_stored, store_folder, write_stored
+from smsl_studio.seal.canonical import canonical
+from smsl_studio.seal.ed25519 import LENGTH, identity, public_of
+from smsl_studio.seal.key_box import boxed, read_box, unboxed
+from smsl_studio.seal.strict_json import base64_text, from_base64
+
+Json = Any
+FORMAT = "smsl-studio-key"
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", re.ASCII)
+_MEMBERS = {"format", "version", "id", "person", "role", "public", "made", "revoked", "private"}
+
+
+@dataclass(frozen=True, slots=True)
+class StoredKey:
+    """A key of the store. ``box`` has its private half, None if only the public half is here.
+
+    ``revoked`` says why it does not count any more. ``id`` is a local name.
+    """
+
+    id: str
+    person: str
+    role: str
+    public: bytes
+    made: str
+    revoked: str = ""
+    box: Json = None
+
+    @property
+    def identity(self) -> str:
+        """The name of the key outside this store."""
+        return identity(self.public)
+
+    @property
+    def known(self) -> KnownKey:
+        """The key as it counts without a register."""
+        return KnownKey(self.public, self.person, (self.role,), revoked=self.revoked)
+
+    @property
+    def public_half(self) -> StoredKey:
+        """The key without its private half."""
+        return replace(self, box=None)
+
+    def with_private(self, private: bytes, passphrase: bytes) -> StoredKey:
+        """Return the key with its private half in a new box."""
+        return replace(self, box=boxed(private, passphrase, self._beside()))
+
+    def opened(self, passphrase: bytes) -> bytes:
+        """Return the private half. SealError if it is not here, or if the passphrase is wrong."""
+        if self.box is None:
+            raise SealError(
+                f"the private half of the key {self.id} is not in this store",
+                advice="Sign where it is, or import your copy of it.",
+            )
+        private = unboxed(self.box, passphrase, self._beside())
+        if len(private) != LENGTH or public_of(private) != self.public:
+            raise SealError(f"the two halves of the key {self.id} do not belong together")
+        return private
+
+    def _beside(self) -> bytes:
+        said = {"person": self.person, "role": self.role, "public": base64_text(self.public)}
+        return canonical(said)
+
+    def as_file(self) -> dict[str, Json]:
+        """Return the key as the values of a file."""
+        return {
+            "format": FORMAT,
+            "version": 1,
+            "id": self.id,
+            "person": self.person,
+            "role": self.role,
+            "public": base64_text(self.public),
+            "made": self.made,
+            "revoked": self.revoked,
+            "private": self.box,
+        }
+
+
+def key_of_file(values: Json) -> StoredKey:
+    """Return the key in the values of a file. SealError if there is none."""
+    if not isinstance(values, dict) or set(values) != _MEMBERS:
+        raise SealError("this is no key that Studio has written")
+    if values["format"] != FORMAT or values["version"] != 1 or type(values["version"]) is not int:
+        raise SealError("this is no key that Studio has written")
+    texts = ("id", "person", "role", "public", "made", "revoked")
+    if not all(isinstance(values[key], str) and len(values[key]) <= 1000 for key in texts):
+        raise SealError("a member of this key is no text")
+    public = from_base64(values["public"], "the public half")
+    if len(public) != LENGTH:
+        raise SealError(f"the public half of this key has not {LENGTH} bytes")
+    check_id(values["id"])
+    check_words(values["person"], values["role"])
+    if values["private"] is not None:
+        read_box(values["private"])
+    return StoredKey(
+        values["id"],
+        values["person"],
+        values["role"],
+        public,
+        values["made"],
+        values["revoked"],
+        values["private"],
+    )
+
+
+def check_id(name: str) -> None:
+    """Raise UsageError unless a text can be the local name of a key."""
+    if not _ID.fullmatch(name):
+        raise UsageError(
+            f"{name[:80]!r} cannot be the local name of a key",
+            advice="Use letters, digits, dots, - and _, at most 64, and begin with a letter.",
+        )
+
+
+def check_words(person: str, role: str) -> None:
+    """Raise UsageError unless the words can be those of a person and a role."""
+    for word, what in ((person, "person"), (role, "role")):
+        if not word.strip() or len(word) > 1000:
+            raise UsageError(f"the name of the {what} is empty or very long")
+
+
+def new_id(person: str, role: str, taken: Mapping[str, StoredKey]) -> str:
+    """Return a free local name for a key, made of its person and role."""
+    plain = re.sub(r"[^a-z0-9]+", "-", f"{person} {role}".casefold()).strip("-")[:50] or "key"
+    name, count = plain, 1
+    while name.casefold() in {one.casefold() for one in taken}:
+        count += 1
+        name = f"{plain}-{count}"
+    return name
+
+
+def stored_keys() -> dict[str, StoredKey]:
+    """Return all keys of the store by their local names. SealError if a file is not believed."""
+    folder = _folder()
+    try:
+        files = sorted(path for path in folder.iterdir() if path.suffix == ".json")
+    except (FileNotFoundError, NotADirectoryError):
+        return {}
+    found: dict[str, StoredKey] = {}
+    for path in files:
+        key = key_of_file(read_stored(path))
+        if path.name != f"{key.id}.json":
+            raise SealError(f"{path} has the key {key.id}", advice="Give the file its own name.")
+        found[key.id] = key
+    return found
+
+
+def stored_key(name: str) -> StoredKey:
+    """Return the key with a local name or an identity. UsageError if there is none."""
+    keys = stored_keys()
+    for key in keys.values():
+        if name in (key.id, key.identity):
+            return key
+    raise UsageError(
+        f"there is no key {name!r} in your store",
+        advice=did_you_mean(name, keys) or "smsl-studio keys list shows the keys.",
+    )
+
+
+def keep_key(key: StoredKey) -> None:
+    """Write a key into the store. SaveError if it cannot be written."""
+    check_id(key.id)
+    write_stored(_folder() / f"{key.id}.json", key.as_file())
+
+
+def _folder() -> Path:
+    return store_folder() / "keys"

@@ -1,0 +1,101 @@
+"""The trust policy, a TOML file: whose signatures a blueprint needs before it runs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
+
+from smsl_studio.errors import PluginError, SealError
+from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.library.toml_text import read_toml
+from smsl_studio.seal.strict_json import from_base64
+
+_REVOKED = re.compile(r"(record:)?sha256:[0-9a-f]{64}")
+Many = Annotated[int, Field(ge=1, le=1000)]
+
+
+class TrustPolicy(BaseModel):
+    """What a policy asks for. The defaults hold also without a policy.
+
+    ``roles`` says how many distinct persons of each role are needed, and ``persons`` how many in
+    all (None: the sum of the roles, and at least one). ``register`` is a path relative to the
+    policy, and ``register_key`` the public key that signs it, as base64.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    roles: dict[str, Many] = {}
+    persons: Many | None = None
+    valid_days: Annotated[float, Field(gt=0, le=1e6)] | None = None
+    automatic: Literal["never", "may_sign"] = "never"
+    rules_unchanged: bool = False
+    supervisor: bool = False
+    generated_edges: Literal["never", "confirmed"] = "never"
+    revoked: list[str] = []
+    register_file: str | None = Field(default=None, alias="register")
+    register_key: str | None = None
+
+    @field_validator("revoked")
+    @classmethod
+    def _digests(cls, revoked: list[str]) -> list[str]:
+        for one in revoked:
+            if not _REVOKED.fullmatch(one):
+                raise ValueError(f"{one[:80]!r} is no sha256:... and no record:sha256:...")
+        return revoked
+
+    @model_validator(mode="after")
+    def _both(self) -> TrustPolicy:
+        if (self.register_file is None) != (self.register_key is None):
+            raise ValueError("register and register_key belong together")
+        if self.register_key is not None:
+            try:
+                fits = len(from_base64(self.register_key, "register_key")) == 32
+            except SealError as error:
+                raise ValueError(error.sentence) from None
+            if not fits:
+                raise ValueError("register_key is not the base64 of 32 bytes")
+        return self
+
+    @property
+    def needed(self) -> int:
+        """The number of distinct persons that are needed."""
+        return max(1, sum(self.roles.values())) if self.persons is None else self.persons
+
+    @property
+    def key(self) -> bytes:
+        """The public key that signs the register."""
+        return from_base64(self.register_key or "", "register_key")
+
+
+USUAL = TrustPolicy()
+"""The policy where no file names another."""
+
+
+def read_policy(path: Path) -> TrustPolicy | Refusal:
+    """Return the policy in a file, or the refusal ``policy_invalid``.
+
+    PluginError if there is no file that can be read.
+    """
+    try:
+        _, values = read_toml(path)
+    except PluginError as error:
+        if error.sentence.startswith("cannot be read"):
+            raise
+        return Refusal("policy_invalid", f"{error.place}: {error.sentence}")
+    return policy_of(values, str(path))
+
+
+def policy_of(values: Mapping[str, Any], file: str) -> TrustPolicy | Refusal:
+    """Return the policy in the values of a file, or the refusal ``policy_invalid``."""
+    try:
+        return TrustPolicy.model_validate(values)
+    except ValidationError as error:
+        fault = error.errors(include_url=False)[0]
+        where = ".".join(str(part) for part in fault["loc"])
+        said = fault["msg"].removeprefix("Value error, ")
+        words = f"{where}: {said}" if where else said
+        return Refusal("policy_invalid", f"the policy {file} is not valid: {words}")

@@ -1,0 +1,42 @@
+"""The code of the rules: a SHA-256 that changes if anything that can decide a finding changes.
+
+A rule uses the reading of the text, the model, the graph and the prover. So its digest is that of
+its number and of all source files of those rooms.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from smsl_studio.inspection.inspect import RULES
+from smsl_studio.seal.digest import sha256_hex
+
+PACKAGE = Path(__file__).parents[2]
+ROOMS = ("smsl", "seal", "blueprint", "graph", "library", "inspection", "dispatch/route")
+FRONT = ("equipment", "inputs", "proof", "recovery", "check_findings")
+"""The files of ``front`` that put the check together."""
+
+
+def rule_codes() -> Mapping[str, str]:
+    """Return the SHA-256 of the code of each rule, by its number."""
+    common = _common()
+    return {rule: sha256_hex(f"{rule} {common}".encode()) for rule in RULES}
+
+
+def _common() -> str:
+    whole = hashlib.sha256()
+    for path in _files():
+        raw = path.read_bytes()
+        name = path.relative_to(PACKAGE).as_posix().encode()
+        whole.update(b"%d %b %d " % (len(name), name, len(raw)))
+        whole.update(raw)
+    return whole.hexdigest()
+
+
+def _files() -> Iterator[Path]:
+    yield from sorted(PACKAGE.glob("*.py"))
+    for room in ROOMS:
+        yield from sorted((PACKAGE / room).rglob("*.py"))
+    yield from (path for name in FRONT if (path := PACKAGE / "front" / f"{name}.py").exists())

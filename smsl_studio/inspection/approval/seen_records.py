@@ -1,0 +1,127 @@
+"""What the store has seen: records, serials of registers, and what this user revoked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.errors import SealError
+from smsl_studio.inspection.approval.case import SeenRecord
+from smsl_studio.inspection.approval.record_file import SignedRecord
+from smsl_studio.inspection.approval.statement import PAYLOAD_TYPE
+from smsl_studio.inspection.approval.store_files import read_stored, store_folder, write_stored
+from smsl_studio.seal.envelope import read_envelope
+
+Json = Any
+
+
+def keep_record(record: SignedRecord, person: str, file: str) -> None:
+    """Note that a record was seen for a file. ``person`` is the name by which its signer is told
+    apart. The caller holds the store."""
+    path = _folder() / f"{record.digest}.json"
+    if path.exists():
+        return
+    write_stored(
+        path,
+        {
+            "version": 1,
+            "person": person,
+            "file": os.path.realpath(file),
+            "follows": record.statement.predicate.follows,
+            "time": record.statement.predicate.time,
+            "closure": record.statement.digests.closure,
+            "envelope": record.envelope.as_json(),
+        },
+    )
+
+
+def seen_records() -> tuple[SeenRecord, ...]:
+    """Return all records that were seen."""
+    found = ((path.stem, read_stored(path)) for path in _files())
+    try:
+        return tuple(SeenRecord(one["person"], name, one["follows"]) for name, one in found if one)
+    except (TypeError, KeyError):
+        raise SealError(f"a file in {_folder()} is not what Studio wrote") from None
+
+
+def has_seen(digest: str) -> bool:
+    """Whether a record was seen before."""
+    return (_folder() / f"{digest}.json").exists()
+
+
+def newest_seen(file: str, closure: str = "", person: str | None = None) -> SignedRecord | None:
+    """Return the newest record that was seen for a file, or for a closure, and of a person if one
+    is named. None if there is none."""
+    real, best, when = os.path.realpath(file), None, ""
+    for path in _files():
+        one = read_stored(path)
+        if not isinstance(one, dict) or (person is not None and one.get("person") != person):
+            continue
+        fits = one.get("file") == real or (closure and one.get("closure") == closure)
+        if fits and str(one.get("time")) > when:
+            best, when = one, str(one["time"])
+    return None if best is None else SignedRecord.of(read_envelope(best["envelope"], PAYLOAD_TYPE))
+
+
+def seen_serial(key: str) -> int:
+    """Return the highest serial of a register that was seen, by the register's key. -1: none."""
+    found = _serials().get(key, -1)
+    return found if isinstance(found, int) else -1
+
+
+def keep_serial(key: str, serial: int) -> None:
+    """Note the serial of a register. The caller holds the store."""
+    serials = dict(_serials())
+    if serials.get(key, -1) < serial:
+        write_stored(_serials_file(), {**serials, key: serial})
+
+
+def revoked_digests() -> Mapping[str, str]:
+    """Return the digests that this user revoked, with the reasons."""
+    return {one["digest"]: one["why"] for one in _revocations()}
+
+
+def revoke_digest(digest: str, why: str, key: str, time: str) -> None:
+    """Revoke a digest. The caller holds the store."""
+    new = {"digest": digest, "why": why, "key": key, "time": time}
+    write_stored(_revoked_file(), [*_revocations(), new])
+
+
+def _revocations() -> list[Mapping[str, str]]:
+    found = read_stored(_revoked_file())
+    listed = [] if found is None else found
+    if not isinstance(listed, list) or not all(_is_revocation(one) for one in listed):
+        raise SealError(f"{_revoked_file()} is not what Studio wrote")
+    return listed
+
+
+def _is_revocation(one: Json) -> bool:
+    return isinstance(one, dict) and {"digest", "why"} <= set(one)
+
+
+def _serials() -> Mapping[str, Json]:
+    found = read_stored(_serials_file())
+    if found is not None and not isinstance(found, dict):
+        raise SealError(f"{_serials_file()} is not what Studio wrote")
+    return found or {}
+
+
+def _files() -> Iterable[Path]:
+    try:
+        return sorted(path for path in _folder().iterdir() if path.suffix == ".json")
+    except (FileNotFoundError, NotADirectoryError):
+        return ()
+
+
+def _folder() -> Path:
+    return store_folder() / "records"
+
+
+def _serials_file() -> Path:
+    return store_folder() / "registers.json"
+
+
+def _revoked_file() -> Path:
+    return store_folder() / "revoked.json"

@@ -1,0 +1,236 @@
+"""What one person signs: an in-toto Statement about every file of a blueprint.
+
+Reading is strict. A member that Studio does not write, or bytes that differ from those that Studio
+writes for the same values, are refused. The content of each file must have the digests that its
+subject names, so a record never contradicts itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import datetime
+from types import MappingProxyType
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from smsl_studio.blueprint.digests import Digests, digests_of
+from smsl_studio.errors import SealError, StudioError
+from smsl_studio.inspection.approval.times import read_time
+from smsl_studio.seal.canonical import canonical
+from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.seal.strict_json import read_strictly
+
+Json = Any
+STATEMENT: Literal["https://in-toto.io/Statement/v1"] = "https://in-toto.io/Statement/v1"
+PREDICATE: Literal["urn:smsl-studio:inspection:v1"] = "urn:smsl-studio:inspection:v1"
+PAYLOAD_TYPE = "application/vnd.in-toto+json"
+APPROVED, CONDITIONS, REJECTED = "approved", "conditions", "rejected"
+AUTOMATIC = "automatic"
+"""The role of keys that never count as a person."""
+
+MEANINGS: Mapping[str, str] = MappingProxyType(
+    {
+        APPROVED: "I have inspected this blueprint as these digests name it, and I approve it.",
+        CONDITIONS: "I have inspected this blueprint as these digests name it. I approve it "
+        "if the conditions are met.",
+        REJECTED: "I have inspected this blueprint as these digests name it, and I reject it.",
+    }
+)
+"""What a signature means, in words, for each verdict."""
+
+Hex = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+Text = Annotated[str, Field(max_length=10_000)]
+
+
+class _Signed(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+
+class SignedDigests(_Signed):
+    """The three digests of a file (see ``blueprint.digests``)."""
+
+    behaviour: Hex
+    meaning: Hex
+    closure: Hex
+
+    def are(self, found: Digests) -> bool:
+        """Whether these are the digests of a blueprint."""
+        return (self.behaviour, self.meaning, self.closure) == (
+            found.behaviour,
+            found.meaning,
+            found.closure,
+        )
+
+
+class SignedFile(_Signed):
+    """One file of the closure, with its name below the folder of the first file."""
+
+    name: Text
+    digest: SignedDigests
+
+
+class SignedRule(_Signed):
+    """A rule that was asked: its version, the SHA-256 of its code, and its result."""
+
+    id: Text
+    version: Text
+    code: Hex
+    result: Literal["passed", "noted", "warned", "failed"]
+
+
+class SignedProperty(_Signed):
+    """A hazard or property, and what was shown about it."""
+
+    name: Text
+    kind: Text
+    severity: Text
+    verdict: Text
+    configurations: int | None
+
+
+class SignedFinding(_Signed):
+    """A finding, as it was when the record was signed."""
+
+    rule: Text
+    severity: Text
+    address: Text
+    message: str
+
+
+class Disposition(_Signed):
+    """What the signer says about a warning."""
+
+    rule: Text
+    address: Text
+    text: Text
+
+
+class SignedFunction(_Signed):
+    """A bound function or sensor: its plugin, the plugin's version, the SHA-256 of its code."""
+
+    function: Text
+    plugin: Text
+    version: Text
+    code: Hex
+
+
+class WorldCode(_Signed):
+    """The code that is bound in a world. ``bindings`` is the SHA-256 of what is bound to what."""
+
+    hardware: bool
+    functions: list[SignedFunction]
+    bindings: Hex
+
+
+class InspectionOptions(_Signed):
+    """The options of the check."""
+
+    limit: int | None
+    with_failures: bool
+    recoverability: bool
+    rules: list[Text] | None
+
+
+class Predicate(_Signed):
+    """What the signer has looked at, and what the signer says about it."""
+
+    rules: list[SignedRule]
+    properties: list[SignedProperty]
+    findings: list[SignedFinding]
+    dispositions: list[Disposition]
+    verdict: Literal["approved", "conditions", "rejected"]
+    conditions: list[Text]
+    met: list[Text]
+    worlds: dict[str, WorldCode]
+    looked_at: list[Text]
+    relies_on: list[SignedFile]
+    options: InspectionOptions
+    person: Annotated[str, Field(min_length=1, max_length=1000)]
+    role: Annotated[str, Field(min_length=1, max_length=1000)]
+    meaning: Text
+    time: Text
+    expires: Text | None
+    content: dict[str, dict[str, Json]]
+    follows: Hex | None
+
+
+class Statement(_Signed):
+    """An in-toto Statement v1. The first subject is the file that was approved."""
+
+    type_: Literal["https://in-toto.io/Statement/v1"] = Field(alias="_type")
+    subject: Annotated[list[SignedFile], Field(min_length=1, max_length=1000)]
+    predicateType: Literal["urn:smsl-studio:inspection:v1"]  # noqa: N815 -- the word of in-toto
+    predicate: Predicate
+
+    @property
+    def digests(self) -> SignedDigests:
+        """The digests of the file that was approved."""
+        return self.subject[0].digest
+
+    @property
+    def time(self) -> datetime:
+        """The moment of the signature."""
+        return read_time(self.predicate.time)
+
+    @property
+    def expires(self) -> datetime | None:
+        """The moment after which the signer does not approve any more."""
+        return None if self.predicate.expires is None else read_time(self.predicate.expires)
+
+    def payload(self) -> bytes:
+        """Return the canonical bytes that are signed."""
+        return canonical(self.model_dump(by_alias=True))
+
+
+def statement_of(subject: list[SignedFile], predicate: Predicate) -> Statement:
+    """Return the statement about some files."""
+    return Statement(_type=STATEMENT, subject=subject, predicateType=PREDICATE, predicate=predicate)
+
+
+def payload_digest(payload: bytes) -> str:
+    """Return the SHA-256 that names a record: that of its signed payload."""
+    return sha256_hex(payload)
+
+
+def read_statement(payload: bytes) -> Statement:
+    """Return the statement in a payload. SealError if it is not written as Studio writes it."""
+    values = read_strictly(payload, "the payload")
+    try:
+        found = Statement.model_validate(values)
+        _check_times(found)
+        if found.payload() != payload:
+            raise SealError("the payload is not written as Studio writes it")
+        _check_content(found)
+    except ValidationError as error:
+        fault = error.errors(include_url=False)[0]
+        where = ".".join(str(part) for part in fault["loc"])
+        raise SealError(f"the payload: {where[:200]}: {fault['msg']}") from None
+    except SealError:
+        raise
+    except StudioError as error:
+        raise SealError(f"the payload: {error.sentence}") from None
+    return found
+
+
+def _check_times(found: Statement) -> None:
+    try:
+        _ = found.time, found.expires
+    except ValueError as error:
+        raise SealError(f"the payload: {error}") from None
+
+
+def _check_content(found: Statement) -> None:
+    names = [one.name for one in found.subject]
+    content = found.predicate.content
+    if len(set(names)) < len(names) or set(names) != set(content):
+        raise SealError("the payload has not one content for each of its files")
+    for one in found.subject:
+        if set(content[one.name]) != {"behaviour", "meaning", "imported", "missing"}:
+            raise SealError(f"the content of {one.name} has other parts than Studio writes")
+        if not _is_listed(content[one.name]) or not one.digest.are(digests_of(content[one.name])):
+            raise SealError(f"the content of {one.name} has other digests than are named")
+
+
+def _is_listed(content: Mapping[str, Json]) -> bool:
+    return all(isinstance(part, list) for part in content.values()) and bool(content["imported"])

@@ -1,0 +1,59 @@
+"""JSON and base64 from outside, read strictly: one value has one spelling."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+from typing import Any, NoReturn
+
+from smsl_studio.errors import SealError
+
+Json = Any
+LARGEST = 64 << 20
+"""The largest number of bytes that are read."""
+
+
+def read_strictly(raw: bytes, what: str) -> Json:
+    """Return the values of a JSON text. ``what`` names it in messages.
+
+    SealError if it is no JSON in UTF-8, if a key stands twice, if a number is none (``NaN``), or if
+    it is too large.
+    """
+    if len(raw) > LARGEST:
+        raise SealError(f"{what} is larger than {LARGEST >> 20} MB")
+    try:
+        return json.loads(raw.decode("utf-8"), object_pairs_hook=_once, parse_constant=_no_number)
+    except SealError as error:
+        raise SealError(f"{what} is no clear JSON: {error.sentence}") from None
+    except (ValueError, RecursionError) as error:
+        raise SealError(f"{what} is no JSON: {error}") from None
+
+
+def base64_text(raw: bytes) -> str:
+    """Return bytes as base64."""
+    return base64.b64encode(raw).decode("ascii")
+
+
+def from_base64(text: Json, what: str) -> bytes:
+    """Return the bytes of a base64 text. SealError if it is not spelled as ``base64_text`` does."""
+    if not isinstance(text, str):
+        raise SealError(f"{what} is no text")
+    try:
+        raw = base64.b64decode(text, validate=True)
+    except (binascii.Error, ValueError):
+        raise SealError(f"{what} is no base64") from None
+    if base64_text(raw) != text:
+        raise SealError(f"{what} is no canonical base64")
+    return raw
+
+
+def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise SealError("a key stands twice in one object")
+    return found
+
+
+def _no_number(word: str) -> NoReturn:
+    raise SealError(f"{word} is no number")
