@@ -108,6 +108,7 @@ class RunRequest:
             "avoid": list(map(str, self.avoid)),
             "on_mismatch": self.on_mismatch,
             "by_hand": self.by_hand,
+            "attended": self.by_hand if self.attended is None else self.attended,
             "levels": dict(self.levels),
             "script": {"file": script.file, "digest": script.digest} if script else None,
             "supervisor": self.supervisor.name if self.supervisor else self.person,

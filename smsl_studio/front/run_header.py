@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import platform
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from os import getpid
 from pathlib import Path
 from typing import Any
 
-from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
@@ -20,9 +20,10 @@ from smsl_studio.front.version import version
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.runlog.grounds import grounds_of
+from smsl_studio.runlog.grounds import BoundCode, grounds_of
 from smsl_studio.runlog.names import names_of
 from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.world.engines import TABLE
 
 Json = Any
 
@@ -56,7 +57,7 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
         "names": names_of(blueprint),
-        "grounds": grounds_of(blueprint, _sensed(blueprint, world, loaded)),
+        "grounds": grounds_of(blueprint, _code(blueprint, world, loaded)),
     }
 
 
@@ -78,15 +79,26 @@ def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
     }
 
 
-def _sensed(blueprint: Blueprint, world: str, loaded: Loaded | None) -> Iterable[FactKey]:
-    """Return the facts that the world's sensors read. It is empty if they are not known before the
-    run."""
+def _code(blueprint: Blueprint, world: str, loaded: Loaded | None) -> BoundCode:
+    """Return the facts that the world's sensors read, and the functions of its operations. Nothing
+    is named if they are not known before the run."""
     try:
         file = bindings_beside(blueprint.file)
-        sensors = bind(blueprint, loaded or Loaded(()), world, file).sensors
+        found = bind(blueprint, loaded or Loaded(()), world, file)
     except StudioError:
-        return ()
-    return ((one.branch, one.digit) for one in sensors)
+        return BoundCode()
+    operations = found.operations
+    # The table world makes each binding when it is asked for, and none of them is exact.
+    many = () if world == TABLE else operations.items()
+    exact = frozenset(address for address, one in many if one.exact)
+
+    def function(edge: Address) -> str | None:
+        """Return the name of the function of an edge, None if it has none."""
+        bound = operations.get(edge)
+        return None if bound is None else bound.name
+
+    sensed = ((one.branch, one.digit) for one in found.sensors)
+    return BoundCode(sensed, function, exact, bool(found.costs))
 
 
 def _imported(blueprint: Blueprint) -> Mapping[str, Json]:

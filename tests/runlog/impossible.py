@@ -268,6 +268,16 @@ def held_for_another_reason(story: Story, random: Random) -> Story | None:
     return _changed(story, len(story.events) - 1, sentence="For fun.") if whole else None
 
 
+def ends_later(story: Story, random: Random) -> Story | None:
+    """A run that nobody attends ends when it is over."""
+    word = {"held": "held", "no_route": "held", "goal_reached": "goal_reached",
+            "stopped": "stopped"}.get(story.end["reason"], "")  # fmt: skip
+    before = [one["event"] for one in story.events[-2:-1]]
+    if story.header["attended"] or before != [word]:
+        return None
+    return _changed(story, len(story.events) - 1, t=story.end["t"] + 0.05)
+
+
 def operations_miscounted(story: Story, random: Random) -> Story | None:
     """The end counts what has committed."""
     more = story.end["operations"] + random.choice([-1, 1, 7])
@@ -404,6 +414,69 @@ def _ended_and_committed(story: Story) -> list[int]:
             if ends and ends[-1] > begins[-1]:
                 found.append(ends[-1])
     return found
+
+
+def part_of_a_step_not_checked(story: Story, random: Random) -> Story | None:
+    """A step goes on after the state to which its last operation has led was checked."""
+    begun = story.at("operation_started")
+    found = [
+        n for n in story.at("state_checked", result="true")
+        if begun and n > begun[0] and _after_checks(story, n) in ("operation_started",
+                                                                  "operation_ended")
+    ]  # fmt: skip
+    return _without(story, _one(random, found))
+
+
+def _after_checks(story: Story, at: int) -> str:
+    """The word of the next event that is neither a check nor a fact."""
+    words = (str(one["event"]) for one in story.events[at:])
+    return next(word for word in words if word not in ("state_checked", "fact_changed"))
+
+
+def another_function(story: Story, random: Random) -> Story | None:
+    """An operation runs the function that is bound to it."""
+    named = [n for n in story.at("operation_started") if story.events[n]["function"]]
+    return _changed(story, _one(random, named), function="somebody.elses")
+
+
+def function_left_out(story: Story, random: Random) -> Story | None:
+    """And does not commit without it, though nothing is said of it."""
+    at = _one(random, _ended_and_committed(story))
+    if at is None or story.at("task_opened"):
+        return None
+    begins = story.at("operation_started", address=story.events[at]["address"])
+    begin = [n for n in begins if n < at][-1]
+    if not story.events[begin]["function"]:
+        return None
+    story.events[begin]["function"] = ""
+    return _without(story, at)
+
+
+def route_at_another_cost(story: Story, random: Random) -> Story | None:
+    """A route costs what its operations cost."""
+    at = _one(random, story.at("route_planned"))
+    if at is None:
+        return None
+    return _changed(story, at, cost=story.events[at]["cost"] + random.choice([-0.5, 0.5, 7.0]))
+
+
+def failed_for_another_reason(story: Story, random: Random) -> Story | None:
+    """What was tagged risky has failed for the reason that is told."""
+    failed = [n for word in ("failed", "raised") for n in story.at("operation_ended", outcome=word)
+              if story.events[n]["message"] and not story.at("task_opened")
+              and any(one["event"] == "operation_risky" for one in story.events[n:])]  # fmt: skip
+    return _changed(story, _one(random, failed), message="It was the moon.")
+
+
+def costs_that_nobody_set(story: Story, random: Random) -> Story | None:
+    """Where no function gives costs, a person sets them."""
+    at = _before_first_step(story)
+    if at is None or story.header["grounds"].get("priced") is not False:
+        return None
+    one = story.events[at]
+    costs = {"event": "costs_changed", "t": one["t"], "costs": {one["address"]: 7.0}, "faults": []}
+    story.events.insert(at, costs)
+    return story
 
 
 def commits_without_an_end(story: Story, random: Random) -> Story | None:

@@ -44,8 +44,8 @@ _BEGUN: tuple[Event, ...] = (
     StateChecked(t=0.1, address="SB~1é/State_1", result="true"),
     Committed(t=0.1, operations=(FIRST,), configuration={SB: "State_1"}),
     OperationStarted(t=0.1, address=SECOND, target="State_2", function="table.set"),
-    OperationEnded(t=0.2, address=SECOND, outcome="failed", message="it slipped"),
-    OperationRisky(t=0.2, address=SECOND, reason="it failed"),
+    OperationEnded(t=0.2, address=SECOND, outcome="failed", message="It slipped."),
+    OperationRisky(t=0.2, address=SECOND, reason="It slipped."),
     Mismatch(t=0.2, facts=("a", "b"), candidates=({SB: "State_2"},)),
 )
 EVENTS: tuple[Event, ...] = (

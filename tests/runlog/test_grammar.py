@@ -158,6 +158,28 @@ def test_a_header_may_say_anything_of_what_was_asked(header: object) -> None:
         (("seed",), "0"),
         (("seed",), True),
         (("by_hand",), 0),
+        (("wall_time",), 7),
+        (("node",), None),
+        (("process",), "7"),
+        (("host",), True),
+        (("on_mismatch",), 1),
+        (("attended",), "no"),
+        (("levels",), []),
+        (("levels",), {"supervision": 1}),
+        (("script",), "s.jsonl"),
+        (("script",), {"file": "s.jsonl"}),
+        (("supervisor",), {}),
+        (("policy",), 1),
+        (("mqtt",), {"broker": "a", "site": "b", "run": "c", "facts": {"SB/0": "x"}}),
+        (("file",), 1),
+        (("versions",), {"python": 3}),
+        (("names",), {"facts": {"SB/0": 1}}),
+        (("digests", "file"), 7),
+        (("digests", "closure"), None),
+        (("grounds", "functions"), {"SB": ["f"]}),
+        (("grounds", "costs"), {"SB": {"Op": "1"}}),
+        (("grounds", "costs"), {"SB": {"Op": -1}}),
+        (("grounds", "priced"), 0),
         (("avoid",), "SB"),
         (("digests",), []),
         (("digests", "behaviour"), ["a"]),
@@ -181,7 +203,7 @@ def test_a_header_of_other_types_switches_nothing_off(
     inside = story.header
     for key in place[:-1]:
         inside = inside[key]
-    assert inside[place[-1]] is not None
+    assert place[-1] in inside
     inside[place[-1]] = wrong
     doubt = judged(story.raw()).doubt
     assert doubt is not None

@@ -455,6 +455,138 @@ def test_a_digit_is_on_where_its_sub_is_in_activating_and_nowhere_else(
     assert grammar.follow(event) == words
 
 
+KNOWN = {
+    **GROUNDS,
+    "functions": {"S": {"Op": "f"}, "R": {"X/Op": "g", "X/Up": ""}},
+    "costs": {"S": {}, "R": {"X/Op": 2.5, "X/Up": None}},
+    "priced": False,
+}
+"""A header with the functions and costs of operations."""
+
+
+def goes(*ways: str, cost: float = 1.0, goal: str = "S/B", t: float = 0.1) -> run.RoutePlanned:
+    return run.RoutePlanned(t=t, goal=goal, operations=ways, cost=cost)
+
+
+SET = says("set_cost", address="S/A/Op", value="4.0")
+SEES = (BEGINS, fact("0"), fact("0", "R"), *CHECKS)
+FAILS = run.OperationEnded(t=0.2, address="S/A/Op", outcome="failed", message="It slipped.")
+SLIPPED = run.OperationRisky(t=0.2, address="S/A/Op", reason="S/A/Op failed: It slipped.")
+DIFFER = run.Mismatch(t=0.2, facts=("x",))
+FAILED = (*SEES, goes("S/A/Op"), starts(), fact("1"), FAILS)
+
+TOLD_OF: tuple[Case, ...] = (
+    (SEES, goes("S/A/Op", "R/X/Op", cost=2.0), "the route costs 2, and its operations 3.5"),
+    (SEES, goes("S/A/Op", "R/X/Op", cost=3.5), ""),
+    (SEES, goes("S/A/Op", "R/X/Up", cost=1.0), ""),
+    ((*SEES, SET, run.CostsChanged(t=0.1, costs={"S/A/Op": 4.0})),
+     goes("S/A/Op", cost=1.0), "the route costs 1, and its operations 4"),
+    ((*SEES, goes("S/A/Op")), starts(function="h"),
+     "S/A/Op begins with h, and its function is f"),
+    ((*SEES, goes("R/X/Up", cost=0.0, goal="R/Y")), starts("R/X/Up", "Y", function="g"),
+     "R/X/Up begins with g, and its function is none"),
+    ((*SEES, goes("S/A/Op"), starts(function=""), asks(kind="operation"), *answers(),
+      closes("answered", "yes", Ada="yes"), fact("1"), ends(), checks()),
+     commits("S/A/Op", S="B"), ""),
+    (SEES, run.CostsChanged(t=0.1, costs={"S/A/Op": 4.0}),
+     "the costs have changed, and nobody has set them"),
+    ((*SEES, SET), run.CostsChanged(t=0.1, costs={"S/A/Op": 5.0}),
+     "S/A/Op was priced at 4.0, and something else has changed"),
+    (FAILED, replace(SLIPPED, reason="It broke."),
+     "S/A/Op is tagged risky, and it has failed for another reason"),
+    ((*FAILED, SLIPPED), replace(SLIPPED, address="R/X/Op", reason="It broke."),
+     "R/X/Op is tagged risky for another reason than S/A/Op"),
+    ((*FAILED, SLIPPED, DIFFER), run.Held(t=0.2, reason="It broke."),
+     "a run holds after S/A/Op has failed, for another reason: It broke."),
+    ((*FAILED, SLIPPED, DIFFER), run.Held(t=0.2, reason=SLIPPED.reason), ""),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("before", "event", "words"), TOLD_OF)
+def test_a_rule_goes_by_what_the_header_says_of_operations(
+    before: Sequence[Event], event: Event, words: str
+) -> None:
+    grammar = Grammar({"grounds": KNOWN}, COMMANDS)
+    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    assert grammar.follow(event) == words
+
+
+MIXED = {
+    "states": {"S": {"A": ["0", None], "B": ["1", None], "D": ["0", None]},
+               "R": {"X": ["0"], "Y": ["1"]}},
+    "sensed": ["S/0", "R/0"],
+    "subs": {"S": {"1": {"sub": "R", "activating": "Y", "initial": "X", "on": ["B", "D"]}}},
+}  # fmt: skip
+RISES = (*SEES, goes("S/A/Op", "R/X/Op"), starts(), starts("R/X/Op", "Y"),
+         fact("1", "R", t=0.2), ends(address="R/X/Op"))  # fmt: skip
+"""S changes a digit of its own too, after R has crossed."""
+SINGLE = (*SEES, goes("S/A/Op", "R/X/Op"), starts(target="D", function=""), starts("R/X/Op", "Y"),
+          fact("1", "R", t=0.2), ends(address="R/X/Op"), checks("R/Y"))  # fmt: skip
+LOADING = (*SEES, goes("S/A/Op"), starts(), fact("1", t=0.2), ends(), checks())
+
+UNPROVED: tuple[Case, ...] = (
+    (RISES, ends(t=0.3), "R/Y was not checked, and the step goes on"),
+    (RISES, starts("S/B/Op", t=0.2), "S/B/Op begins; S is in A"),
+    ((*RISES, checks("R/Y")), ends(t=0.3), ""),
+    (SINGLE, starts("R/Y/Op", "X", t=0.2), "S/D was not checked, and the step goes on"),
+    ((*SINGLE, checks("S/D")), commits("R/X/Op", "S/A/Op", R="Y", S="D"), ""),
+    ((*LOADING, checks("R/X")), starts("R/X/Op", "Y", t=0.2),
+     "R was not checked with S/B"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("before", "event", "words"), UNPROVED)
+def test_each_part_of_a_step_is_checked_before_the_next_one(
+    before: Sequence[Event], event: Event, words: str
+) -> None:
+    grammar = Grammar({"grounds": MIXED}, COMMANDS)
+    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    assert grammar.follow(event) == words
+
+
+def test_an_operation_with_a_function_does_not_commit_without_it() -> None:
+    """The name of its function is left out, and with it its end."""
+    grounds = {**MIXED, "functions": {"S": {"Op": "f"}, "R": {"Op": "f"}}}
+    before = (*SEES, goes("S/A/Op", "R/X/Op"), starts(function=""), starts("R/X/Op", "Y"),
+              fact("1", "R", t=0.2), ends(address="R/X/Op"), checks("R/Y"),
+              fact("1", t=0.2), checks())  # fmt: skip
+    grammar = Grammar({"grounds": grounds}, COMMANDS)
+    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    words = "S/A/Op commits; its function has not ended"
+    assert grammar.follow(commits("R/X/Op", "S/A/Op", R="Y", S="B")) == words
+
+
+@pytest.mark.parametrize(
+    ("before", "last", "words"),
+    [
+        ((*OPEN, run.Held(t=0.1, reason="x")), over("held", "x", t=0.2),
+         "the run ends at 0.2 s; it was over at 0.1 s"),
+        ((*OPEN, run.Held(t=0.1, reason="x")), over("held", "x"), ""),
+        ((*OPEN, *STOP), over("stopped", "Stopped by Ada.", t=0.2),
+         "the run ends at 0.2 s; it was over at 0.1 s"),
+        ((*OPEN, run.Held(t=0.1, reason="x")), over("stopped", LET_GO, t=0.2), ""),
+        (BOTH, over("goal_reached", "S/B, R/Y hold.", t=0.4, **THERE),
+         "the run ends at 0.4 s; it was over at 0.3 s"),
+        ((), over("refused", "No.", t=0.1), "the run ends at 0.1 s; it was over at 0 s"),
+        ((), over("refused", "No.", t=0.0), ""),
+    ],
+)  # fmt: skip
+def test_a_run_that_nobody_attends_ends_when_it_is_over(
+    before: Sequence[Event], last: Event, words: str
+) -> None:
+    grammar = Grammar({"attended": False}, COMMANDS)
+    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    assert grammar.follow(last) == words
+
+
+def test_a_run_that_somebody_attends_ends_when_that_person_likes() -> None:
+    before = (*OPEN, run.Held(t=0.1, reason="x"))
+    for header in ({"attended": True}, {}):
+        grammar = Grammar(header, COMMANDS)
+        assert [grammar.follow(one) for one in before] == [""] * len(before)
+        assert grammar.follow(over("held", "x", t=9.0)) == ""
+
+
 POSSIBLE: Mapping[str, Sequence[Event]] = {
     "an asked step that has committed in part is paused, and goes on": (
         *OPEN, says("pause"), run.Paused(t=0.1), says("ask", address="S/A/Op"), starts(), ends(),
@@ -544,7 +676,7 @@ def test_every_rule_has_a_case() -> None:
     for module in (bounds, operations, regulation, scene):
         tree = ast.parse(Path(module.__file__ or "").read_text("utf-8"))
         written += sum(isinstance(node, ast.Yield) for node in ast.walk(tree))
-    assert written <= len(CASES) + len(GROUNDED)
+    assert written <= len(CASES) + len(GROUNDED) + len(TOLD_OF) + len(UNPROVED)
 
 
 @pytest.mark.parametrize(
@@ -565,6 +697,6 @@ def test_what_a_run_that_was_stopped_may_say_at_its_end(
 ) -> None:
     grammar = Grammar({}, COMMANDS)
     assert not any(grammar.follow(one) for one in before)
-    last = run.RunFinished(t=0.1, reason="stopped", sentence=sentence, operations=0,
-                           configuration=START if before else {})  # fmt: skip
+    last = run.RunFinished(t=0.1 if before else 0.0, reason="stopped", sentence=sentence,
+                           operations=0, configuration=START if before else {})  # fmt: skip
     assert (grammar.follow(last) == "") == true

@@ -8,8 +8,9 @@ from typing import Any
 
 import smsl_studio as smsl
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.runlog.events import OperationStarted
 from smsl_studio.runlog.grammar.log_reader import read_log
-from smsl_studio.runlog.grounds import grounds_of
+from smsl_studio.runlog.grounds import BoundCode, grounds_of
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
@@ -46,7 +47,45 @@ def test_a_header_stays_a_line_that_people_open() -> None:
     many: dict[str, Any] = {f"State_{n:04}": {} for n in range(999)}
     three: dict[str, Any] = {f"State_{n:04}": {} for n in range(3)}
     blueprint = blueprint_of({"MANY": many, "THREE": three, "ONE": {"State_0": {}}})
-    found = grounds_of(blueprint, (("MANY", n) for n in range(1001)))
+    found = grounds_of(blueprint, BoundCode(("MANY", n) for n in range(1001)))
     assert list(found["states"]) == ["MANY", "ONE"]
     assert found["sensed"] == []
     assert len(json.dumps(found)) < 100_000
+
+
+def test_a_log_says_which_functions_and_costs_operations_have(tmp_path: Path) -> None:
+    """A rise runs no function and costs nothing of its own; the same name elsewhere does."""
+    blueprint = smsl.read(samples_dir() / "registration-digitization.json")
+    smsl.run(blueprint, log=tmp_path / "log")
+    found = _grounds(tmp_path / "log")
+    functions, costs = found["functions"]["REGISTRATION"], found["costs"]["REGISTRATION"]
+    assert functions["Registered"] == "table.set_facts"
+    assert functions["State100/LandmarksDigitized"] == ""
+    assert functions["State110/LandmarksDigitized"] == "table.set_facts"
+    assert costs["State100/LandmarksDigitized"] is None
+    assert "Registered" not in costs
+    assert found["priced"] is False
+
+
+def test_functions_of_a_plugin_are_named_before_its_world_is_built(tmp_path: Path) -> None:
+    write_plugin(tmp_path / "plugins", "lamp", SILENT)
+    for host in ("local", "process"):
+        path = tmp_path / host
+        smsl.run(blueprint_of(LAMP), "lamp", host=host, plugin_paths=[tmp_path / "plugins"],
+                 avoid=["LAMP/State_0/Op_spin"], log=path)  # fmt: skip
+        run = read_log(path, COMMANDS)
+        assert run.doubt is None
+        told = [one for one in run.events if isinstance(one, OperationStarted)]
+        known = _grounds(path)["functions"]["LAMP"]
+        assert told
+        assert all(known[one.address.split("/")[2]] == one.function for one in told)
+
+
+def test_operations_beyond_a_bound_are_not_named() -> None:
+    """The header stays a line that people open, and its making stays quick."""
+    ends = {f"Op_{n}": "State_1" for n in range(1001)}
+    blueprint = blueprint_of({"MANY": {"State_0": ends, "State_1": {}},
+                              "ONE": {"State_0": {"Op": "State_1"}, "State_1": {}}})  # fmt: skip
+    found = grounds_of(blueprint, BoundCode(function=lambda edge: "f"))
+    assert list(found["functions"]) == ["ONE"]
+    assert found["costs"] == {"ONE": {}}

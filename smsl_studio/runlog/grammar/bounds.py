@@ -92,6 +92,24 @@ def run_finished(memory: Memory, event: run.RunFinished) -> Iterator[str]:
         if not memory.evidence.is_drawn(branch, state):
             yield f"the run ends in {branch}/{state}, which is not drawn"
     yield from _ENDS[event.reason](memory, event)
+    yield from _late(memory, event)
+
+
+def _late(memory: Memory, event: run.RunFinished) -> Iterator[str]:
+    """Check that a run ends in the moment in which nothing keeps it any more.
+
+    A run that waits for a person may end at any later time, and so may one that is let go of.
+    """
+    last = memory.last
+    at = last.t if last is not None else 0.0
+    arrived = isinstance(last, run.GoalReached) and memory.fold.phase == "running"
+    over = arrived and event.reason == "goal_reached"
+    if event.reason == "refused" or event.sentence == UNBEGUN or last is None:
+        over = True
+    elif memory.unattended and event.sentence not in (LET_GO, BROKEN_OFF):
+        over |= event.reason in ("held", "no_route", "stopped")
+    if over and event.t > at:
+        yield f"the run ends at {event.t:g} s; it was over at {at:g} s"
 
 
 def _reached(memory: Memory, event: run.RunFinished) -> Iterator[str]:

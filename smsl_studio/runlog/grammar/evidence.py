@@ -99,6 +99,13 @@ class Evidence:
         """Return whether the blueprint has this state, according to the header."""
         return branch not in self._drawn or (branch, state) in self._wanted
 
+    def are_alike(self, branch: str, one: str, other: str) -> bool:
+        """Return whether two states are known to have the same facts, but for those that sub-SBs
+        expand.
+        """
+        first, second = (self._wanted.get((branch, state)) for state in (one, other))
+        return branch in self._drawn and first is not None and first == second
+
     def misses(self, branch: str, state: str) -> int:
         """Return how many facts have another value than a state needs."""
         wanted, told = self._wanted.get((branch, state), {}), self._told.get(branch)

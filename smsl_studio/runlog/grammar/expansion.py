@@ -7,7 +7,7 @@ its subs. Until then its step is pending.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 Json = Any
@@ -58,6 +58,18 @@ class Expansion:
                 known = base is not None and sub is not None
                 if known and (base in one.on) != (sub == one.activating):
                     yield one
+
+    def bases_of(self, sub: str) -> Iterator[str]:
+        """Yield the bases of a sub-SB, as far as they are known."""
+        return (one.base for one in self._of_sub.get(sub, ()))
+
+    def apart(self, base: str, state: str, stands: Callable[[str], str]) -> Iterator[Expanded]:
+        """Yield the digits of a base in a state whose sub-SBs do not stand as they say. ``stands``
+        returns the state of a sub-SB.
+        """
+        for one in self._of_base.get(base, ()):
+            if (state in one.on) != (stands(one.sub) == one.activating):
+                yield one
 
     def is_alone(self, branch: str) -> bool:
         """Return whether an SB is known to have neither sub-SBs nor bases: each of its steps is one

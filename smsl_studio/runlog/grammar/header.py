@@ -68,19 +68,79 @@ def _every(value: Json, fits: Fits) -> bool:
     return isinstance(value, dict) and all(map(fits, value.values()))
 
 
+def _is_truth(value: Json) -> bool:
+    return isinstance(value, bool)
+
+
+def _is_map_of_texts(value: Json) -> bool:
+    return _every(value, _is_text)
+
+
+def _are_tables(value: Json) -> bool:
+    return _every(value, _is_map_of_texts)
+
+
+def _are_costs(value: Json) -> bool:
+    return _every(value, lambda table: _every(table, _is_cost))
+
+
+def _is_cost(value: Json) -> bool:
+    return value is None or (isinstance(value, int | float) and not _is_truth(value) and value >= 0)
+
+
+def _is_script(value: Json) -> bool:
+    return value is None or _has_texts(value, ("file", "digest"))
+
+
+def _is_mqtt(value: Json) -> bool:
+    if value is None:
+        return True
+    return _has_texts(value, ("broker", "site", "run")) and _every(value.get("facts"), _are_texts)
+
+
+def _has_texts(value: Json, keys: tuple[str, ...]) -> bool:
+    return isinstance(value, dict) and all(_is_text(value.get(key)) for key in keys)
+
+
 _HEADER: Mapping[str, Fits] = MappingProxyType(
     {
+        "wall_time": _is_text,
+        "node": _is_text,
+        "process": _is_whole,
         "world": _is_text,
         "seed": _is_whole,
-        "by_hand": lambda value: isinstance(value, bool),
+        "host": _is_text,
+        "on_mismatch": _is_text,
+        "by_hand": _is_truth,
+        "attended": _is_truth,
         "start": _are_texts,
         "goals": _are_texts,
         "avoid": _are_texts,
+        "levels": _is_map_of_texts,
+        "script": _is_script,
+        "supervisor": _is_text,
+        "policy": lambda value: value is None or _is_text(value),
+        "mqtt": _is_mqtt,
+        "file": _is_text,
         "digests": _is_object,
+        "versions": _is_map_of_texts,
+        "names": _are_tables,
         "grounds": _is_object,
     }
 )
-_DIGESTS: Mapping[str, Fits] = MappingProxyType({"behaviour": _is_text})
+_DIGESTS: Mapping[str, Fits] = MappingProxyType(
+    {
+        **dict.fromkeys(("file", "behaviour", "meaning", "closure"), _is_text),
+        "imported": _is_map_of_texts,
+    }
+)
 _GROUNDS: Mapping[str, Fits] = MappingProxyType(
-    {"states": _are_states, "sensed": _are_texts, "subs": _are_subs}
+    {
+        "states": _are_states,
+        "sensed": _are_texts,
+        "subs": _are_subs,
+        "functions": _are_tables,
+        "costs": _are_costs,
+        "priced": _is_truth,
+    }
 )

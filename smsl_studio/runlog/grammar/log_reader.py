@@ -138,7 +138,8 @@ class LogReader:
         values = self._values(line) if line.startswith(_FIRST) else {}
         if values.get("log") != FORMAT:
             raise self._wrong("this is no run log", advice=_NO_LOG)
-        if values.get("version") not in (FORMER, VERSION):
+        version = values.get("version")
+        if type(version) is not int or version not in (FORMER, VERSION):
             raise self._wrong(
                 f"this is a run log of another version than {FORMER} and {VERSION}",
                 advice="Read it with the program that wrote it.",

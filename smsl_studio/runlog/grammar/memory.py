@@ -14,6 +14,7 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.fold import RunFold
 from smsl_studio.runlog.grammar.evidence import Evidence
 from smsl_studio.runlog.grammar.expansion import Expansion
+from smsl_studio.runlog.grammar.known_operations import KnownOperations
 from smsl_studio.runlog.log import FORMER
 
 Json = Any
@@ -41,7 +42,8 @@ class Begun:
     """An operation that has begun and is not committed.
 
     ``outcome`` is the outcome of its function, empty until it ends. ``done`` says that the check of
-    its target was true. ``person`` says that a person was asked to carry it out. ``since`` is the
+    its target was true. ``person`` says that a person was asked to carry it out. ``must_end`` says
+    that a function or a person must carry it out, and not its sub-SBs alone. ``since`` is the
     simulated time (s) of its beginning.
     """
 
@@ -52,7 +54,13 @@ class Begun:
     outcome: str = ""
     done: bool = False
     person: bool = False
+    must_end: bool = False
     since: float = 0.0
+
+    @property
+    def is_carried(self) -> bool:
+        """Whether a function or a person carries it out, as far as the log tells."""
+        return bool(self.function) or self.person or self.must_end
 
 
 @dataclass(slots=True)
@@ -70,14 +78,17 @@ class Memory:
     ``fold`` is the state of the run, ``last`` the newest event, and ``now`` the time of the event
     that is judged. ``commands`` are all commands. ``unchecked`` are the SBs whose state check at
     the start is still to come. ``former`` says that the log has the former version, which told
-    goals without a fresh check.
+    goals without a fresh check. ``unattended`` says that nobody can decide when the run holds.
 
     Of the step that is carried out: ``begun`` are its operations, ``newest`` is the last operation
     of each SB, and ``pending`` has the SBs that have moved and are not committed. ``acting`` says
     that a function or a person is at work. ``failing`` says that nothing of the step can commit any
     more. ``blames`` says that an operation has failed and must still be tagged risky. ``stepped``
     says that an operation has begun since the run was located, planned its route or reached a goal.
-    ``checked`` are the true state checks directly before the next event. ``committed`` is the time
+    ``checked`` are the true state checks directly before the next event. ``unproved`` are the
+    states that must check true before the step goes on, and ``proved`` the SBs whose check was true
+    since an operation has ended. ``ended`` is the operation that has ended last, and ``risk`` the
+    newest tag of a risk since the run was located or held. ``committed`` is the time
     of the step's last commit. ``rests`` says that the run was paused after a part of a step had
     committed, so the rest may go on. ``chosen`` says that somebody asked for the step, so it is on
     no route.
@@ -90,11 +101,12 @@ class Memory:
     since the last pause. ``let_go`` says that a command was given or a task closed since the last
     hold.
 
-    Of facts and goals: ``evidence`` compares the logged facts with states, and ``expansion`` has
-    the digits that sub-SBs expand. ``busy`` is the time of the last event that is not a fact, a
-    cost or a goal. ``goal_of`` has the goal of each SB and its state, and ``standing`` are the SBs
-    that are there. ``reached`` are the goals that were told, in order, and ``away`` the SBs that
-    have left such a goal since. ``endangered`` says that a hazard was met since the last hold.
+    Of facts and goals: ``evidence`` compares the logged facts with states, ``expansion`` has the
+    digits that sub-SBs expand, and ``known`` the functions and costs of operations. ``busy`` is the
+    time of the last event that is not a fact, a cost or a goal. ``goal_of`` has the goal of each SB
+    and its state, and ``standing`` are the SBs that are there. ``reached`` are the goals that were
+    told, in order, and ``away`` the SBs that have left such a goal since. ``endangered`` says that
+    a hazard was met since the last hold.
     """
 
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
@@ -109,6 +121,10 @@ class Memory:
         self.pending: dict[str, str] = {}
         self.acting = self.failing = self.stepped = self.doomed = False
         self.checked: dict[str, str] = {}
+        self.unproved: dict[str, str] = {}
+        self.proved: set[str] = set()
+        self.ended: run.OperationEnded | None = None
+        self.risk: run.OperationRisky | None = None
         self.committed: float | None = None
         self.cause: run.Commanded | None = None
         self.owed = ""
@@ -119,6 +135,8 @@ class Memory:
         self.declined = False
         self.evidence = Evidence(header.get("grounds"))
         self.expansion = Expansion(header.get("grounds"))
+        self.known = KnownOperations(header.get("grounds"))
+        self.unattended = header.get("attended") is False
         self.rests = False
         self.former = header.get("version") == FORMER
         self.busy = -1.0
@@ -165,6 +183,7 @@ class Memory:
     def end_step(self) -> None:
         """Forget the step that was being carried out."""
         self.begun, self.newest, self.pending = {}, {}, {}
+        self.unproved, self.proved = {}, set()
         self.acting = self.failing = self.stepped = self.blames = self.rests = False
         self.committed = None
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections import ChainMap
 from collections.abc import Iterator, Mapping
+from math import isclose
 
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.grammar.memory import Begun, Memory, parts
@@ -34,6 +35,9 @@ def route_planned(memory: Memory, event: run.RoutePlanned) -> Iterator[str]:
         yield f"the route begins at {'/'.join(named[0][:2])}, where the run does not stand"
     if event.cost < 0:
         yield "the cost of the route is negative"
+    cost = memory.known.cost(zip(event.operations, named, strict=True))
+    if cost is not None and not isclose(cost, event.cost, rel_tol=1e-9, abs_tol=1e-6):
+        yield f"the route costs {event.cost:g}, and its operations {cost:g}"
 
 
 def subs_bypassed(memory: Memory, event: run.SubsBypassed) -> Iterator[str]:
@@ -75,6 +79,10 @@ def operation_started(memory: Memory, event: run.OperationStarted) -> Iterator[s
         yield f"{address} begins; the logged facts are not those of {source}"
     if not memory.evidence.is_drawn(branch, event.target):
         yield f"{address} begins; {branch} has no {event.target}"
+    known = memory.known.function(*named)
+    if known is not None and event.function not in (known, ""):
+        yield f"{address} begins with {event.function}, and its function is {known or 'none'}"
+    yield from _unproved(memory)
     chosen = not memory.begun and memory.asked == address
     if not (memory.chosen or chosen) and (planned := _next(memory)) != address:
         yield f"{address} begins without a command; the route goes on with {planned}"
@@ -104,6 +112,18 @@ def operation_ended(memory: Memory, event: run.OperationEnded) -> Iterator[str]:
         yield f"an operation cannot end {event.outcome!r}"
     if memory.failing:
         yield f"{event.address} ends in a step that has failed already"
+    yield from _unproved(memory)
+
+
+def _unproved(memory: Memory) -> Iterator[str]:
+    """Yield a fault if the step goes on before the states were checked to which its last operation
+    has led.
+    """
+    for branch, state in memory.unproved.items():
+        yield f"{branch}/{state} was not checked, and the step goes on"
+    for branch in memory.proved:
+        for one in memory.expansion.apart(branch, memory.stands(branch), memory.stands):
+            yield f"{one.sub} was not checked with {branch}/{memory.stands(branch)}"
 
 
 def state_checked(memory: Memory, event: run.StateChecked) -> Iterator[str]:
@@ -172,7 +192,7 @@ def committed(memory: Memory, event: run.Committed) -> Iterator[str]:
         one = memory.begun.get(address)
         if one is None:
             yield f"{address} commits; it has not begun"
-        elif one.outcome != ("returned" if one.function or one.person else ""):
+        elif one.outcome != ("returned" if one.is_carried else ""):
             yield f"{address} commits; its function has {one.outcome or 'not ended'}"
     if memory.failing or memory.acting:
         yield "a step commits that has failed or not ended"
@@ -187,6 +207,7 @@ def committed(memory: Memory, event: run.Committed) -> Iterator[str]:
     for apart in memory.expansion.broken(there, event.configuration):
         base, sub = apart.base, apart.sub
         yield f"{base}/{there[base]} commits where {sub} is in {there[sub]}"
+    yield from _unproved(memory)
 
 
 def _elsewhere(memory: Memory, event: run.Committed) -> Iterator[str]:
@@ -239,6 +260,12 @@ def operation_risky(memory: Memory, event: run.OperationRisky) -> Iterator[str]:
         yield f"{event.address} is tagged risky twice"
     if not again and not (memory.failing and event.address in memory.begun):
         yield f"{event.address} is tagged risky, and it has not failed"
+    if again and isinstance(last, run.OperationRisky) and last.reason != event.reason:
+        yield f"{event.address} is tagged risky for another reason than {last.address}"
+    ended = memory.ended
+    failed = memory.blames and ended is not None and ended.outcome != "returned"
+    if not again and failed and ended is not None and ended.message not in event.reason:
+        yield f"{event.address} is tagged risky, and it has failed for another reason"
 
 
 def operation_shut_out(memory: Memory, event: run.OperationPruned) -> Iterator[str]:
@@ -262,3 +289,17 @@ def costs_changed(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
     for address, cost in event.costs.items():
         if len(parts(address)) != 3 or not 0 <= cost <= MOST:
             yield f"{address!r} cannot cost {cost:g}"
+    yield from _unset(memory, event)
+
+
+def _unset(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
+    """Check that a person has set the costs, if no cost function can have done so."""
+    said = memory.last
+    is_set = isinstance(said, run.Commanded) and said.command == "set_cost" and not said.refused
+    if isinstance(said, run.Commanded) and is_set:
+        if memory.known.priced is False or said.address in event.costs:
+            cost = event.costs.get(said.address)
+            if len(event.costs) != 1 or cost is None or str(float(cost)) != said.value:
+                yield f"{said.address} was priced at {said.value}, and something else has changed"
+    elif memory.known.priced is False:
+        yield "the costs have changed, and nobody has set them"

@@ -59,13 +59,32 @@ def _state_checked(memory: Memory, event: run.StateChecked) -> None:
         newest = memory.newest.get(branch)
         if newest is not None:
             newest.done |= newest.target == state
+        memory.unproved.pop(branch, None)
+        memory.proved.add(branch)
+        _owe_bases(memory, branch)
     else:
         memory.failing = memory.blames = True
 
 
+def _owe_bases(memory: Memory, sub: str) -> None:
+    """Note the bases whose operations are done with this crossing of a sub-SB: those that run no
+    function and change nothing but digits of sub-SBs. Their targets are checked next.
+    """
+    expansion = memory.expansion
+    for base in expansion.bases_of(sub):
+        one = memory.newest.get(base)
+        if one is None or one.done or one.is_carried:
+            continue
+        if not memory.evidence.are_alike(base, one.source, one.target):
+            continue
+        if not any(expansion.apart(base, one.target, memory.stands)):
+            memory.unproved[base] = one.target
+
+
 def _operation_started(memory: Memory, event: run.OperationStarted) -> None:
     branch, source, _ = parts(event.address)
-    one = Begun(branch, source, event.target, event.function, since=event.t)
+    known = memory.known.function(*parts(event.address))
+    one = Begun(branch, source, event.target, event.function, must_end=bool(known), since=event.t)
     memory.rests = False
     memory.chosen |= memory.asked == event.address
     memory.begun[event.address] = memory.newest[branch] = one
@@ -79,6 +98,8 @@ def _operation_ended(memory: Memory, event: run.OperationEnded) -> None:
     memory.failing = event.outcome != "returned"
     one = memory.begun[event.address]
     memory.blames = event.outcome in ("failed", "raised") and not one.person
+    memory.ended, memory.proved = event, set()
+    memory.unproved = {one.branch: one.target} if event.outcome == "returned" else {}
 
 
 def _committed(memory: Memory, event: run.Committed) -> None:
@@ -86,7 +107,7 @@ def _committed(memory: Memory, event: run.Committed) -> None:
         one = memory.begun.pop(address)
         if memory.newest.get(one.branch) is one:
             del memory.newest[one.branch]
-    memory.committed = event.t
+    memory.committed, memory.proved = event.t, set()
     if not memory.begun and all(map(memory.expansion.is_alone, event.configuration)):
         # Nothing of the step is left, so nobody has asked for what comes next.
         memory.chosen, memory.committed = False, None
@@ -107,6 +128,7 @@ def _moved(memory: Memory, configuration: Mapping[str, str]) -> None:
 
 
 def _relocalised(memory: Memory, event: run.Relocalised) -> None:
+    memory.risk = None
     _moved(memory, event.configuration)
     _stand(memory, event.configuration)
     memory.end_step()
@@ -124,6 +146,7 @@ def _held(memory: Memory, event: run.Held) -> None:
     latched = memory.fold.phase in LATCHED and not (endangered and memory.fold.taken_over)
     memory.doomed = memory.acting or latched or again or risky
     memory.let_go = memory.endangered = False
+    memory.risk = None
     memory.end_step()
 
 
@@ -143,7 +166,7 @@ def _paused(memory: Memory, event: run.Paused) -> None:
 
 
 def _risky(memory: Memory, event: run.OperationRisky) -> None:
-    memory.blames = False
+    memory.blames, memory.risk = False, event
 
 
 def _route_planned(memory: Memory, event: Event) -> None:
@@ -165,6 +188,10 @@ def _commanded(memory: Memory, event: run.Commanded) -> None:
     memory.wanted_pause |= event.command in ("pause", "step")
     if event.command == "ask" and memory.fold.phase != "running":
         memory.asked, memory.rests = event.address, False
+
+
+def _costs_changed(memory: Memory, event: run.CostsChanged) -> None:
+    memory.known.reprice(event.costs)
 
 
 def _pruned(memory: Memory, event: run.OperationPruned) -> None:
@@ -216,6 +243,7 @@ _CHANGES: Mapping[type[Event], Callable[[Memory, Any], None]] = MappingProxyType
         run.RoutePlanned: _route_planned,
         run.GoalReached: _goal_reached,
         run.Commanded: _commanded,
+        run.CostsChanged: _costs_changed,
         run.OperationPruned: _pruned,
         run.OperationRestored: _restored,
         run.TaskOpened: _task_opened,

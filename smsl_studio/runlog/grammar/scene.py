@@ -83,6 +83,9 @@ def held(memory: Memory, event: run.Held) -> Iterator[str]:
     for kind, words in _BEGINS.items():
         if (event.kind == kind) != event.reason.startswith(words):
             yield f"a run holds as {event.kind}, and says otherwise: {event.reason}"
+    risk = memory.risk if isinstance(memory.last, run.Mismatch) and event.kind == "held" else None
+    if risk is not None and risk.t == event.t and event.reason != risk.reason:
+        yield f"a run holds after {risk.address} has failed, for another reason: {event.reason}"
 
 
 _BEGINS = {

@@ -1,0 +1,68 @@
+"""The functions and costs of operations, as the header of a log has them.
+
+Of what the header leaves out nothing is known, and then nothing is judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from smsl_studio.blueprint.address import note_key
+
+Json = Any
+USUAL = 1.0
+"""The cost of an operation that declares none."""
+
+
+class KnownOperations:
+    """The functions and costs in a header, and the costs that have changed since.
+
+    ``priced`` says whether cost functions may change costs; None if that is not known.
+    """
+
+    def __init__(self, grounds: Json) -> None:
+        said = grounds if isinstance(grounds, dict) else {}
+        self._functions, self._costs = _tables(said.get("functions")), _tables(said.get("costs"))
+        self.priced = said["priced"] if isinstance(said.get("priced"), bool) else None
+        self._changed: dict[str, float] = {}
+
+    def function(self, branch: str, state: str, operation: str) -> str | None:
+        """Return the name of the function that an operation runs, empty if it runs none. None if
+        the header does not say so.
+        """
+        table = self._functions.get(branch)
+        if table is None:
+            return None
+        found = _entry(table, state, operation, "")
+        return found if isinstance(found, str) else None
+
+    def reprice(self, costs: Mapping[str, float]) -> None:
+        """Note the new costs of operations."""
+        self._changed.update(costs)
+
+    def cost(self, operations: Iterable[tuple[str, tuple[str, ...]]]) -> float | None:
+        """Return the cost of some operations together: pairs of an address and its three names.
+        None if the header does not say so.
+        """
+        total = 0.0
+        for address, (branch, state, operation) in operations:
+            table = self._costs.get(branch)
+            if table is None:
+                return None
+            found: float | None = _entry(table, state, operation, USUAL)
+            if found is not None:
+                changed = self._changed.get(address)
+                total += found if changed is None else changed
+        return total
+
+
+def _tables(said: Json) -> dict[str, Mapping[str, Json]]:
+    """Return the tables of SBs. Values of a wrong type are left out here and reported elsewhere."""
+    pairs = said.items() if isinstance(said, dict) else ()
+    return {branch: table for branch, table in pairs if isinstance(table, dict)}
+
+
+def _entry(table: Mapping[str, Json], state: str, operation: str, usual: Json) -> Json:
+    by_name = note_key(operation)
+    return table[by_name] if by_name in table else table.get(note_key(operation, state), usual)
