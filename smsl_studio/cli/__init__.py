@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
+from types import ModuleType
+from typing import Any
 
 from smsl_studio.cli.arguments import COMMANDS, ArgumentParser, overview
 from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report
@@ -109,5 +111,18 @@ def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
     module.add_arguments(parser)
     options = parser.parse_args(rest)
     options.signals = signals
-    status: int = module.execute(options, out)
+    try:
+        status: int = module.execute(options, out)
+    except (RunRefused, PlanningError) as error:
+        if getattr(options, "format", "") == "json":
+            out.json(_unanswered(module, error.sentence))
+        raise
     return status
+
+
+def _unanswered(module: ModuleType, reason: str) -> Mapping[str, Any]:
+    """Return the JSON of a command that has no answer, and why. Its module may give it the keys of
+    an answer.
+    """
+    of_command: Callable[[str], Mapping[str, Any]] | None = getattr(module, "unanswered", None)
+    return {"reason": reason} if of_command is None else of_command(reason)

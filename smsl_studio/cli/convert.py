@@ -31,7 +31,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Write the blueprint in the form of the suffix. UsageError for an unknown suffix."""
     if is_diagram(options.output):
         return _draw(options)
-    form = form_of(options.output)
+    form = form_of(options.output, DIAGRAMS)
     blueprint = read_argument(options.file)
     made = converted(blueprint, options.output)
     note_losses(options.output)

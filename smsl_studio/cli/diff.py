@@ -65,6 +65,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     return 1 if difference.changes else 0
 
 
+def unanswered(reason: str) -> dict[str, object]:
+    """Return the JSON of a comparison of behaviours that has no answer."""
+    return {"equal": None, "path": [], "reason": reason, "configurations": [0, 0]}
+
+
 def _compare_behaviour(options: argparse.Namespace, out: Output) -> int:
     """Print whether two blueprints behave alike. 0: they do; 1: they do not, or it is unknown."""
     from smsl_studio.front.shapes import LIMIT, diff_behaviour

@@ -8,7 +8,7 @@ import argparse
 from smsl_studio.cli.arguments import ArgumentParser, add_effort, add_format, add_limit
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output
-from smsl_studio.front.exploration import LIMIT, explore
+from smsl_studio.front.exploration import LIMIT, ExploredSpace, explore
 from smsl_studio.inspection.explorer.explorer import ExploredMode, FoundPlace
 from smsl_studio.legible import one_line
 from smsl_studio.stop import look_for_garbage
@@ -33,6 +33,12 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         _print("ours", found.ours, out)
         _print("free", found.free, out)
     return 0 if found.ours.clean else 1
+
+
+def unanswered(reason: str) -> dict[str, object]:
+    """Return the JSON of a blueprint that cannot be explored: nothing was reached."""
+    nothing = ExploredMode(0, (), 0, (), 0, reason)
+    return ExploredSpace((), nothing, nothing).as_json()
 
 
 def _print(name: str, mode: ExploredMode, out: Output) -> None:

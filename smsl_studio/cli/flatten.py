@@ -6,8 +6,11 @@ import argparse
 
 from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.shape_output import add_output, write_shape
+from smsl_studio.cli.shape_output import add_output, no_shape, write_shape
 from smsl_studio.front.shapes import LIMIT, flatten
+
+unanswered = no_shape
+"""The JSON of a command that has no answer."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -10,7 +10,7 @@ from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.shape_output import add_output, save_shape
 from smsl_studio.front.outputs import form_of
 from smsl_studio.front.shapes import LIMIT, identify
-from smsl_studio.generate.shapes.identify import FoundCut
+from smsl_studio.generate.shapes.identify import FoundCut, Identification
 from smsl_studio.legible import one_line
 from smsl_studio.stop import look_for_garbage
 
@@ -41,6 +41,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.output is not None:
         save_shape(blueprint, found.cuts[0].after, options.output)
     return 0
+
+
+def unanswered(reason: str) -> dict[str, object]:
+    """Return the JSON of a blueprint whose states could not be tried."""
+    return Identification((), reason).as_json()
 
 
 def _print(one: FoundCut, out: Output) -> None:

@@ -7,8 +7,9 @@ git can call it as a merge driver: ``smsl-studio merge %O %A %B --name=%P``.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 
-from smsl_studio.blueprint.merge import Merge
+from smsl_studio.blueprint.merge import ABSENT, KEY, Conflict, Merge, read_conflicts
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import inputs_of, note_stand_ins, read_argument
@@ -54,17 +55,33 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.name is not None and options.output is None:
         lines = by_lines(files, options.name)
         if lines is not None:
+            if options.format == "json":
+                out.json({"conflicts": [], "layout_kept": [], "by_lines": True})
             return lines
     base, ours, theirs = (_read(file, options.name) for file in files)
     done = merge(base, ours, theirs)
-    note_losses(target)
+    named = target
+    if options.name is not None and options.output is None:
+        named = options.name  # git replaces the file itself, and its own name is of a moment
+    else:
+        note_losses(target)
     if options.output is not None:
         inputs = (*inputs_of(base), *inputs_of(theirs))
         save_document(converted(done.blueprint, target).document, target, made_of=inputs)
     else:
         save_document(done.blueprint.document, target, over)
-    _tell(done, target, out, options.format == "json")
-    return 1 if done.conflicts else 0
+    still = _still_open(done)
+    _tell(done, still, named, out, options.format == "json")
+    return 1 if still else 0
+
+
+def _still_open(done: Merge) -> list[tuple[Conflict, str]]:
+    """Return all conflicts of the result with their words: the new ones, then those that a merge
+    before left open. An entry that is not understood is one too, because the check reports it.
+    """
+    found, odd = read_conflicts(done.blueprint.document.values.get(KEY, []))
+    strange = [(Conflict(path, ABSENT, ABSENT, ABSENT), words) for path, words in odd]
+    return [*((one, one.words) for one in found.values()), *strange]
 
 
 def _read(file: str, name: str | None) -> Blueprint:
@@ -80,22 +97,27 @@ def _read(file: str, name: str | None) -> Blueprint:
     return blueprint
 
 
-def _tell(done: Merge, target: str, out: Output, as_json: bool) -> None:
+def _tell(
+    done: Merge, still: Sequence[tuple[Conflict, str]], target: str, out: Output, as_json: bool
+) -> None:
     if as_json:
         out.json(
             {
-                "conflicts": [one.as_json() for one in done.conflicts],
+                "conflicts": [one.as_json() for one, _ in still],
                 "layout_kept": list(done.layout_kept),
             }
         )
         return
-    for one in done.conflicts:
-        out.line(one_line(f"{one.address}: {one.words}"))
-    number = len(done.conflicts)
+    for one, words in still:
+        out.line(one_line(f"{one.address}: {words}"))
+    number, before = len(still), len(still) - len(done.conflicts)
     if number:
         words = "1 conflict keeps" if number == 1 else f"{number} conflicts keep"
-        note(f"{words} your version in {target}, and stand there under _conflicts.")
-    else:
+        stand = "stands" if number == 1 else "stand"
+        note(f"{words} your version in {target}, and {stand} there under _conflicts.")
+    if before:
+        note(f"{before} of them {'was' if before == 1 else 'were'} open before this merge.")
+    if not number:
         out.line(one_line(f"{target}: merged"))
     if done.layout_kept:
         note(f"The drawing of {len(done.layout_kept)} elements differs; yours is kept.")

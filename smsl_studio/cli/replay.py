@@ -57,7 +57,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if options.verify:
             return _verify(stream, file, options.format, out)
         if options.output is not None:
-            return _account(stream, file, options.output)
+            return _account(stream, file, options.output, options.format, out)
         return _tell(stream, file, options.format, out)
 
 
@@ -98,11 +98,14 @@ def _as_json(verdict: LogVerdict, file: str) -> dict[str, object]:
     }
 
 
-def _account(stream: BinaryIO, file: str, output: str) -> int:
+def _account(stream: BinaryIO, file: str, output: str, form: str, out: Output) -> int:
     from smsl_studio.picture.account import account
 
     run = read_records(stream, file, COMMANDS)
     save_document(account(run, COMMANDS), output, made_of=[0 if file == STDIN else file])
+    if form == "json":
+        verdict = LogVerdict(len(run.records), run.head, run.doubt, int(run.header["version"]))
+        out.json(_as_json(verdict, file) | {"output": output})
     if run.doubt is not None:
         note(str(run.doubt))
     return 0

@@ -8,7 +8,7 @@ import argparse
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output, note
-from smsl_studio.front.routes import hazards_between, plan_route
+from smsl_studio.front.routes import hazards_between, plan_route, unmet_between
 from smsl_studio.legible import one_line
 
 
@@ -28,6 +28,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     add_format(parser)
 
 
+def unanswered(reason: str) -> dict[str, object]:
+    """Return the JSON of a route that could not be planned."""
+    return {"operations": [], "states": [], "cost": None, "reason": reason}
+
+
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print the cheapest route and its cost. 0: there is a route; 1: there is none."""
     blueprint = read_argument(options.file)
@@ -36,6 +41,9 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         named = hazards_between(blueprint, options.start, options.goal, options.avoid, options.sb)
         through = f" but through the hazard {' and '.join(named)}" if named else ""
         note(f"no route leads from {options.start} to {options.goal}{through}")
+        asked = (options.start, options.goal, options.avoid, options.sb)
+        for words in unmet_between(blueprint, *asked):
+            note(words)
         if options.format == "json":
             out.json({"operations": [], "states": [], "cost": None})
         return 1

@@ -38,6 +38,11 @@ def save_shape(before: Blueprint, after: Blueprint, output: str) -> None:
     note(f"{output} has {after.state_count:,} states, {after.operation_count:,} operations.")
 
 
+def no_shape(reason: str) -> dict[str, object]:
+    """Return the JSON of a change of shape that could not be worked out."""
+    return {"equal": None, "path": [], "reason": reason}
+
+
 def write_shape(
     options: argparse.Namespace,
     out: Output,

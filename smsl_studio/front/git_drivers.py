@@ -7,6 +7,7 @@ repository, and the two commands in the repository's own configuration, which do
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -59,16 +60,45 @@ def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSe
             f"{attributes} was not written: {error.strerror or error}",
             advice="Check the right to write it.",
         ) from error
-    keys = []
-    for key, value in DRIVERS.items():
-        now = _git(top, "config", "--local", "--default", "", "--get", key).rstrip("\n")
-        if undo and now in (value, FORMER.get(key, value)):
-            _git(top, "config", "--local", "--unset", key)
-            keys.append(key)
-        elif not undo and now != value:
-            _git(top, "config", "--local", key, value)
-            keys.append(key)
-    return GitSetup(attributes, tuple(keys), after != before)
+    change = _take_back if undo else _configure
+    keys = tuple(key for key, value in DRIVERS.items() if change(top, key, value))
+    return GitSetup(attributes, keys, after != before)
+
+
+def _configure(top: Path, key: str, value: str) -> bool:
+    """Let git use a value of a key, and return whether that changes anything.
+
+    Of several values git uses the last one, so those of others stay before it.
+    """
+    if _values(top, key)[-1:] == [value]:
+        return False
+    _take_back(top, key, value)
+    _git(top, "config", "--local", "--add", key, value)
+    return True
+
+
+def _take_back(top: Path, key: str, value: str) -> bool:
+    """Take out the value of a key, also that of an earlier version, and return whether one was
+    there. Values of others stay.
+    """
+    ours = {value, FORMER.get(key, value)} & {*_values(top, key)}
+    for one in sorted(ours):
+        _git(top, "config", "--local", "--unset-all", key, f"^{_UNCOMMON.sub(_escaped, one)}$")
+    return bool(ours)
+
+
+def _values(top: Path, key: str) -> list[str]:
+    """Return all values of a key in the configuration of a checkout, in their order."""
+    found = _git(top, "config", "--local", "--null", "--get-all", key, nothing=1)
+    return found.split("\0")[:-1]
+
+
+def _escaped(found: re.Match[str]) -> str:
+    """Return a character for the patterns of git, in which it may have a meaning."""
+    return f"[{found[0]}]"
+
+
+_UNCOMMON = re.compile(r"[^\w %=-]")
 
 
 def _must_be_ordinary(attributes: Path) -> None:
@@ -118,7 +148,8 @@ def _lines() -> list[str]:
     return [f"{pattern} diff=smsl merge=smsl" for pattern in PATTERNS]
 
 
-def _git(folder: Path, *arguments: str) -> str:
+def _git(folder: Path, *arguments: str, nothing: int = 0) -> str:
+    """Return what git prints. It may also end with the status ``nothing``, if there is nothing."""
     kept = {k: v for k, v in os.environ.items() if k not in ("GIT_DIR", "GIT_WORK_TREE")}
     try:
         done = subprocess.run(
@@ -130,7 +161,7 @@ def _git(folder: Path, *arguments: str) -> str:
             f"git cannot be asked about {folder}: {getattr(error, 'strerror', None) or error}",
             advice="Install git, and name a folder that exists.",
         ) from error
-    if done.returncode:
+    if done.returncode not in (0, nothing):
         words = done.stderr.strip().removeprefix("fatal: ").splitlines()
         raise ReadError(
             f"{folder} is in no git repository" if "not a git repository" in done.stderr

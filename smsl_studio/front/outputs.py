@@ -90,13 +90,16 @@ def converted(blueprint: Blueprint, output: Name) -> Converted:
     return in_form(relocated(blueprint.document, output), form_of(output), os.fspath(output))
 
 
-def form_of(output: Name) -> str:
-    """Return the written form of the suffix of a file. UsageError for an unknown suffix."""
+def form_of(output: Name, others: Collection[str] = ()) -> str:
+    """Return the written form of the suffix of a file. UsageError for an unknown suffix.
+
+    ``others`` are suffixes that the caller takes too, for the advice.
+    """
     form = SUFFIXES.get(PurePath(output).suffix.lower())
     if form is None:
         raise UsageError(
             f"the suffix of {os.fspath(output)} names no written form",
-            advice=f"End it with {', '.join((*SUFFIXES, *DIAGRAMS))}.",
+            advice=f"End it with {', '.join((*SUFFIXES, *others))}.",
         )
     return form
 
@@ -116,6 +119,7 @@ def convert(blueprint: Blueprint, output: Name) -> Converted:
     if is_diagram(output):
         save_document(diagram(blueprint, output), output, made_of=_files(blueprint))
         return Converted(blueprint.document)
+    form_of(output, DIAGRAMS)
     made = converted(blueprint, output)
     save_document(made.document, output, made_of=_files(blueprint))
     return made

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
@@ -12,6 +12,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import AddressError, RunRefused, did_you_mean
 from smsl_studio.front.script.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest
+from smsl_studio.stop import heed
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.route.planner import Leg
@@ -30,8 +31,9 @@ def plan_route(
     With a Blueprint, an SB with sub-SBs is planned over joint configurations. So the cost includes
     the operations of the sub-SBs, but the route lists only the SB's own edges. ``branch`` is the SB
     of states that are written without an SB. A route of a Blueprint meets no hazard (see
-    ``hazards_between``). AddressError for an unknown name. RunRefused if no configuration agrees
-    with ``start``.
+    ``hazards_between``), and takes no operation that ``requires`` a fact that does not hold (see
+    ``unmet_between``). An SB without sub-SBs moves alone; all other SBs stand as at a start.
+    AddressError for an unknown name. RunRefused if no configuration agrees with ``start``.
 
     >>> route = plan_route(read("hanoi-corrected.json"), "State_aaa", "State_ccc")
     >>> len(route.operations), route.cost
@@ -44,7 +46,7 @@ def plan_route(
     last = state_at(where, goal, branch or first.branch)
     shut = operations_at(where, avoid)
     hazards = guard_hazards(where)
-    if not hazards and not where[first.branch].subs:
+    if not hazards and not where[first.branch].subs and not _requires(where[first.branch]):
         return cheapest(where[first.branch], first.state, last.state, avoid=shut)
     return _Asked(where, first, last, tuple(shut)).route(hazards)
 
@@ -68,6 +70,31 @@ def hazards_between(
     return _Asked(where, first, last, tuple(operations_at(where, avoid))).met(hazards)
 
 
+def unmet_between(
+    where: Blueprint,
+    start: Written,
+    goal: Written,
+    avoid: Iterable[Written] = (),
+    branch: str | None = None,
+) -> tuple[str, ...]:
+    """Return why operations may not be taken that are on the route that there would be if none
+    required a fact: a sentence for each such fact.
+
+    Empty if there is no such route, and for an SB with sub-SBs. The arguments are those of
+    ``plan_route``.
+    """
+    first = state_at(where, start, branch)
+    last = state_at(where, goal, branch or first.branch)
+    if where[first.branch].subs or not _requires(where[first.branch]):
+        return ()
+    return _Asked(where, first, last, tuple(operations_at(where, avoid))).unmet()
+
+
+def _requires(branch: StateBranch) -> bool:
+    """Return whether an operation of an SB requires facts."""
+    return any(note.requires for note in branch.notes.operations.values())
+
+
 class _Asked:
     """A question for a route of one SB in its blueprint."""
 
@@ -80,12 +107,12 @@ class _Asked:
     def route(self, hazards: Sequence[GuardHazard]) -> Route | None:
         """Return the cheapest route that meets none of the hazards."""
         if self._alone(hazards):
-            others = self._configuration() if hazards else {}
+            others = self._configuration()
             barred = {state for one in hazards for state in one.bars(self._own.name, others)}
             if self._start.state in barred or first_met(hazards, others) is not None:
                 return None
             shut = [Address(self._own.name, state) for state in sorted(barred)]
-            return self._cheapest((*self._avoid, *shut))
+            return self._cheapest((*self._avoid, *shut, *self._unmet(others)))
         legs = self._legs(hazards)
         if legs is None:
             return None
@@ -102,9 +129,37 @@ class _Asked:
         here = self._configuration()
         if not self._alone(hazards):
             return tuple(one.name for one in hazards_on(hazards, here, self._legs(())))
-        route = self._cheapest(self._avoid)
+        route = self._cheapest((*self._avoid, *self._unmet(here)))
         places = [{**here, self._own.name: one} for one in route.states] if route else []
         return tuple(one.name for one in hazards if any(map(one.meets, places)))
+
+    def unmet(self) -> tuple[str, ...]:
+        """Return why operations on the route may not be taken that there would be if none required
+        a fact.
+        """
+        closed = self._unmet(self._configuration())
+        route = self._cheapest(self._avoid) if closed else None
+        edges = route.operations if route else ()
+        return tuple(dict.fromkeys(words for edge in edges for words in closed.get(edge, ())))
+
+    def _unmet(self, others: Mapping[str, str]) -> dict[Address, tuple[str, ...]]:
+        """Return the edges of the SB that require a fact that does not hold, with sentences, while
+        all other SBs stand in the states of ``others``.
+        """
+        from smsl_studio.blueprint.configuration import Hierarchy
+        from smsl_studio.blueprint.edges import Edges
+
+        if not _requires(self._own):
+            return {}
+        edges, name = Edges(Hierarchy(self._blueprint)), self._own.name
+        found: dict[Address, tuple[str, ...]] = {}
+        for state in self._own.table:
+            heed()
+            for edge in edges.out(name, state):
+                missing = tuple(edges.missing(edge, {**others, name: state}))
+                if missing:
+                    found[edge.address] = missing
+        return found
 
     def _cheapest(self, avoid: Sequence[Address]) -> Route | None:
         return cheapest(self._own, self._start.state, self._goal.state, avoid=avoid)

@@ -27,6 +27,12 @@ class Repository:
         assert done.returncode == status, done.stderr
         return done.stdout
 
+    def told(self, *arguments: str, status: int = 0) -> str:
+        """Call git and return what it and its drivers print. It must end with this status."""
+        done = self._call(*arguments)
+        assert done.returncode == status, done.stderr
+        return done.stdout + done.stderr
+
     def attempt(self, *arguments: str) -> int:
         """Call git and return its exit status."""
         return self._call(*arguments).returncode

@@ -26,3 +26,18 @@ def test_a_limit_and_an_unknown_sb_are_told(shell: Shell, tmp_path: Path) -> Non
     assert "more than 5 configurations" in small.err
     assert shell("flatten", sample("hfsm"), "-o", str(out), "--sb", "SB7").status == 2
     assert not out.exists()
+
+
+@pytest.mark.parametrize("command", ["flatten", "identify", "convert"])
+def test_the_advice_names_only_forms_that_the_command_writes(
+    command: str, shell: Shell, tmp_path: Path
+) -> None:
+    """Each suffix of the advice is taken."""
+    refused = shell(command, sample("hfsm"), "-o", str(tmp_path / "q.txt"))
+    assert refused.status == 2
+    advice = refused.err.splitlines()[-1]
+    suffixes = [word.strip(",.") for word in advice.removeprefix("End it with ").split()]
+    assert ("dot" in suffixes) == (command == "convert")
+    for suffix in suffixes:
+        answer = shell(command, sample("hfsm"), "-o", str(tmp_path / f"q.{suffix}"))
+        assert answer.status != 2, answer.err

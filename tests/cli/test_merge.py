@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from smsl_studio.front.git_drivers import DRIVERS
+from smsl_studio.front.git_drivers import DRIVERS, FORMER
 from smsl_studio.front.inputs import read
 from tests.cli.histories import History
 from tests.cli.repository import Repository
@@ -117,6 +117,52 @@ def test_what_cannot_be_merged_changes_nothing(shell: Shell, tmp_path: Path) -> 
     assert shell("merge", files[0], files[1], files[0], "-o", files[0]).status == 2
 
 
+def test_an_older_entry_stays_open_and_the_exit_says_so(shell: Shell, tmp_path: Path) -> None:
+    """``check`` reports it as an error, whoever left it open."""
+    files = versions(tmp_path, ({"one": "A"}, {}), ({}, {"two": "B"}))
+    entry = {"path": ["S", "A", "go"], "base": "B", "ours": "B", "theirs": "A"}
+    ours = Path(files[1])
+    ours.write_text(json.dumps({**json.loads(ours.read_text()), "_conflicts": [entry]}))
+    out = tmp_path / "out.json"
+    answer = shell("merge", *files, "-o", str(out), "--format", "json")
+    assert answer.status == 1
+    assert [one["address"] for one in answer.json["conflicts"]] == ["S/A/go"]
+    assert read(out).document.values["_conflicts"] == [entry]
+    assert read(out)["S"].table["B"]["two"] == "B"
+    assert shell("check", str(out), "--rule", "R29").status == 1
+    told = shell("merge", *files, "-o", str(out))
+    assert told.out == "S/A/go: mine is B, theirs is A\n"
+    assert "1 of them was open before this merge." in told.err
+
+
+def test_an_entry_that_nobody_understands_stays_open_too(shell: Shell, tmp_path: Path) -> None:
+    files = versions(tmp_path, ({}, {}), ({}, {}))
+    ours = Path(files[1])
+    ours.write_text(json.dumps({**json.loads(ours.read_text()), "_conflicts": ["odd"]}))
+    answer = shell("merge", *files, "--format", "json")
+    assert (answer.status, answer.json["conflicts"][0]["address"]) == (1, "_conflicts/0")
+
+
+def test_a_decision_of_one_side_counts(shell: Shell, tmp_path: Path) -> None:
+    """The entry was open in the base, and ours has taken it out."""
+    files = versions(tmp_path, ({"go": "A"}, {}), ({}, {}))
+    entry = {"path": ["S", "A", "go"], "base": "B", "ours": "B", "theirs": "A"}
+    for file in map(Path, (files[0], files[2])):
+        file.write_text(json.dumps({**json.loads(file.read_text()), "_conflicts": [entry]}))
+    assert shell("merge", *files).status == 0
+    merged = read(files[1])
+    assert "_conflicts" not in merged.document.values
+    assert merged["S"].table["A"]["go"] == "A"
+
+
+def test_a_merge_by_lines_answers_in_json_too(shell: Shell, tmp_path: Path) -> None:
+    files = [str(tmp_path / name) for name in ("base", "ours", "theirs")]
+    for file in files:
+        Path(file).write_text("no blueprint\n")
+    answer = shell("merge", *files, "--name", "package.json", "--format", "json")
+    assert (answer.status, answer.json["conflicts"]) == (0, [])
+
+
 # --- git -----------------------------------------------------------------------------------------
 
 
@@ -167,6 +213,29 @@ def test_a_conflict_in_git_leaves_a_readable_file(repository: PlanRepository) ->
     assert repository.table() == {"A": {"go": "C"}, "B": {"back": "B"}}
     (entry,) = read(repository.folder / "plan.json").document.values["_conflicts"]
     assert (entry["ours"], entry["theirs"]) == ("C", "A")
+
+
+def test_the_driver_names_the_file_of_the_project(repository: PlanRepository) -> None:
+    """And not the file of a moment in which git keeps a version."""
+    repository.git("checkout", "-q", "-b", "other")
+    repository.commit({"go": "A"}, {})
+    repository.git("checkout", "-q", "main")
+    repository.commit({"go": "C"}, {})
+    told = repository.told("merge", "other", status=1)
+    assert "1 conflict keeps your version in plan.json, and stands there" in told
+    assert ".merge_file" not in told
+
+
+def test_the_driver_names_the_file_of_the_project_when_all_is_merged(
+    repository: PlanRepository,
+) -> None:
+    repository.git("checkout", "-q", "-b", "other")
+    repository.commit({}, {"two": "B"})
+    repository.git("checkout", "-q", "main")
+    repository.commit({"one": "A"}, {})
+    told = repository.told("merge", "-m", "joined", "other")
+    assert "plan.json: merged" in told
+    assert ".merge_file" not in told
 
 
 def test_a_file_that_both_branches_added_is_merged(repository: PlanRepository) -> None:
@@ -227,6 +296,41 @@ def test_git_setup_says_what_it_wrote_and_takes_it_back(shell: Shell, tmp_path: 
     assert "smsl" not in config.read_text()
     assert before.splitlines()[0] in config.read_text()
     assert shell("git-setup", str(below), "--undo").out == "nothing to take back\n"
+
+
+def _config(folder: Path, *words: str) -> str:
+    done = subprocess.run(["git", "config", "--local", *words], cwd=folder, check=False,
+                          capture_output=True, text=True)  # fmt: skip
+    return done.stdout
+
+
+@pytest.mark.parametrize("values", [["theirs"], ["one", "two"], ["OURS", "two"], ["one", "OURS"]])
+def test_git_setup_stands_several_values_of_one_key(
+    values: list[str], shell: Shell, tmp_path: Path
+) -> None:
+    """Of several git takes the last. What others wrote stays before it, and after ``--undo``."""
+    folder = _repository(tmp_path).parent
+    key, ours = "merge.smsl.driver", DRIVERS["merge.smsl.driver"]
+    written = [ours if one == "OURS" else one for one in values]
+    for one in written:
+        _config(folder, "--add", key, one)
+    assert shell("git-setup", str(folder)).status == 0
+    others = [one for one in written if one != ours]
+    assert _config(folder, "--get-all", key).splitlines() == [*others, ours]
+    assert _config(folder, "--get", key).strip() == ours
+    assert shell("git-setup", str(folder)).out == "all is written already\n"
+    assert shell("git-setup", str(folder), "--undo").status == 0
+    assert _config(folder, "--get-all", key).splitlines() == others
+
+
+def test_git_setup_replaces_what_an_earlier_version_wrote(shell: Shell, tmp_path: Path) -> None:
+    folder = _repository(tmp_path).parent
+    for key, value in FORMER.items():
+        _config(folder, "--add", key, value)
+        _config(folder, "--add", key, value)
+    assert shell("git-setup", str(folder)).status == 0
+    for key in FORMER:
+        assert _config(folder, "--get-all", key).splitlines() == [DRIVERS[key]]
 
 
 def test_git_setup_needs_a_repository(shell: Shell, tmp_path: Path) -> None:

@@ -119,3 +119,48 @@ def test_a_route_meets_no_hazard_and_names_the_one_in_the_way(shell: Shell, tmp_
     assert answer.json["operations"] == ["SB/State0/b", "SB/State2/d"]
     answer = shell("route", str(file), "--from", "State0", "--to", "State1")
     assert (answer.status, "but through the hazard Nowhere" in answer.err) == (1, True)
+
+
+GATED = {
+    "GATE": {"State_0": {"Open": "State_1"}, "State_1": {}},
+    "SB": {
+        "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2},
+        "_operations": {"short": {"requires": {"GATE/0": "1"}},
+                        "second": {"requires": {"SB/0": "1"}}},
+        "State_00": {"short": "State_11", "first": "State_10", "second": "State_01"},
+        "State_10": {"second": "State_11"}, "State_01": {"first": "State_11"}, "State_11": {},
+    },
+}  # fmt: skip
+"""A short way that another root must open, and a longer one that is open by itself."""
+
+
+def test_a_route_takes_no_operation_that_requires_what_does_not_hold(
+    shell: Shell, tmp_path: Path
+) -> None:
+    """The other roots stand as at the start; the SB's own facts change on its way."""
+    file = tmp_path / "gated.json"
+    file.write_text(json.dumps(GATED))
+    ends = ("--from", "SB/State_00", "--to", "SB/State_11", "--format", "json")
+    answer = shell("route", str(file), *ends)
+    assert answer.json["operations"] == ["SB/State_00/first", "SB/State_10/second"]
+    shut = shell("route", str(file), *ends, "--avoid", "SB/State_00/first")
+    assert (shut.status, shut.json["cost"]) == (1, None)
+    assert shut.err.splitlines() == [
+        "no route leads from SB/State_00 to SB/State_11",
+        "SB/State_00/short requires GATE/0 to be 1, and it is 0",
+    ]
+    file.write_text(json.dumps({**GATED, "GATE": {"State_1": {}}}))
+    assert shell("route", str(file), *ends).json["operations"] == ["SB/State_00/short"]
+
+
+def test_the_route_of_a_run_and_the_planned_one_agree_about_what_is_required(
+    shell: Shell, tmp_path: Path
+) -> None:
+    file = tmp_path / "gated.json"
+    file.write_text(json.dumps(GATED))
+    ends = ("--from", "SB/State_00", "--to", "SB/State_11", "--format", "json")
+    planned = shell("route", str(file), *ends).json
+    run = shell("run", str(file), "--world", "table", "--goal", "SB/State_11", "--format", "json")
+    told = [json.loads(line) for line in run.out.splitlines()]
+    (route,) = [one for one in told if one["event"] == "route_planned"]
+    assert (route["operations"], route["cost"]) == (planned["operations"], planned["cost"])

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from smsl_studio.blueprint.model import StateBranch, Table
 
@@ -197,35 +197,57 @@ def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
 def renamed_branches(
     before: Mapping[str, StateBranch], after: Mapping[str, StateBranch]
 ) -> dict[str, str]:
-    """Return the new name of every SB that has another name: half of its states and operations are
-    equal.
+    """Return the new name of every SB that has another name.
+
+    An SB is recognised by what it does. Two thirds of its states have the same names, and two
+    thirds of its operations the same source, name and target. If both have names of facts or
+    titles of states, two thirds of these are equal too. It expands the same facts of the same
+    bases. So an SB that was deleted and another one that was added stay two, though both have a
+    ``State_0`` and a ``State_1``.
     """
     gone = [name for name in before if name not in after]
     come = [name for name in after if name not in before]
-    return _pair_branches(before, after, gone, come)
+    if not gone or not come:
+        return {}
+    places = _places(before, after), _places(after, before)
+    sides = _Sided(before, gone, places[0]), _Sided(after, come, places[1])
+    if max(len(gone), len(come)) > _MOST_BRANCHES:
+        return _equal_branches(*sides)
+    return _pair_branches(*sides)
 
 
+class _Sided(NamedTuple):
+    """One version: its SBs, the ``names`` that only it has, and the facts that sub-SBs expand."""
+
+    branches: Mapping[str, StateBranch]
+    names: list[str]
+    places: Mapping[str, set[tuple[str, int]]]
+
+
+def _places(
+    branches: Mapping[str, StateBranch], others: Mapping[str, StateBranch]
+) -> dict[str, set[tuple[str, int]]]:
+    """Return for each sub-SB the facts that it expands, of bases whose name both versions have."""
+    found: dict[str, set[tuple[str, int]]] = {}
+    for base, branch in branches.items():
+        for digit, sub in branch.subs.items() if base in others else ():
+            found.setdefault(sub, set()).add((base, digit))
+    return found
+
+
+_ALIKE = 2 / 3
+"""The least share of states, of operations and of words that a renamed SB keeps."""
 _MOST_BRANCHES = 40
 """With more SBs than these on a side, only SBs with equal tables are paired."""
 
 
-def _pair_branches(
-    before: Mapping[str, StateBranch],
-    after: Mapping[str, StateBranch],
-    gone: list[str],
-    come: list[str],
-) -> dict[str, str]:
-    if not gone or not come:
-        return {}
-    if max(len(gone), len(come)) > _MOST_BRANCHES:
-        one = _unique((_print_of(before[name]), name) for name in gone)
-        other = _unique((_print_of(after[name]), name) for name in come)
-        return {name: other[key] for key, name in one.items() if key in other}
+def _pair_branches(before: _Sided, after: _Sided) -> dict[str, str]:
     scored = [
         (-share, abs(i - j), i + j, i, (old, new))
-        for i, old in enumerate(gone)
-        for j, new in enumerate(come)
-        if (share := _share(before[old], after[new])) >= ENOUGH
+        for i, old in enumerate(before.names)
+        for j, new in enumerate(after.names)
+        if before.places.get(old) == after.places.get(new)
+        and (share := _share(before.branches[old], after.branches[new])) >= _ALIKE
     ]
     found: dict[str, str] = {}
     for *_, (old, new) in sorted(scored):
@@ -234,16 +256,42 @@ def _pair_branches(
     return found
 
 
+def _equal_branches(before: _Sided, after: _Sided) -> dict[str, str]:
+    """Pair only SBs with equal tables, because there are many."""
+    one, other = (
+        _unique((_print_of(side.branches[name]), name) for name in side.names)
+        for side in (before, after)
+    )
+    return {
+        name: other[key]
+        for key, name in one.items()
+        if key in other and before.places.get(name) == after.places.get(other[key])
+    }
+
+
 def _share(one: StateBranch, other: StateBranch) -> float:
-    """Return the share of states and operations that two SBs have in common."""
-    total = max(len(one.table) + one.edge_count, len(other.table) + other.edge_count)
-    if not total:
-        return 1.0
+    """Return the share that two SBs have in common: of states, operations or words, the least."""
+    states, operations = (
+        max(len(one.table), len(other.table)),
+        max(one.edge_count, other.edge_count),
+    )
     both = [name for name in one.table if name in other.table]
-    if 2 * len(both) < ENOUGH * min(len(one.table), len(other.table)):
+    if not states or len(both) < _ALIKE * states:
         return 0.0
-    same = len(both) + sum(len(one.table[n].items() & other.table[n].items()) for n in both)
-    return same / total
+    if not operations:
+        return 1.0 if len(both) == states else 0.0
+    same = sum(len(one.table[n].items() & other.table[n].items()) for n in both)
+    said, known = _words(one), _words(other)
+    fewer = min(len(said), len(known))
+    words = len(said & known) / fewer if fewer else 1.0
+    return min(len(both) / states, same / operations, words)
+
+
+def _words(branch: StateBranch) -> set[tuple[Hashable, str]]:
+    """Return the names of facts and the titles of states."""
+    notes = branch.notes
+    facts = {(digit, note.name) for digit, note in notes.facts.items() if note.name}
+    return facts | {(state, note.title) for state, note in notes.states.items() if note.title}
 
 
 def _print_of(branch: StateBranch) -> Hashable:

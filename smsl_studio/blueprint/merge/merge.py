@@ -59,7 +59,7 @@ def merge(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> Merge:
             values[branch] = dict(values[branch])
             headers.finish(branch, values[branch], written)
     conflicts = (*common.conflicts, *clashes.conflicts, *merger.conflicts)
-    return _made(common.versions.ours, values, conflicts, merger.kept, _open(ours, theirs))
+    return _made(common.versions.ours, values, conflicts, merger.kept, _open(base, ours, theirs))
 
 
 def _made(
@@ -81,15 +81,26 @@ def _made(
     return Merge(draft.done(), conflicts, tuple(places))
 
 
-def _open(ours: Blueprint, theirs: Blueprint) -> list[Json]:
-    """Return the conflicts that former merges left open, each once."""
+def _open(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> list[Json]:
+    """Return the conflicts that former merges left open, each once. One that was open in the base
+    and is gone on a side was decided there.
+    """
+    before, *sides = (_entries(one) for one in (base, ours, theirs))
     found: list[Json] = []
-    for side in (ours, theirs):
-        entries = side.document.values.get(KEY)
-        for entry in entries if isinstance(entries, list) else ():
-            if not any(equal(entry, one) for one in found):
-                found.append(entry)
+    for entry in (entry for side in sides for entry in side):
+        decided = _stands_in(entry, before) and not all(_stands_in(entry, side) for side in sides)
+        if not (decided or _stands_in(entry, found)):
+            found.append(entry)
     return found
+
+
+def _entries(side: Blueprint) -> list[Json]:
+    entries = side.document.values.get(KEY)
+    return entries if isinstance(entries, list) else []
+
+
+def _stands_in(entry: Json, entries: list[Json]) -> bool:
+    return any(equal(entry, one) for one in entries)
 
 
 def _address_of_place(path: Path) -> str:

@@ -337,6 +337,53 @@ def test_renamed_states_are_found_in_another_order_and_beside_other_changes() ->
     assert found.states["Base"] == {"State10": "Prepared"}
 
 
+TWO = {"State_0": {"Open": "State_1"}, "State_1": {"Shut": "State_0"}}
+NAMED = {"0": {"name": "Door open"}}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (TWO, {"State_0": {"Heat": "State_1"}, "State_1": {"Cool": "State_0"}}),
+        (TWO, {"State_0": {"Open": "State_1"}, "State_1": {"Cool": "State_0"}}),
+        (TWO, {"State_0": {"Open": "State_1"}, "State_1": {}, "State_2": {}}),
+        ({"_facts": NAMED, **TWO}, {"_facts": {"0": {"name": "Valve open"}}, **TWO}),
+        ({}, {}),
+        ({"State_0": {}, "State_1": {}}, {"State_0": {}, "State_2": {}}),
+    ],
+)
+def test_an_sb_that_was_deleted_and_a_new_one_are_two(old: Any, new: Any) -> None:
+    """Many SBs have a State_0 and a State_1; what they do tells them apart."""
+    before, after = of({"S": {"A": {}}, "DOOR": old}), of({"S": {"A": {}}, "VALVE": new})
+    assert told(compare(before, after)) == [
+        ("removed", "branch", "DOOR", ""),
+        ("added", "branch", "", "VALVE"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "new",
+    [
+        TWO,
+        {**TWO, "_facts": NAMED},
+        {"State_0": {"Open": "State_1", "Stay": "State_0"}, "State_1": {"Shut": "State_0"}},
+    ],
+)
+def test_an_sb_is_recognised_under_another_name_by_what_it_does(new: Any) -> None:
+    before, after = of({"S": {"A": {}}, "DOOR": TWO}), of({"S": {"A": {}}, "GATE": new})
+    assert compare(before, after).branches == {"DOOR": "GATE"}
+
+
+def test_a_renamed_sub_sb_expands_the_same_fact() -> None:
+    base = {"State_00": {"Op": "State_01"}, "State_01": {}}
+
+    def with_sub(name: str, digit: int) -> Blueprint:
+        return of({"B": {"HEADER": {"NUM_FACTS": 2, "SUB_SBS": {name: digit}}, **base}, name: TWO})
+
+    assert compare(with_sub("DOOR", 0), with_sub("GATE", 0)).branches == {"DOOR": "GATE"}
+    assert compare(with_sub("DOOR", 0), with_sub("GATE", 1)).branches == {}
+
+
 def test_what_has_nothing_in_common_is_removed_and_added() -> None:
     before = of({"S": {"A": {"x": "B", "y": "B"}, "B": {"z": "B"}}})
     after = of({"S": {"C": {"p": "C"}, "B": {"z": "B"}}})

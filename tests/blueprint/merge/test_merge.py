@@ -289,3 +289,19 @@ def test_states_renamed_in_an_sb_that_the_other_side_deleted_are_one_conflict() 
         done = merge(read(base), read(ours), read(theirs))
         assert [one.address for one in done.conflicts] == ["B"]
         assert done.blueprint == read(ours)
+
+
+def test_a_deleted_sb_and_a_new_one_with_states_of_the_same_names_are_two() -> None:
+    """What theirs changed in the deleted one is a conflict, and nothing of it goes into the new."""
+    new = {"X0": {"heat": "X1"}, "X1": {}}
+    done = merged(changed(("B", None), ("C", new)), changed(("B|X1|down", "X0")))
+    assert [one.address for one in done.conflicts] == ["B"]
+    assert done.blueprint["C"].table == new
+    assert "B" not in done.blueprint.branches
+
+
+def test_a_renamed_sb_takes_the_changes_of_the_other_side() -> None:
+    renamed = changed(("B", None), ("C", deepcopy(BASE["B"])))
+    done = merged(renamed, changed(("B|X1|down", "X0")))
+    assert done.conflicts == ()
+    assert done.blueprint["C"].table == {"X0": {"up": "X1"}, "X1": {"down": "X0"}}
