@@ -11,7 +11,8 @@ Work is called off by the exception ``Stopped``, in one of two ways:
 A signal does not interrupt two kinds of work: ``whole`` work, such as saving a file or ending a
 log, and, for ``GRACE`` seconds, ``graceful`` work, which calls ``heed`` itself. Python's garbage
 collection cannot be interrupted either, and with ten million objects it takes seconds. So commands
-switch it off (``let_garbage_be``) until a run begins (``look_for_garbage``).
+switch it off (``let_garbage_be``) until a run or a proof begins. Then it is on
+(``look_for_garbage``), and never looks at very many objects again.
 
 Who asks may also bound the time and the memory of work (``bounded``). Then the work heeds the bound
 where it heeds a stop, and BoundMet says which one was met.
@@ -21,14 +22,19 @@ from __future__ import annotations
 
 import gc
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from time import monotonic
 from typing import NamedTuple
 
 GRACE = 0.1
 """The wall time (s) that graceful work has to heed a signal before it is broken off."""
+
+LONG = 0.05
+"""The wall time (s) that a collection of garbage may last, because no signal comes through it."""
+OLDEST = 2
+"""The generation of objects whose collection looks at all objects."""
 
 LONGEST = 40
 """The number of further checks that wait for an answer while the machine gives the other process no
@@ -188,10 +194,37 @@ def let_garbage_be() -> None:
 
 def look_for_garbage() -> None:
     """Switch the collection on again, for objects that are made from now on. Nothing happens if it
-    was not switched off."""
+    was not switched off.
+
+    Work that stores millions of objects would make it long, so objects that a long collection has
+    looked at are spared from then on (``spare_the_old``).
+    """
     if not gc.isenabled():
         gc.freeze()
+        if spare_the_old not in gc.callbacks:
+            gc.callbacks.append(spare_the_old)
         gc.enable()
+
+
+def spare_the_old(phase: str, info: Mapping[str, int]) -> None:
+    """Let no collection look again at the objects that are left after one of more than ``LONG``
+    seconds. So the next one is short. Python calls it at both ends of each collection.
+    """
+    if info["generation"] < OLDEST:
+        return
+    if phase == "start":
+        _collection.began = monotonic()
+    elif monotonic() - _collection.began > LONG:
+        gc.freeze()
+
+
+class _Collection:
+    """The collection that goes on: the wall time (s) of its beginning."""
+
+    began = 0.0
+
+
+_collection = _Collection()
 
 
 # bounds that a caller sets ----------------------------------------------------------------------
@@ -220,7 +253,7 @@ class EffortBounds(NamedTuple):
         """Return the same bounds. Their seconds begin now, if they have not begun."""
         if self.seconds is None or self.until is not None:
             return self
-        return self._replace(until=time.monotonic() + self.seconds)
+        return self._replace(until=monotonic() + self.seconds)
 
 
 UNBOUNDED = EffortBounds()
@@ -239,7 +272,7 @@ def bounded(bounds: EffortBounds) -> Iterator[None]:
         """Ask the listener before, then the clock, and now and then the memory."""
         nonlocal looked
         before()
-        now = time.monotonic()
+        now = monotonic()
         if until is not None and now > until:
             raise BoundMet(f"{bounds.seconds:g} seconds")
         if most is not None and now - looked > _OFTEN:

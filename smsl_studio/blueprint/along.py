@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from smsl_studio.blueprint.configuration import Configuration
 from smsl_studio.blueprint.edges import Edge, EdgeKind, Edges
 from smsl_studio.blueprint.joint import Carried
+from smsl_studio.blueprint.terms import Terms
 
 Held = Mapping[str, Carried]
 """For each SB the base edge that is being carried out."""
@@ -22,6 +23,15 @@ class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
     def __init__(self, *reasons: str, hazard: str = "") -> None:
         super().__init__("; ".join(reasons))
         self.reasons, self.hazard = reasons, hazard
+
+
+def allow(edges: Edges, terms: Terms, configuration: Configuration, edge: Edge) -> None:
+    """Raise Unavailable if an edge alone must not be used from a configuration."""
+    reasons = list(terms.closures(edge))
+    if edge.requires:
+        reasons.extend(edges.missing(edge, configuration))
+    if reasons:
+        raise Unavailable(*reasons)
 
 
 class Along:

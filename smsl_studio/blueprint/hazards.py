@@ -56,7 +56,6 @@ def guard_hazards(blueprint: Blueprint) -> tuple[GuardHazard, ...]:
         return ()
     found: dict[str, GuardHazard] = {}
     taken: set[str] = set()
-    known = _FactStates(blueprint)
     for document in blueprint.documents:
         raw = document.values.get(_KEY)
         for entry in raw if isinstance(raw, list) else ():
@@ -65,37 +64,23 @@ def guard_hazards(blueprint: Blueprint) -> tuple[GuardHazard, ...]:
             if not isinstance(name, str) or not name or name in taken:
                 continue
             taken.add(name)
-            hazard = _read(known, entry)
+            hazard = _read(blueprint, entry)
             if hazard is not None:
                 found[name] = hazard
     return tuple(found.values())
 
 
-class _FactStates:
-    """The facts of a blueprint: for each fact and value the states that have it. Many hazards name
-    the same facts, so each is looked up once.
-    """
-
-    def __init__(self, blueprint: Blueprint) -> None:
-        self._branches = blueprint.branches
-        self._states: dict[tuple[FactKey, str], frozenset[str] | None] = {}
-
-    def states(self, fact: FactKey, value: str) -> frozenset[str] | None:
-        """Return the states in which a fact has a value, None if it can never have it."""
-        key = fact, value
-        if key not in self._states:
-            self._states[key] = self._look(fact, value)
-        return self._states[key]
-
-    def _look(self, fact: FactKey, value: str) -> frozenset[str] | None:
-        name, digit = fact
-        branch = self._branches.get(name)
-        if branch is None or digit >= len(branch.alphabet) or value not in values_of(branch, digit):
-            return None
-        return frozenset(s for s in branch.table if branch.facts(s)[digit] == value)
+def _states_with(blueprint: Blueprint, fact: FactKey, value: str) -> frozenset[str] | None:
+    """Return the states in which a fact has a value, None if it can never have it."""
+    name, digit = fact
+    branch = blueprint.branches.get(name)
+    if branch is None or digit >= len(branch.alphabet):
+        return None
+    found = branch.states_with(digit, value)
+    return found if found or value in values_of(branch, digit) else None
 
 
-def _read(known: _FactStates, entry: Any) -> GuardHazard | None:
+def _read(blueprint: Blueprint, entry: Any) -> GuardHazard | None:
     from smsl_studio.blueprint.annotations import read_hazards
 
     notes, faults = read_hazards([entry])
@@ -105,7 +90,7 @@ def _read(known: _FactStates, entry: Any) -> GuardHazard | None:
     states: dict[str, frozenset[str]] = {}
     for text, value in notes[0].facts.items():
         fact = split_fact(text)
-        some = known.states(fact, value) if fact else None
+        some = _states_with(blueprint, fact, value) if fact else None
         if fact is None or some is None:
             return None
         facts.append((fact, value))

@@ -98,6 +98,19 @@ class StateBranch:
             return note.facts if note else ()
         return shape.values(state)
 
+    def states_with(self, digit: int, value: str) -> frozenset[str]:
+        """Return the states in which a fact has a value. Many conditions name the same ones."""
+        found = self._having.get((digit, value))
+        if found is None:
+            pairs = ((name, self.facts(name)[digit : digit + 1]) for name in self.table)
+            found = frozenset(name for name, known in pairs if known == (value,))
+            self._having[digit, value] = found
+        return found
+
+    @cached_property
+    def _having(self) -> dict[tuple[int, str], frozenset[str]]:
+        return {}
+
     @cached_property
     def subs(self) -> Mapping[int, str]:
         """The sub-SB of each digit that has one. Of several the first one counts, and R07 reports

@@ -6,10 +6,10 @@ It is pure: it maps a configuration to a value. Dispatch and inspection share it
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 
 from smsl_studio.blueprint.allowance import Allowance, Part, refuse_too_many_carried
-from smsl_studio.blueprint.along import Along, Held, Unavailable
+from smsl_studio.blueprint.along import Along, Held, Unavailable, allow
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import (
     Configuration,
@@ -40,7 +40,8 @@ class Stepper:
         self.hierarchy = hierarchy
         self.terms = terms or Terms()
         self.edges = Edges(hierarchy, self.terms.exact, self.terms.costs, self.terms.extra)
-        self._along = Along(self.edges, self._allow)
+        # This must not lead back to the stepper: a circle would keep its memory for long.
+        self._along = Along(self.edges, partial(allow, self.edges, self.terms))
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
         self.allowance = Allowance(hierarchy)
         self._routes: dict[object, SubRoute] = {}
@@ -157,12 +158,13 @@ class Stepper:
         """Return whether an edge can be used from no configuration at all."""
         return next(self.terms.closures(edge), None) is not None
 
+    def forget(self) -> None:
+        """Forget all results, so that their memory is free as soon as nobody uses the stepper."""
+        for kept in (self._steps, self._routes, self._regions, self._blocks, self._hills):
+            kept.clear()
+
     def _allow(self, configuration: Configuration, edge: Edge) -> None:
-        reasons = list(self.terms.closures(edge))
-        if edge.requires:
-            reasons.extend(self.edges.missing(edge, configuration))
-        if reasons:
-            raise Unavailable(*reasons)
+        allow(self.edges, self.terms, configuration, edge)
 
     def _transit(self, edge: Edge, loaded: Iterable[str]) -> tuple[FactKey, ...]:
         """Return the base digits in transit from the start of a crossing to its commit."""

@@ -315,6 +315,12 @@ def hazards(n: int) -> Values:
     return {"_hazards": found, "B": _pair()}
 
 
+def hazards_of_states(n: int) -> Values:
+    """As many hazards as states, which name the values of one fact."""
+    found = [{"name": f"h{i}", "facts": {"B/6": str(i % 10)}} for i in range(n)]
+    return {"_hazards": found, "B": {"HEADER": {"NUM_FACTS": 7}, **_ring(n)}}
+
+
 def wide_hazard(n: int) -> Values:
     facts = {f"X{i}/0": "1" for i in range(n)}
     return {"_hazards": [{"name": "h", "facts": facts}], "B": _pair()}

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.comparison import compare
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.edges import Edges
+from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.merge import merge
 from smsl_studio.blueprint.model import Blueprint
@@ -22,6 +23,7 @@ from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.errors import StudioError
+from smsl_studio.front.proof import prove
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.effects import mislabelled
@@ -166,6 +168,8 @@ PARTS: list[tuple[str, str, Part]] = [
     ("trap", "json", lambda b: inspect(b, ["R11"])),
     ("careful_sbs", "json", every_lone_way),
     ("operations_of_one_state", "json", every_edge),
+    ("hazards_of_states", "json", prove),
+    ("hazards_of_states", "json", guard_hazards),
 ]
 
 

@@ -116,17 +116,13 @@ class _Look:
             found = frozenset((formula.state,))
         else:
             digit = self.digit(formula, branch)
-            known = values_of(branch, digit)
-            if formula.value not in known:
+            found = branch.states_with(digit, formula.value)
+            known = () if found else values_of(branch, digit)
+            if not found and formula.value not in known:
                 advice = f"It has {', '.join(known[:_SHOWN])}." if known else ""
                 name = branch.fact_name(digit)
                 words = f"{name} of {branch.name} never has the value {formula.value}"
                 raise FormulaError(words, formula.at, advice)
-            found = frozenset(
-                state
-                for state in branch.table
-                if branch.facts(state)[digit : digit + 1] == (formula.value,)
-            )
             wanted = wanted == formula.equal
         return States(branch.name, found if wanted else frozenset(branch.table) - found)
 

@@ -15,6 +15,7 @@ from functools import cached_property
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import PlanningError
+from smsl_studio.inspection.explorer.part import has_more_than
 from smsl_studio.inspection.proof.space import Key, Space
 from smsl_studio.stop import heed
 
@@ -78,7 +79,8 @@ def transitions_of(blueprint: Blueprint, limit: int, label: Label | None = None)
 
     Without a ``label`` it is the operation's name, with its SB if there are several SBs.
 
-    Hazards and failures are not left out. RunRefused if there is no start.
+    Hazards and failures are not left out. If there are surely more configurations than can be
+    stored, none is explored. RunRefused if there is no start.
     """
     several = len(blueprint.branches) > 1
     label = label or (lambda address: label_of(address, several))
@@ -86,6 +88,8 @@ def transitions_of(blueprint: Blueprint, limit: int, label: Label | None = None)
     start, (most, bound) = space.start(), space.storable(limit)
     number, keys = {start: 0}, [start]
     steps: list[list[tuple[Address, int]]] = []
+    if has_more_than(blueprint, most):
+        return Transitions(blueprint, space.order, keys, [()], label, bound)
     for key in keys:
         heed()
         found: list[tuple[Address, int]] = []

@@ -75,6 +75,25 @@ def independent(hierarchy: Hierarchy) -> tuple[tuple[str, ...], ...]:
     return tuple(groups)
 
 
+FEW = 1_000
+"""The largest number of configurations of a group that are counted, to know that there are many."""
+
+
+def has_more_than(blueprint: Blueprint, most: int) -> bool:
+    """Return whether more than so many configurations can surely be reached from the start.
+
+    Groups that do not touch each other are counted one by one, each up to ``FEW``. So an answer
+    costs little, and nothing is known if all SBs hang together. RunRefused if there is no start.
+    """
+    groups = independent(Hierarchy(blueprint))
+    count = 1
+    for names in groups if len(groups) > 1 else ():
+        count *= len(Exploration(Space(restricted(blueprint, names)), FEW))
+        if count > most:
+            return True
+    return False
+
+
 def restricted(blueprint: Blueprint, names: Iterable[str]) -> Blueprint:
     """Return a blueprint with some of its SBs alone."""
     return replace(blueprint, branches=MappingProxyType({name: blueprint[name] for name in names}))

@@ -71,10 +71,10 @@ def _facts(blueprint: Blueprint, facts: dict[str, str]) -> Meaning | None:
         branch = blueprint.branches.get(fact[0]) if fact else None
         if fact is None or branch is None or fact[1] >= len(branch.alphabet):
             return None
-        if value not in values_of(branch, fact[1]):
+        states = branch.states_with(fact[1], value)
+        if not states and value not in values_of(branch, fact[1]):
             return None
-        states = {state for state in branch.table if branch.facts(state)[fact[1]] == value}
-        parts.append(States(branch.name, frozenset(states)))
+        parts.append(States(branch.name, states))
     return Joined(True, tuple(parts))
 
 

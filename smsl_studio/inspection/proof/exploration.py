@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterator, Sequence
+from functools import reduce
+from operator import and_, or_
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.proof.space import Key, Space, Test
 from smsl_studio.stop import BoundMet, heed
@@ -13,6 +16,8 @@ from smsl_studio.stop import BoundMet, heed
 NOWHERE = -1
 MOST_STEPS = 6_000_000
 """The largest number of steps that are stored."""
+MOST_BITS = 400_000_000
+"""The largest number of bits that are kept for conditions (50 MB)."""
 
 
 class Exploration:
@@ -38,6 +43,7 @@ class Exploration:
         self._known: dict[Address, int] = {}
         self._depth = array("q")
         self._watched = list(watched)
+        self._kept: dict[States, int] = {}
         self.met: list[list[tuple[int, int]]] = [[] for _ in self._watched]
         """For each watched condition: the configurations out of which a step passes one that meets
         it, and the operation of that step. Only the nearest ones are kept."""
@@ -83,9 +89,29 @@ class Exploration:
         """Return the number of steps from the nearest start."""
         return self._depth[node]
 
-    def first(self, test: Test) -> int:
+    def first(self, meaning: Meaning) -> int:
         """Return the first configuration that meets a condition, ``NOWHERE`` if none does."""
-        return next((node for node, key in enumerate(self.keys) if test(key)), NOWHERE)
+        found = self._meeting(meaning)
+        return (found & -found).bit_length() - 1
+
+    def _meeting(self, meaning: Meaning) -> int:
+        """Return the configurations that meet a condition, as the bits of a number.
+
+        A file may have thousands of conditions about the same facts, so those of single SBs are
+        kept, as far as they do not fill the memory.
+        """
+        if not isinstance(meaning, States):
+            parts = map(self._meeting, meaning.parts)
+            everywhere = (1 << len(self.keys)) - 1
+            return reduce(and_, parts, everywhere) if meaning.every else reduce(or_, parts, 0)
+        found = self._kept.get(meaning)
+        if found is None:
+            if len(self._kept) * len(self.keys) > MOST_BITS:
+                self._kept.clear()
+            at, states = self.space.place(meaning.branch), meaning.states
+            bits = ["1" if key[at] in states else "0" for key in reversed(self.keys)]
+            found = self._kept[meaning] = int("".join(bits), 2)
+        return found
 
     def _explore(self) -> None:
         node = 0
@@ -102,7 +128,7 @@ class Exploration:
             depth = self._depth[node]
             for step in steps:
                 label = self._label_of(step.address)
-                for at, test in enumerate(self._watched):
+                for at, test in enumerate(self._watched if step.passed else ()):
                     met = self.met[at]
                     if (not met or self._depth[met[0][0]] == depth) and any(
                         test(one.key) for one in step.passed

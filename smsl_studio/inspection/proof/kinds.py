@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import NamedTuple
 
+from smsl_studio.blueprint.properties.meaning import Meaning
 from smsl_studio.inspection.proof.exploration import NOWHERE, Exploration
 from smsl_studio.inspection.proof.shortest import WaySearch
 from smsl_studio.inspection.proof.space import Key, Test
@@ -19,12 +20,13 @@ class Answer(NamedTuple):
     run: Counterexample | None = None
 
 
-def never(found: Exploration, test: Test, watched: int) -> Answer:
+def never(found: Exploration, meaning: Meaning, watched: int) -> Answer:
     """Answer ``never F``. ``watched`` is the number of F among the watched conditions.
 
     Of equally short runs one that ends in a committed configuration is shown.
     """
-    node, met = found.first(test), found.met[watched]
+    test = found.space.test(meaning)
+    node, met = found.first(meaning), found.met[watched]
     if met and (node == NOWHERE or found.depth(met[0][0]) + 1 < found.depth(node)):
         way = WaySearch(found)
         wanted = {before for before, _ in met}
@@ -37,9 +39,9 @@ def never(found: Exploration, test: Test, watched: int) -> Answer:
     return _no_hit(found)
 
 
-def reachable(found: Exploration, test: Test) -> Answer:
+def reachable(found: Exploration, meaning: Meaning) -> Answer:
     """Answer ``reachable F``."""
-    if found.first(test) != NOWHERE:
+    if found.first(meaning) != NOWHERE:
         return Answer(HOLDS)
     if found.bound:
         return Answer(UNKNOWN)

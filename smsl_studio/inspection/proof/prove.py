@@ -156,10 +156,9 @@ class _Prover:
         found = self._exploration(one)
         first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
-            number = list(self._watched(found.space.cone)).index(id(one))
-            answer = kinds.never(found, first, number)
+            answer = kinds.never(found, meanings[0], self._watched_numbers[id(one)])
         elif one.kind == "reachable":
-            answer = kinds.reachable(found, first)
+            answer = kinds.reachable(found, meanings[0])
         elif one.kind == "before":
             answer = kinds.before(found, first, others[0])
         elif one.kind == "after":
@@ -233,7 +232,7 @@ class _Prover:
         if found is None:
             hazards = self._near_hazards(cone) if routed else ()
             space = Space(self._blueprint, routed, hazards, cone)
-            mates = self._watched(cone).values()
+            mates = self._watched.get(cone, ())
             tests = [space.test(one.meanings[0]) for one in mates if one.meanings]
             limit, watched = self._scope.limit, () if routed else tests
             explored = LoneExploration if self._is_lone(cone) else Exploration
@@ -245,17 +244,23 @@ class _Prover:
         self._looked_at = len(found)
         return found
 
-    def _watched(self, cone: Cone) -> dict[int, Claim]:
-        """Return the claims about what must never be that have this cone, by their identity."""
-        return self._watched_by_cone.get(cone, {})
-
     @cached_property
-    def _watched_by_cone(self) -> dict[Cone, dict[int, Claim]]:
-        found: dict[Cone, dict[int, Claim]] = {}
+    def _watched(self) -> dict[Cone, list[Claim]]:
+        """The claims about what must never be, by their cone."""
+        found: dict[Cone, list[Claim]] = {}
         for one in self._claims:
             if one.kind in WATCHED and one.meanings:
-                found.setdefault(self._cone(one), {})[id(one)] = one
+                found.setdefault(self._cone(one), []).append(one)
         return found
+
+    @cached_property
+    def _watched_numbers(self) -> dict[int, int]:
+        """The number of each such claim among those of its cone, by its identity. A file may have
+        thousands.
+        """
+        return {
+            id(one): number for mates in self._watched.values() for number, one in enumerate(mates)
+        }
 
     def _cone(self, one: Claim) -> Cone:
         if self._is_small:

@@ -77,7 +77,7 @@ class Space:
         self._alone = frozenset(self.order) - coupled
         """SBs whose operations move nothing else."""
         self._shut = [self.test(one) for one in hazards] if routed else []
-        self._renew()
+        self._stepper, self._made = Stepper(self.hierarchy, self._terms), 0
 
     @property
     def is_whole(self) -> bool:
@@ -85,6 +85,7 @@ class Space:
         return len(self.order) == len(self.hierarchy.order)
 
     def _renew(self) -> None:
+        self._stepper.forget()
         self._stepper, self._made = Stepper(self.hierarchy, self._terms), 0
 
     def storable(self, limit: int) -> tuple[int, str]:
@@ -156,6 +157,10 @@ class Space:
         key = self.key(configuration)
         one = Step(address, self._after(key, step.after), self._passed(key, step))
         return None if self._meets(one) else step
+
+    def place(self, branch: str) -> int:
+        """Return the place of an SB in a configuration."""
+        return self._at[branch]
 
     def test(self, meaning: Meaning) -> Test:
         """Return a condition as a function of a configuration."""

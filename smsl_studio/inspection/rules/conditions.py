@@ -53,6 +53,8 @@ def _odd_facts(blueprint: Blueprint, facts: Mapping[str, str]) -> Iterator[tuple
         branch = blueprint.branches.get(fact[0]) if fact else None
         if fact is None or branch is None or fact[1] >= len(branch.alphabet):
             yield text, f"it names {text}, which is no fact", "a fact is SB/DIGIT, from 0"
+        elif branch.states_with(fact[1], value):
+            continue
         elif value not in (known := values_of(branch, fact[1])):
             words = f"{text} never has the value {value}"
             yield text, words, f"its values are {', '.join(known[:_SHOWN])}" if known else ""

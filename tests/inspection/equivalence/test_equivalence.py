@@ -12,6 +12,7 @@ from smsl_studio.errors import EditRefused, PlanningError, RunRefused
 from smsl_studio.front.inputs import read
 from smsl_studio.front.shapes import diff_behaviour, flatten
 from smsl_studio.inspection.equivalence.refinement import Refinement
+from smsl_studio.inspection.proof.space import Key, Space, Step
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.equivalence.pairs import blueprint, changed
 from tests.inspection.equivalence.plain import (
@@ -149,6 +150,35 @@ def test_many_sbs_fill_no_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     found = diff_behaviour(many, many, limit=2**50)
     assert found.equal is None
     assert words in found.reason
+
+
+def test_that_there_are_surely_too_many_is_told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """24 roots of two states have 16 million configurations, and each root has two."""
+    asked = 0
+    steps = Space.steps
+
+    def counted(space: Space, key: Key) -> list[Step]:
+        nonlocal asked
+        asked += 1
+        return steps(space, key)
+
+    monkeypatch.setattr(Space, "steps", counted)
+    pair = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    roots = blueprint({f"R{number}": pair for number in range(24)})
+    found = diff_behaviour(roots, roots)
+    assert (found.equal, found.configurations) == (None, (1, 1))
+    assert "met the limit of 416,666 configurations of 24 SBs" in found.reason
+    with pytest.raises(PlanningError, match="more than 416,666 configurations"):
+        flatten(roots)
+    assert asked < 200
+
+
+def test_groups_that_do_not_touch_are_all_explored_if_there_are_few() -> None:
+    pair = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    roots = blueprint({f"R{number}": pair for number in range(5)})
+    assert diff_behaviour(roots, roots).configurations == (32, 32)
+    assert diff_behaviour(roots, roots, limit=32).equal is True
+    assert diff_behaviour(roots, roots, limit=31).equal is None
 
 
 def test_other_facts_differ_at_the_start() -> None:
