@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+
 import smsl_studio as smsl
 from smsl_studio.front.proof import prove
 from smsl_studio.front.recovery import recoverability
+from smsl_studio.front.script.lines import script_of
+from smsl_studio.runlog.events import Commanded, Committed
 from smsl_studio.shipped import samples_dir
 
 OCCLUDED, MOVED = "Drilling while the tracker sees nothing", "Drilling while the head has moved"
@@ -57,3 +61,28 @@ def test_its_script_holds_within_one_tick_and_comes_to_the_goal() -> None:
     assert met[0]["t"] == round(put + 0.05, 6)
     assert [one["kind"] for one in told if one["event"] == "held"] == ["hazard", "hazard"]
     assert done.reason == "goal_reached"
+
+
+def test_what_leads_out_of_a_hazard_begins_where_the_run_believes_its_critical_facts() -> None:
+    """Before ``adopt`` the run is wrong about the tracker, so it begins nothing; it offers both."""
+    blueprint = _sample()
+    acts = [
+        {"when": "REGISTRATION/State_1111", "do": "by_hand"},
+        {"when": "REGISTRATION/State_1111", "after": 0.2, "do": "ask",
+         "address": "DRILL/State_00/Op_StartDrill"},
+        {"when": "DRILL/State_10", "after": 0.2, "do": "inject", "fault": "set",
+         "fact": "TRACKER/0", "value": "o"},
+        *({"when": "DRILL/State_10", "after": after, **STOP_DRILL} for after in (0.5, 0.9)),
+        {"when": "DRILL/State_10", "after": 0.7, "do": "adopt"},
+    ]  # fmt: skip
+    lines = "".join(f"{json.dumps(act)}\n" for act in acts)
+    done = smsl.run(blueprint, script=script_of(lines.encode(), "script", blueprint))
+    first, second = (one for one in done.events if isinstance(one, Commanded)
+                     and one.address == STOP_DRILL["address"])  # fmt: skip
+    assert first.refused == "Tracker of TRACKER, a critical fact, reads o, not 1"
+    assert second.refused == ""
+    last = [one for one in done.events if isinstance(one, Committed)][-1]
+    assert last.operations == (STOP_DRILL["address"],)
+
+
+STOP_DRILL = {"do": "ask", "address": "DRILL/State_10/Op_StopDrill"}

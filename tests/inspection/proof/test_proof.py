@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
@@ -21,6 +22,7 @@ from smsl_studio.front.proof import prove
 from smsl_studio.inspection.proof.prove import Scope
 from smsl_studio.inspection.proof.prove import prove as proved
 from smsl_studio.inspection.proof.verdict import Counterexample, PropertyVerdict
+from smsl_studio.runlog.events import Committed
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.proof.brute import Brute, Hit, drawn_condition
@@ -186,6 +188,45 @@ def test_a_pending_configuration_is_shown_with_its_edge() -> None:
     assert run.end == {"BASE": "S000", "SUB": "S1", "TWO": "S0"}
     carried_out(blueprint(values), run)
     assert found["q"].verdict == "fails"
+
+
+TURN: dict[str, Any] = {
+    "BASE": {"HEADER": {"INITIAL": "State10", "ACTIVATING": "State01", "NUM_FACTS": 2,
+                        "SUB_SBS": {"A": 0, "B": 1}},
+             "State10": {"Turn": "State01"}, "State01": {}},
+    "A": {"HEADER": {"INITIAL": "State0", "ACTIVATING": "State1"},
+          "State0": {"On": "State1"}, "State1": {"Off": "State0"}},
+    "B": {"HEADER": {"INITIAL": "State0", "ACTIVATING": "State1"},
+          "_operations": {"Prepare": {"requires": {"A/0": "0"}}},
+          "State0": {"Prepare": "Statem"}, "Statem": {"Finish": "State1"}, "State1": {}},
+}  # fmt: skip
+"""Turn switches A off, which is pending until the end, and then B on: its Prepare commits alone."""
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_commit_inside_a_step_stands_beside_pending_states(engine: str) -> None:
+    """At each moment a pending SB counts with its pending state alone: A is off when B commits."""
+    hazards = [{"name": "A on, B prepared", "facts": {"A/0": "1", "B/0": "m"}},
+               {"name": "A off, B not prepared", "facts": {"A/0": "0", "B/0": "0"}}]  # fmt: skip
+    found = answered({"_hazards": hazards, **TURN}, ENGINES[engine])
+    assert found["A on, B prepared"].verdict == "holds"
+    pending = found["A off, B not prepared"]
+    assert pending.verdict == "fails"
+    assert pending.counterexample is not None
+    assert str(pending.counterexample.during) == "B/State0/Prepare"
+    assert pending.counterexample.end == {"BASE": "State10", "A": "State0", "B": "State0"}
+
+
+def test_a_run_meets_the_same_hazards_as_its_proof() -> None:
+    """The record still has A on when B commits; the sensors, the guard and the proof have not."""
+    hazard = {"name": "A on, B prepared", "facts": {"A/0": "1", "B/0": "m"}}
+    done = smsl.run(blueprint({"_hazards": [hazard], **TURN}))
+    assert done.reason == "goal_reached"
+    assert not [one for one in done.events if one.event == "hazard_met"]
+    (first, *_) = [one for one in done.events if isinstance(one, Committed)]
+    assert first.configuration == {"B": "Statem"}
+    other = {"name": "A off, B not prepared", "facts": {"A/0": "0", "B/0": "0"}}
+    assert smsl.run(blueprint({"_hazards": [other], **TURN})).reason == "no_route"
 
 
 def test_routes_go_around_hazards_and_proofs_of_hazards_do_not() -> None:
