@@ -77,6 +77,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         for line in refused.sentence.split("\n"):
             note(f"{options.file}: {line}")
         note(refused.advice or "Nothing was signed.")
+        if options.format == "json":
+            out.json({"file": blueprint.file, "record": None, "reason": refused.sentence})
         return 1
     said = done.record.statement.predicate
     if options.format == "json":

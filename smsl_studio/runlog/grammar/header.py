@@ -98,6 +98,23 @@ def _is_mqtt(value: Json) -> bool:
     return _has_texts(value, ("broker", "site", "run")) and _every(value.get("facts"), _are_texts)
 
 
+def _is_policy(value: Json) -> bool:
+    """Return whether a value says who has approved the blueprint, or null."""
+    if value is None:
+        return True
+    if not isinstance(value, dict) or not _has_texts(value, ("verdict", "keys")):
+        return False
+    digests = (value.get(key) for key in ("policy", "record", "register"))
+    serial, signers = value.get("serial"), value.get("signers")
+    return (
+        all(one is None or _is_text(one) for one in digests)
+        and (serial is None or _is_whole(serial))
+        and isinstance(signers, list)
+        and all(map(_is_object, signers))
+        and _are_texts(value.get("met"))
+    )
+
+
 def _has_texts(value: Json, keys: tuple[str, ...]) -> bool:
     return isinstance(value, dict) and all(_is_text(value.get(key)) for key in keys)
 
@@ -119,7 +136,7 @@ _HEADER: Mapping[str, Fits] = MappingProxyType(
         "levels": _is_map_of_texts,
         "script": _is_script,
         "supervisor": _is_text,
-        "policy": lambda value: value is None or _is_text(value),
+        "policy": _is_policy,
         "mqtt": _is_mqtt,
         "file": _is_text,
         "digests": _is_object,
