@@ -64,27 +64,32 @@ class Equivalence:
 
 
 def equivalence(
-    first: Blueprint, second: Blueprint, limit: int, view: ComparedView | None = None
+    first: Blueprint,
+    second: Blueprint,
+    limit: int,
+    view: ComparedView | None = None,
+    names: tuple[str, str] | None = None,
 ) -> Equivalence:
     """Compare two blueprints. At most ``limit`` configurations of each are stored.
 
     INITIAL, facts and permitted operations count; ACTIVATING, costs and titles do not. ``view``
-    gives other names to facts and operations than the two have. RunRefused if one of them has no
-    start.
+    gives other names to facts and operations than the two have. Without a view ``names`` stand for
+    the two in sentences, instead of their files. RunRefused if one of them has no start.
     """
+    names = names or (first.file, second.file)
     labels = view.labels if view else (None, None)
     sides = transitions_of(first, limit, labels[0]), transitions_of(second, limit, labels[1])
     counts = len(sides[0].keys), len(sides[1].keys)
-    for side in sides:
+    for side, name in zip(sides, names, strict=True):
         if side.bound:
-            reason = f"{side.blueprint.file} met the limit of {side.bound}"
+            reason = f"{name} met the limit of {side.bound}"
             return Equivalence(None, (), reason, counts)
     if view is not None:
         return _Compared(sides, view.keys, limit, view.names).equivalence(counts)
     keys = fact_keys(first), fact_keys(second)
     if keys[0].keys() != keys[1].keys():
         keys = fact_keys(first, named=False), fact_keys(second, named=False)
-    return _Compared(sides, keys, limit, (first.file, second.file)).equivalence(counts)
+    return _Compared(sides, keys, limit, names).equivalence(counts)
 
 
 class _Compared:

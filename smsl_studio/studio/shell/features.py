@@ -79,6 +79,7 @@ class Features(QObject):
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
         self.inspection.play = self._play_script
         self.inspection.start_at = self._start_at
+        self._connect_shapes()
         self.run.asked = Watched(self.run, self.replay, lambda: shell.mode)
         self.run.shown_elsewhere = self.supervise.is_shown
         self.run.part.when_made(self._introduce)
@@ -97,6 +98,19 @@ class Features(QObject):
     def _play_script(self, text: str, name: str) -> None:
         self._shell.set_mode("run")
         self.run.pane.play_script(text, name)
+
+    def _connect_shapes(self) -> None:
+        """The page Inspection compares with versions, and merges states, by means of Draw."""
+        page, comparing, shapes = (
+            self.inspection.panel.equivalence, self.draw.comparing, self.draw.shapes
+        )  # fmt: skip
+        page.choices = (
+            comparing.choose_file, comparing.choose_saved, comparing.choose_revision
+        )  # fmt: skip
+        page.has_file = lambda: comparing.can_use_saved
+        page.play_wanted.connect(comparing.play)
+        page.merge_wanted.connect(shapes.merge)
+        shapes.run_wanted.connect(self.inspection.show_run)
 
     def _start_at(self, states: tuple[str, ...]) -> None:
         self._shell.set_mode("run")

@@ -61,6 +61,7 @@ from smsl_studio.studio.features.draw.menus.compare import compare_actions
 from smsl_studio.studio.features.draw.menus.edit import edit_actions
 from smsl_studio.studio.features.draw.menus.files import file_actions
 from smsl_studio.studio.features.draw.menus.samples import sample_actions
+from smsl_studio.studio.features.draw.menus.shapes import shape_actions
 from smsl_studio.studio.features.draw.menus.view import view_actions
 from smsl_studio.studio.features.draw.menus.walk import walk_actions
 from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
@@ -71,6 +72,7 @@ from smsl_studio.studio.features.draw.panels.offers import offers, operation_nam
 from smsl_studio.studio.features.draw.panels.outline import Outline
 from smsl_studio.studio.features.draw.panels.properties import Properties
 from smsl_studio.studio.features.draw.safety.safety import Safety
+from smsl_studio.studio.features.draw.shape.shape_verbs import ShapeVerbs
 from smsl_studio.studio.features.draw.source.keys import SOURCE_KEYS
 from smsl_studio.studio.features.draw.source.pane import SourcePane
 from smsl_studio.studio.features.draw.tidings import Tidings
@@ -122,6 +124,7 @@ class DrawFeature(Feature):
         self.fix_card = FixCard(session, self.canvas, tokens)
         ask = self.properties.file.ask_file = Dialogs(window).file_to_open
         self.comparing = Comparison(session, files, ask, tokens, window)
+        self.shapes = ShapeVerbs(session, self.canvas, window)
         self.safety = Safety(parts, self.source, self.comparing.with_version)
         self.going = Destinations(shell, self.properties, self.library, files)
         bar = DrawingFindBar(tokens)
@@ -166,6 +169,7 @@ class DrawFeature(Feature):
             *template_actions(self.using, shell),
             *drawn_actions(DrawnVerbs(session, self.canvas, self.notes), self.notes,
                            lambda: shell.mode == "draw"),
+            *shape_actions(self.shapes, lambda: shell.mode == "draw"),
             *compare_actions(self.comparing),
         )  # fmt: skip
 
@@ -209,6 +213,7 @@ class DrawFeature(Feature):
         comparing.element_shown.connect(lambda _: shell.set_mode("draw"))
         comparing.element_shown.connect(self._jumped)
         comparing.said.connect(toast.say)
+        self.shapes.said.connect(toast.say)
         comparing.changed.connect(actions.refresh)
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
         self.drawing.ways.told.connect(self._tell_ways)
@@ -273,7 +278,7 @@ class DrawFeature(Feature):
         """End all background work of the drawing, because the window closes."""
         tidying = self.drawing.beside
         parts = (self.source, self.comparing, self.findings, self.clipping, self.properties,
-                 tidying)  # fmt: skip
+                 tidying, self.shapes)  # fmt: skip
         for part in parts:
             part.stop()
         self.safety.close()

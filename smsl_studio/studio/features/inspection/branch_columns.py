@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QHBoxLayout,
     QPushButton,
@@ -54,7 +55,7 @@ class BranchColumns(QScrollArea):
     def show_columns(self, columns: Sequence[BranchColumn], hidden: int) -> None:
         """Show columns; ``hidden`` counts the SBs that have none."""
         self._columns, self._hidden = tuple(columns), hidden
-        at = self.horizontalScrollBar().value()
+        at, focused = self.horizontalScrollBar().value(), self._focused()
         inner = _JoinedColumns(self._tokens)
         across = QHBoxLayout(inner)
         across.setContentsMargins(12, 2, 12, 6)
@@ -68,11 +69,21 @@ class BranchColumns(QScrollArea):
         across.addStretch(1)
         self.setWidget(inner)
         self.horizontalScrollBar().setValue(at)
+        for button in self.buttons() if focused else ():
+            if _place(button) == focused:
+                button.setFocus()
 
     def buttons(self) -> Iterator[QPushButton]:
         """The buttons of all states that are shown."""
         inner = self.widget()
         yield from inner.findChildren(QPushButton, "place") if inner else ()
+
+    def _focused(self) -> str:
+        """The place of the button that has the focus; empty if none has it."""
+        focus, inner = QApplication.focusWidget(), self.widget()
+        if focus is None or inner is None or not inner.isAncestorOf(focus):
+            return ""
+        return _place(focus)
 
     def _column(self, column: BranchColumn, inner: _JoinedColumns) -> QVBoxLayout:
         down = QVBoxLayout()
@@ -105,6 +116,7 @@ class BranchColumns(QScrollArea):
         )
         button.setObjectName("place")
         button.setProperty("role", "place")
+        button.setProperty("place", f"{branch}\n{state.name}")
         button.setProperty("here", state.here)
         button.setProperty("near", state.near and not state.here)
         button.setFixedWidth(WIDE)
@@ -117,6 +129,11 @@ class BranchColumns(QScrollArea):
         button.setToolTip(tip_text(words))
         button.clicked.connect(lambda _=False: self.picked.emit(branch, state.name))
         return button
+
+
+def _place(button: QWidget) -> str:
+    """The SB and the state of a button."""
+    return str(button.property("place"))
 
 
 class _JoinedColumns(QWidget):

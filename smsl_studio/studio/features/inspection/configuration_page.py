@@ -47,6 +47,8 @@ class ConfigurationPage(QWidget):
         self._session, self._lit, self._tokens = session, lit, tokens
         self._entered = False
         self._lit_trail: tuple[RunStep, ...] | None = None
+        self._held = False
+        """Whether a run is shown until it is known where the walk stands."""
         self._written = ""
         """What was typed last, until it is the place or another one is picked."""
         self.explorer = Explorer(session, self)
@@ -166,8 +168,8 @@ class ConfigurationPage(QWidget):
             self._end_run()
             explorer.look()
             return
-        self.looking.show_work(explorer.work)
         if explorer.steps is None and explorer.work:
+            self.looking.show_work(explorer.work)
             if not self._late.isActive():
                 self._late.start()
             return
@@ -177,6 +179,7 @@ class ConfigurationPage(QWidget):
         """Show where the explorer stands now."""
         self._late.stop()
         explorer, trail = self.explorer, self.explorer.trail
+        self.looking.show_work(explorer.work)
         steps, known = explorer.steps or (), explorer.steps is not None
         blueprint = self._session.blueprint
         stands = bool(trail) and trail[-1].configuration.keys() == blueprint.branches.keys()
@@ -202,6 +205,9 @@ class ConfigurationPage(QWidget):
         trail = self.explorer.trail
         if not self._entered or trail is self._lit_trail:
             return
+        if self._held:
+            self._held, self._lit_trail = False, trail
+            return
         self._end_run()
         self._lit_trail = trail
         self._lit.show_steps(trail, max(len(trail) - 1, 0))
@@ -209,15 +215,21 @@ class ConfigurationPage(QWidget):
             self._lit.go(len(trail) - 1)
 
     def _end_run(self) -> None:
-        self._lit_trail = None
+        self._lit_trail, self._held = None, False
         self.run.clear()
         self.run.hide()
 
-    def _show_run(self, run: Counterexample) -> None:
-        if self._entered:
+    def show_steps(self, steps: tuple[RunStep, ...], title: str, bad: bool = True) -> None:
+        """Show a run from the start, until it goes on from elsewhere."""
+        if self._entered and steps:
+            # What is still looked for says where it stands, and must not end this run.
+            self._held = self.explorer.is_outdated or bool(self.explorer.work)
             self.run.show()
-            blueprint = self._session.blueprint
-            self.run.show_steps(blueprint, steps_of(blueprint, run), "Shortest run to here")
+            self.run.show_steps(self._session.blueprint, steps, title, bad)
+
+    def _show_run(self, run: Counterexample) -> None:
+        steps = steps_of(self._session.blueprint, run)
+        self.show_steps(steps, "Shortest run to here", bad=False)
 
     def _go_back(self) -> None:
         self.explorer.back()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
+from smsl_studio.front.views.claim_run import RunStep
 from smsl_studio.smsl.files import save_document
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.canvas.canvas import Canvas
@@ -15,7 +16,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.panel import InspectionPanel
-from smsl_studio.studio.features.inspection.tab_line import VERDICTS
+from smsl_studio.studio.features.inspection.tab_line import CONFIGURATION, VERDICTS
 from smsl_studio.studio.running.window_parts import WindowParts
 
 NAME = "Inspection"
@@ -32,10 +33,11 @@ class InspectionFeature(Feature):
         """Runs the text of a script with a name; another feature has the runs."""
         self.start_at: Callable[[tuple[str, ...]], None] = lambda states: None
         """Lets the next run start in these states; another feature has the runs."""
-        for run in (self.panel.run, self.panel.configuration.run):
+        panel = self.panel
+        for run in (panel.run, panel.configuration.run, panel.equivalence.run):
             run.play_wanted.connect(lambda text: self.play(text, self._name))
             run.save_wanted.connect(self._save)
-        self.panel.configuration.start_wanted.connect(lambda states: self.start_at(states))
+        panel.configuration.start_wanted.connect(lambda states: self.start_at(states))
         self.panel.unproved.connect(lambda count: shell.show_count(NAME, count))
         self.panels = (
             DockPanel(NAME, "bottom", self.panel, self.panel.tools, tall=True, after="Findings"),
@@ -51,8 +53,9 @@ class InspectionFeature(Feature):
 
     def stop(self) -> None:
         """End all work, because the window closes."""
-        self.panel.look.stop()
-        self.panel.configuration.stop()
+        panel = self.panel
+        for part in (panel.look, panel.configuration, panel.equivalence):
+            part.stop()
 
     def show_page(self) -> None:
         """Show the page with the keyboard on it."""
@@ -60,6 +63,12 @@ class InspectionFeature(Feature):
         panel = self.panel
         panel.tabs.setCurrentIndex(VERDICTS)
         (panel.table if panel.table.isVisible() else panel.add_empty).setFocus()
+
+    def show_run(self, steps: tuple[RunStep, ...], title: str) -> None:
+        """Show a run that another feature found, on the page and on the drawing."""
+        self._shell.show_tab(NAME)
+        self.panel.tabs.setCurrentIndex(CONFIGURATION)
+        self.panel.configuration.show_steps(steps, title)
 
     def show_claim(self, address: Address) -> None:
         """Show a hazard or a property."""

@@ -19,12 +19,14 @@ from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.configuration_page import ConfigurationPage
+from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.recovery_look import RecoveryLook
 from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
 from smsl_studio.studio.features.inspection.tab_line import (
     CONFIGURATION,
+    EQUIVALENCE,
     RECOVERABILITY,
     VERDICTS,
     TabLine,
@@ -66,6 +68,7 @@ class InspectionPanel(QWidget):
         self.line = TabLine()
         self.tabs, self.shown = self.line.tabs, self.line.shown
         self.configuration = ConfigurationPage(session, lit, tokens)
+        self.equivalence = EquivalencePage(session, lit, tokens)
         self.table = ClaimTable(tokens)
         self.run = RunView(lit, tokens)
         self.recovery, self.look = RecoveryTable(tokens), RecoveryLook(session, self)
@@ -93,6 +96,7 @@ class InspectionPanel(QWidget):
         self._pages.addWidget(self._empty_page())
         self._pages.addWidget(split)
         self._pages.addWidget(self.configuration)
+        self._pages.addWidget(self.equivalence)
         self.tools = self._make_tools()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -158,6 +162,7 @@ class InspectionPanel(QWidget):
         self.recovery.set_tokens(tokens)
         self.run.set_tokens(tokens)
         self.configuration.set_tokens(tokens)
+        self.equivalence.set_tokens(tokens)
         self.form.set_tokens(tokens)
 
     def write_new(self) -> None:
@@ -187,13 +192,13 @@ class InspectionPanel(QWidget):
         self._look()
         self._choose_first()
         self._show_row(self.table.chosen)
-        if self._walking:
-            self.configuration.enter()
+        if self._apart is not None:
+            self._apart.enter()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Light nothing on the drawing, because nobody looks at the run."""
         super().hideEvent(event)
-        self.configuration.leave()
+        self._leave_pages()
         self.run.clear()
 
     def _edit(self, claim: ClaimRow) -> None:
@@ -251,14 +256,21 @@ class InspectionPanel(QWidget):
         return self.tabs.currentIndex() == RECOVERABILITY
 
     @property
-    def _walking(self) -> bool:
-        """Whether the tab of the configuration is chosen."""
-        return self.tabs.currentIndex() == CONFIGURATION
+    def _apart(self) -> ConfigurationPage | EquivalencePage | None:
+        """The page that is no table, if its tab is chosen."""
+        at = self.tabs.currentIndex()
+        if at == CONFIGURATION:
+            return self.configuration
+        return self.equivalence if at == EQUIVALENCE else None
+
+    def _leave_pages(self) -> None:
+        self.configuration.leave()
+        self.equivalence.leave()
 
     def _show_page(self, rows: bool) -> None:
         """Show the tables, or the page that says what may be written."""
-        if self._walking:
-            self._pages.setCurrentWidget(self.configuration)
+        if self._apart is not None:
+            self._pages.setCurrentWidget(self._apart)
         else:
             self._pages.setCurrentIndex(int(rows or self._recovering))
 
@@ -267,16 +279,16 @@ class InspectionPanel(QWidget):
             # What is typed stays in its form, which is on the other tab.
             self.tabs.setCurrentIndex(0)
             return
-        self.configuration.leave()
+        self._leave_pages()
         self.run.clear()
         self.above.setCurrentIndex(int(self._recovering))
-        places = (self.table, self.recovery, self.configuration)
+        places = (self.table, self.recovery, self.configuration, self.equivalence)
         self.setFocusProxy(places[self.tabs.currentIndex()])
         self._show_page(bool(self.table.claims.rows) or self.writing.open)
         self._look()
         self._show_row(self.table.chosen)
-        if self._walking and self.isVisible():
-            self.configuration.enter()
+        if self._apart is not None and self.isVisible():
+            self._apart.enter()
 
     def _look(self) -> None:
         """Ask for the ways back, if somebody looks."""
@@ -335,7 +347,7 @@ class InspectionPanel(QWidget):
 
     def _show_row(self, claim: ClaimRow | None) -> None:
         waiting = self.table.claims.waiting
-        if self.writing.holds(claim) or self._walking:
+        if self.writing.holds(claim) or self._apart is not None:
             return
         if self._recovering:
             self._show_way()

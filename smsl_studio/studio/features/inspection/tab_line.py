@@ -11,11 +11,11 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.document.inspector import LIMIT
 
 SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
-NARROW = 900
+NARROW = 1000
 """Below this width the sentence has no room for the limit beside it (pixels)."""
-VERDICTS, RECOVERABILITY, CONFIGURATION = range(3)
+VERDICTS, RECOVERABILITY, CONFIGURATION, EQUIVALENCE = range(4)
 """The tabs."""
-NAMES = ("Verdicts", "Recoverability", "Configuration")
+NAMES = ("Verdicts", "Recoverability", "Configuration", "Equivalence")
 
 
 class TabLine(QWidget):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,8 +22,11 @@ from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS
 
 if TYPE_CHECKING:
     from smsl_studio.front.revisions import Revision
+    from smsl_studio.front.views.claim_run import RunStep
+    from smsl_studio.studio.document.versions import Version
     from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
-    from smsl_studio.studio.features.draw.compare.versions import Version
+
+    Runs = tuple[Sequence[RunStep], Sequence[RunStep]]
 
 WAIT = 120
 """Milliseconds after an edit before the compare view is updated."""
@@ -87,25 +90,37 @@ class Comparison(QObject):
 
     def with_file(self) -> None:
         """Ask for a file and compare with it."""
-        from smsl_studio.studio.features.draw.compare.versions import in_file
+        self.choose_file(self._compare)
+
+    def with_saved(self) -> None:
+        """Compare with the text that was last saved or read."""
+        self.choose_saved(self._compare)
+
+    def with_revision(self) -> None:
+        """Ask for a commit and compare with the file as it was in that commit."""
+        self.choose_revision(self._compare)
+
+    def choose_file(self, then: Callable[[Version], object]) -> None:
+        """Ask for a file; ``then`` gets it as a version."""
+        from smsl_studio.studio.document.versions import in_file
 
         self._files.settling.emit()
         folder = self._files.path.parent if self._files.path else Path.cwd()
         path = self.ask_file(folder)
         if path is not None:
-            self._compare(_tried(partial(in_file, path)))
+            self._hand_over(then, _tried(partial(in_file, path)))
 
-    def with_saved(self) -> None:
-        """Compare with the text that was last saved or read."""
-        from smsl_studio.studio.features.draw.compare.versions import as_saved
+    def choose_saved(self, then: Callable[[Version], object]) -> None:
+        """Give the text that was last saved or read to ``then``, as a version."""
+        from smsl_studio.studio.document.versions import as_saved
 
         self._files.settling.emit()
         file = self._session.blueprint.file
         text, name = self._files.on_disk.text(file), self._files.name
-        self._compare(_tried(partial(as_saved, text, file, name)))
+        self._hand_over(then, _tried(partial(as_saved, text, file, name)))
 
-    def with_revision(self) -> None:
-        """Ask for a commit and compare with the file as it was in that commit."""
+    def choose_revision(self, then: Callable[[Version], object]) -> None:
+        """Ask for a commit; ``then`` gets the file as it was in that commit."""
         from smsl_studio.front.revisions import revisions
 
         self._files.settling.emit()
@@ -113,11 +128,19 @@ class Comparison(QObject):
         if path is None:
             return
         self._beside.drop()
-        self._beside.do(partial(_tried, partial(revisions, path)), partial(self._ask_which, path))
+        self._beside.do(
+            partial(_tried, partial(revisions, path)), partial(self._ask_which, path, then)
+        )
 
     def with_version(self, version: Version) -> None:
         """Compare with a version that is already loaded."""
         self._compare(version)
+
+    def play(self, version: Version, runs: Runs) -> None:
+        """Compare with a version, and walk both sides through a run after which they differ."""
+        self._compare(version)
+        if self._dialog is not None:
+            self._dialog.show_runs(*runs)
 
     def next_change(self) -> None:
         """Go to the next change, if the compare view is open."""
@@ -148,25 +171,34 @@ class Comparison(QObject):
         if self._dialog is not None:
             self._dialog.set_tokens(tokens)
 
-    def _ask_which(self, path: Path, found: tuple[Revision, ...] | StudioError) -> None:
+    def _hand_over(self, then: Callable[[Version], object], version: Version | StudioError) -> None:
+        if isinstance(version, StudioError):
+            self.refused.emit(version)
+        else:
+            then(version)
+
+    def _ask_which(
+        self,
+        path: Path,
+        then: Callable[[Version], object],
+        found: tuple[Revision, ...] | StudioError,
+    ) -> None:
         if isinstance(found, StudioError):
             self.refused.emit(found)
         elif path == self._files.path:
             from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
 
             asking = RevisionDialog(path.name, found, self._tokens, self._window)
-            asking.chosen.connect(lambda revision: self._with(path, revision))
+            asking.chosen.connect(lambda revision: self._with(path, then, revision))
             asking.open()
 
-    def _with(self, path: Path, revision: Revision) -> None:
-        from smsl_studio.studio.features.draw.compare.versions import at_revision
+    def _with(self, path: Path, then: Callable[[Version], object], revision: Revision) -> None:
+        from smsl_studio.studio.document.versions import at_revision
 
-        self._beside.do(partial(_tried, partial(at_revision, path, revision)), self._compare)
+        work = partial(_tried, partial(at_revision, path, revision))
+        self._beside.do(work, partial(self._hand_over, then))
 
-    def _compare(self, version: Version | StudioError) -> None:
-        if isinstance(version, StudioError):
-            self.refused.emit(version)
-            return
+    def _compare(self, version: Version) -> None:
         from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
 
         self._version = version

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison import Difference
 from smsl_studio.blueprint.comparison.signs import signs_of
+from smsl_studio.front.views.claim_run import RunStep
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
@@ -28,6 +29,7 @@ from smsl_studio.studio.base.rows import LINE, RowsView
 from smsl_studio.studio.base.screens import open_at, place_over
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.draw.compare.both_runs import BothRuns
 from smsl_studio.studio.features.draw.compare.change_rows import rows_of
 from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS, PREVIOUS_KEYS
 from smsl_studio.studio.features.draw.compare.linked_views import LinkedViews
@@ -113,7 +115,10 @@ class CompareDialog(QDialog):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
+        self.runs = BothRuns(tokens)
+        self.runs.step_shown.connect(self._show_step)
         whole.addLayout(top)
+        whole.addWidget(self.runs)
         whole.addWidget(split, 1)
 
     def stand_alone(self, over: QWidget) -> None:
@@ -130,6 +135,7 @@ class CompareDialog(QDialog):
         ``before`` and ``after`` name the versions.
         """
         first = self._difference is None
+        self.runs.clear()
         self._difference = difference
         self._signs = signs_of(difference)
         self._words.setText(difference.words)
@@ -153,6 +159,24 @@ class CompareDialog(QDialog):
         if kept is not None:
             self._show_pair(kept, fit=first)
         self._light()
+
+    def show_runs(self, before: Sequence[RunStep], after: Sequence[RunStep]) -> None:
+        """Offer to walk both sides through a run after which they differ. Another difference ends
+        it."""
+        self.runs.show_runs(before, after)
+
+    def _show_step(self, at: int) -> None:
+        """Show a step of the run on both sides, in the SB in which it happens."""
+        steps = self.runs.steps
+        for number, side in enumerate(steps):
+            operation = side[at].operation if at < len(side) else None
+            if operation is not None:
+                pairs = (one for one in self._pairs if one[number] == operation.branch)
+                self._show_pair(next(pairs, self._shown or ("", "")), fit=False)
+                break
+        names = self._shown or ("", "")
+        for view, side, name in zip((self.before, self.after), steps, names, strict=True):
+            view.light_step(side, at, name)
 
     @property
     def summary(self) -> str:
@@ -186,6 +210,7 @@ class CompareDialog(QDialog):
         for side in (self.before, self.after):
             side.canvas.set_tokens(tokens)
         self.changes.set_tokens(tokens)
+        self.runs.set_tokens(tokens)
         self.previous.setIcon(icon("chevron-up", tokens))
         self.next.setIcon(icon("chevron-down", tokens))
         self.fit.setIcon(icon("fit", tokens))

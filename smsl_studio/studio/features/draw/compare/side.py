@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.claim_run import RunStep
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.shape import Point
@@ -79,6 +80,18 @@ class Side(QWidget):
         changes = self.canvas.marks.changes
         chosen = (address,) if address is not None else ()
         self.canvas.set_marks(Marks(selection=chosen, changes=changes))
+
+    def light_step(self, steps: Sequence[RunStep], at: int, branch: str) -> None:
+        """Light a step of a run in the SB that is shown; a run that is shorter stays at its end."""
+        past = steps[: at + 1]
+        self.canvas.set_marks(
+            Marks(
+                changes=self.canvas.marks.changes,
+                active=past[-1].configuration.get(branch) if past else None,
+                visited=frozenset(one.configuration.get(branch, "") for one in past[:-1]),
+                trail=tuple(edge for one in past for edge in one.edges if edge.branch == branch),
+            )
+        )
 
     def has(self, address: Address | None) -> bool:
         """Whether this side draws the state or operation."""

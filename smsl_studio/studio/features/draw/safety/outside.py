@@ -24,7 +24,7 @@ from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
 from smsl_studio.studio.features.draw.safety.watcher import Watcher
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.compare.versions import Version
+    from smsl_studio.studio.document.versions import Version
 
     Compare = Callable[[Version], None]
     """Opens the compare view with another version."""
@@ -134,7 +134,7 @@ class OutsideChanges(QObject):
             self.refused.emit(theirs.refusal)
         else:
             name = self._files.display(look.file)
-            from smsl_studio.studio.features.draw.compare.versions import Version
+            from smsl_studio.studio.document.versions import Version
 
             self._compare(Version(f"{name}, as it is on the disk", theirs))
 

@@ -1,0 +1,38 @@
+"""A run that is told by the labels of its operations, step by step in one blueprint."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.claim_run import RunStep
+from smsl_studio.inspection.equivalence.transitions import label_of
+from smsl_studio.inspection.explorer.onward import ConfigurationWalk
+
+
+def labelled_run(
+    blueprint: Blueprint,
+    labels: Sequence[str],
+    label: Callable[[Address], str] | None = None,
+) -> tuple[RunStep, ...]:
+    """Return the start and a step for each label, by the first operation that has it.
+
+    Without ``label`` it is the operation's name, with its SB if there are several SBs. It ends
+    early where no permitted operation has the label. RunRefused if there is no start.
+    """
+    several = len(blueprint.branches) > 1
+    named = label or (lambda address: label_of(address, several))
+    walk = ConfigurationWalk(blueprint)
+    here = walk.start()
+    found = [RunStep(None, here)]
+    for wanted in labels:
+        steps = (one for one in walk.steps(here) if one.permitted)
+        step = next((one for one in steps if named(one.address) == wanted), None)
+        if step is None:
+            break
+        after = {**here, **step.after}
+        moved = frozenset(name for name in after if after[name] != here[name])
+        found.append(RunStep(step.address, after, moved, step.edges))
+        here = after
+    return tuple(found)

@@ -1,0 +1,181 @@
+"""States of an SB that cannot be told apart, and the blueprint in which they are one state.
+
+Two states are alike if the same operations leave them, on the same conditions, and lead to states
+that are alike again. Whatever is asked next, they behave as one. Only the ways that sub-SBs choose
+by themselves among ways of the same cost may differ, because names decide there; so the result is
+compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.edges import Edge, Edges
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.errors import PlanningError
+from smsl_studio.generate.shapes.chosen import CutRefused
+from smsl_studio.generate.shapes.claims import named_places
+from smsl_studio.inspection.equivalence.equivalence import equivalence
+from smsl_studio.inspection.explorer.part import restricted, touching
+from smsl_studio.stop import heed
+
+MOST_LOOKED = 20_000_000
+"""The largest number of operations that are looked at, over all rounds."""
+Row = Sequence[tuple[Hashable, int]]
+"""For each operation of a state what it is, and the number of the state that it leads to."""
+
+
+@dataclass(frozen=True)
+class SameStates:
+    """Some states of an SB that behave alike, in file order.
+
+    ``facts`` are the names of the facts in which they differ; without one nothing tells them apart.
+    ``why_not`` says in a sentence why they cannot be one state; it is empty if they can.
+    """
+
+    branch: str
+    states: tuple[str, ...]
+    facts: tuple[str, ...] = ()
+    why_not: str = ""
+
+
+def same_states(blueprint: Blueprint) -> tuple[SameStates, ...]:
+    """Return the states that behave alike, those that can be merged first, else in file order.
+
+    A state stands in at most one answer. ACTIVATING is like no other state, and so is a failure.
+    PlanningError if it takes too long, RunRefused if the SBs go round in a circle.
+    """
+    edges = Edges(Hierarchy(blueprint))
+    named = {(one.branch, one.state): one.claim for one in named_places(blueprint) if one.state}
+    found = [one for branch in blueprint for one in _of_branch(branch, edges, named)]
+    return tuple(sorted(found, key=lambda one: bool(one.why_not)))
+
+
+def merged(blueprint: Blueprint, same: SameStates, limit: int) -> Blueprint:
+    """Return the blueprint in which some states are one: INITIAL if it is among them, else the
+    first.
+
+    What led to the others leads to it. CutRefused if they cannot be one, or if the result would
+    behave otherwise; PlanningError if more than ``limit`` configurations can be reached.
+    """
+    if same.why_not:
+        raise CutRefused(same.why_not, advice="Merge them by hand if they mean the same.")
+    branch = blueprint[same.branch]
+    keep = branch.initial if branch.initial in same.states else same.states[0]
+    gone = [name for name in same.states if name != keep]
+    into = [
+        edge.address for edge in branch.edges() if edge.target in gone and edge.source not in gone
+    ]
+    after = editing.retarget(blueprint, into, keep) if into else blueprint
+    after = editing.delete(after, [Address(branch.name, name) for name in gone])
+    before = touching(blueprint, branch.name)
+    part = restricted(after, list(before.branches))
+    told = equivalence(before, part, limit, names=("the file", "the result"))
+    if told.equal is None:
+        raise PlanningError(f"nothing was merged: {told.reason}")
+    if not told.equal:
+        words = f"the result would behave otherwise: {told.reason}"
+        raise CutRefused(words, None, "Look at the run.", told.path)
+    return after
+
+
+def _of_branch(
+    branch: StateBranch, edges: Edges, named: dict[tuple[str, str], str]
+) -> Iterator[SameStates]:
+    """Yield what is alike in one SB: first by all facts, then by the facts of sub-SBs alone."""
+    names = list(branch.table)
+    number = {name: at for at, name in enumerate(names)}
+    fails = failing_states(branch)
+    rows = [
+        [(_what(edge), number[edge.target]) for edge in edges.out(branch.name, name)]
+        for name in names
+    ]
+
+    def apart(name: str) -> Hashable:
+        """What tells a state from others before any step."""
+        facts = branch.facts(name)
+        subs = tuple(facts[digit : digit + 1] for digit in sorted(branch.subs))
+        return name == branch.activating, fails.get(name), len(facts), subs
+
+    exact = _classes([(apart(name), branch.facts(name)) for name in names], rows)
+    taken: set[str] = set()
+    for states in _groups(names, exact):
+        taken.update(states)
+        why = _why_not(branch, states, named)
+        yield SameStates(branch.name, states, why_not=why)
+    for states in _groups(names, _classes([apart(name) for name in names], rows)):
+        facts = _differing(branch, states)
+        if facts and not taken.issuperset(states):
+            why = f"they mean different things: {' and '.join(facts)} differs in them"
+            yield SameStates(branch.name, states, facts, why)
+
+
+def _what(edge: Edge) -> Hashable:
+    """Return what must be the same of two operations that do the same."""
+    return edge.name, edge.requires, edge.load, edge.kind, edge.falls, edge.rises
+
+
+def _classes(first: Sequence[Hashable], rows: Sequence[Row]) -> list[int]:
+    """Return the number of the class of each state, by partition refinement."""
+    classes, looked = _numbered(first), 0
+    size = 1 + len(rows) + sum(map(len, rows))
+    while True:
+        looked += size
+        if looked > MOST_LOOKED:
+            raise PlanningError(f"more than {MOST_LOOKED:,} operations were looked at")
+        further = _numbered(
+            [
+                (classes[at], frozenset((what, classes[to]) for what, to in row))
+                for at, row in enumerate(rows)
+            ]
+        )
+        if max(further, default=0) == max(classes, default=0):
+            return classes
+        classes = further
+
+
+def _numbered(values: Sequence[Hashable]) -> list[int]:
+    heed()
+    known: dict[Hashable, int] = {}
+    return [known.setdefault(value, len(known)) for value in values]
+
+
+def _groups(names: Sequence[str], classes: Sequence[int]) -> Iterator[tuple[str, ...]]:
+    """Yield the classes that have several states."""
+    found: dict[int, list[str]] = {}
+    for name, number in zip(names, classes, strict=True):
+        found.setdefault(number, []).append(name)
+    yield from (tuple(states) for states in found.values() if len(states) > 1)
+
+
+def _differing(branch: StateBranch, states: Sequence[str]) -> tuple[str, ...]:
+    columns = zip(*(branch.facts(name) for name in states), strict=True)
+    return tuple(
+        branch.fact_name(digit) for digit, column in enumerate(columns) if len(set(column)) > 1
+    )
+
+
+def _why_not(branch: StateBranch, states: Sequence[str], named: dict[tuple[str, str], str]) -> str:
+    """Return why states with the same facts and operations are not merged."""
+    for name in states:
+        claim = named.get((branch.name, name))
+        if claim is not None:
+            return f"the property {claim} names {name}"
+    first, *others = states
+    for name in others:
+        for operation in branch.table[name]:
+            if branch.operation_note(name, operation) != branch.operation_note(first, operation):
+                return f"what is written about {operation} differs in {first} and {name}"
+        if _is_safe(branch, name) != _is_safe(branch, first):
+            return f"one of {first} and {name} is declared safe"
+    return ""
+
+
+def _is_safe(branch: StateBranch, state: str) -> bool:
+    note = branch.state_note(state)
+    return note is not None and bool(note.safe)

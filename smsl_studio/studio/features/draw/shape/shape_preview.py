@@ -1,0 +1,42 @@
+"""ShapePreview: both sides of an edit before it is made, with the button that makes it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.comparison import compare
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
+from smsl_studio.studio.features.draw.shape.shape_edit import ShapeEdit
+
+
+class ShapePreview(CompareDialog):
+    """The drawing as it is and as it would be. It blocks the window until it is answered."""
+
+    apply_wanted = Signal()
+
+    def __init__(self, edit: ShapeEdit, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(tokens, parent)
+        self.jump.hide()
+        self.said = label(edit.sentence, "second")
+        self.said.setWordWrap(True)
+        self.apply = QPushButton("Apply")
+        self.apply.setDefault(True)
+        self.apply.setToolTip("Make this one step, which can be undone")
+        self.apply.clicked.connect(self.apply_wanted)
+        self.leave = QPushButton("Cancel")
+        self.leave.setAutoDefault(False)
+        self.leave.clicked.connect(self.reject)
+        line = row(self.said, self.leave, self.apply)
+        line.setStretch(0, 1)
+        line.setContentsMargins(14, 8, 14, 12)
+        whole = self.layout()
+        assert isinstance(whole, QVBoxLayout)
+        whole.addLayout(line)
+        difference = as_drawn(compare(edit.before, edit.after))
+        self.show_difference(difference, "as it is drawn", edit.result)
+        self.setWindowTitle(plain_text(f"Preview: {edit.words}"))

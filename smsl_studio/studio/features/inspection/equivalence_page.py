@@ -1,0 +1,279 @@
+"""The tab Equivalence: whether the drawing behaves as another version, and which of its states
+behave alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
+
+from smsl_studio.errors import StudioError
+from smsl_studio.studio.base.controls import Label, label, row
+from smsl_studio.studio.base.icons import pixmap
+from smsl_studio.studio.base.rows import ListRow, RowsView
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import capital, counted, refusal_words, series
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.inspection.claim_model import CHANGED
+from smsl_studio.studio.features.inspection.equivalence_look import (
+    ComparedRuns,
+    EquivalenceLook,
+)
+from smsl_studio.studio.features.inspection.lit_run import LitRun
+from smsl_studio.studio.features.inspection.look_line import LookLine
+from smsl_studio.studio.features.inspection.run_view import RunView
+from smsl_studio.studio.features.inspection.same_look import SameLook
+
+if TYPE_CHECKING:
+    from smsl_studio.generate.shapes.same_states import SameStates
+    from smsl_studio.studio.document.versions import Version
+
+    Choose = Callable[[Callable[[Version], object]], object]
+    """Asks for a version, and gives it to a function."""
+
+NOTHING = (
+    "Choose a version. The answer is “Same behaviour”, or the shortest run after which the two "
+    "differ."
+)
+MOST = 300
+"""So many rows of states are shown."""
+UPPER, LOWER = 230, 206
+
+
+class EquivalencePage(QWidget):
+    """Compares behaviour. ``lit`` shows a run on the drawing."""
+
+    play_wanted = Signal(object, object)
+    """(Version, runs): walk both sides of the compare view through their runs."""
+    merge_wanted = Signal(object)
+    """SameStates: make one state of them."""
+
+    def __init__(self, session: Session, lit: LitRun, tokens: Tokens) -> None:
+        super().__init__()
+        self._session, self._tokens = session, tokens
+        self._entered = False
+        self.look, self.same = EquivalenceLook(session, self), SameLook(session, self)
+        self.choices: tuple[Choose, ...] = ()
+        """Ask for a file, the saved version and a revision; another feature has them."""
+        self.has_file: Callable[[], bool] = lambda: False
+        """Whether the drawing was saved or read, so that there are former versions."""
+        self.file = _button("File…", "Compare the behaviour with that of a file")
+        self.saved = _button("Saved version", "Compare with what was saved or read last")
+        self.revision = _button("Revision…", "Compare with a commit of git")
+        self.mark, self.verdict = Label(), label("", "heading")
+        self.reason = label("", "second")
+        self.reason.setWordWrap(True)
+        self.both = _button("Show on both sides", "Walk the run in the compare view")
+        self.again = _button("Compare again", "Compare what is drawn now")
+        self.looking = LookLine()
+        self.rows = RowsView(tokens)
+        self.rows.setAccessibleName("States that behave alike")
+        self.why = label("", "hint")
+        self.merge = _button("Merge…", "Show what it would be with one state for them")
+        self.run = RunView(lit, tokens)
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(1)
+        split.setChildrenCollapsible(False)
+        split.addWidget(self._upper())
+        split.addWidget(self.run)
+        split.setStretchFactor(0, 1)
+        split.setSizes([UPPER, LOWER])
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(split)
+        self.run.hide()
+        self.setFocusProxy(self.file)
+        self._connect()
+        self._show_answer()
+        self._show_same()
+
+    def _upper(self) -> QWidget:
+        sides = QSplitter(Qt.Orientation.Horizontal)
+        sides.setHandleWidth(1)
+        sides.setChildrenCollapsible(False)
+        choose = row(label("Compare the drawing with", "second"), self.file, self.saved,
+                     self.revision, None, spacing=6)  # fmt: skip
+        left = _column(
+            choose, row(self.looking), row(self.mark, self.verdict, None), self.reason,
+            row(self.both, self.again, None),
+        )  # fmt: skip
+        right = _column(
+            row(label("States that cannot be told apart", "heading"), None, self.merge),
+            self.why,
+            self.rows,
+        )
+        sides.addWidget(left)
+        sides.addWidget(right)
+        sides.setSizes([520, 480])
+        return sides
+
+    def _connect(self) -> None:
+        for at, button in enumerate((self.file, self.saved, self.revision)):
+            button.clicked.connect(lambda _=False, at=at: self.choices[at](self.look.compare))
+        self.look.changed.connect(self._show_answer)
+        self.same.changed.connect(self._same_changed)
+        self.looking.cancelled.connect(self.look.call_off)
+        self.again.clicked.connect(self.look.again)
+        self.both.clicked.connect(self._play)
+        self.merge.clicked.connect(self._merge)
+        self.rows.activated.connect(lambda _: self._merge())
+        self.rows.selectionModel().currentChanged.connect(lambda *_: self._show_chosen())
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        self.rows.set_tokens(tokens)
+        self.run.set_tokens(tokens)
+        self._show_answer()
+
+    def enter(self) -> None:
+        """Begin to show the run, here and on the drawing."""
+        self._entered = True
+        for button in (self.saved, self.revision):
+            button.setEnabled(self.has_file())
+        self.same.look()
+        self._show_answer()
+
+    def leave(self) -> None:
+        """Show nothing on the drawing, because nobody looks here."""
+        if self._entered:
+            self._entered = False
+            self.run.clear()
+            self.run.hide()
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self.look.stop()
+        self.same.stop()
+
+    @property
+    def chosen(self) -> SameStates | None:
+        """The chosen row of the states that behave alike."""
+        index = self.rows.currentIndex()
+        found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
+        payload: SameStates | None = found.payload if found else None
+        return payload
+
+    # The comparison.
+
+    def _show_answer(self) -> None:
+        look = self.look
+        answer, version = look.answer, look.version
+        name = version.words if version else ""
+        self.looking.show_work(f"Comparing with {name}" if look.works else "")
+        sign, ink, words, reason = self._said(answer)
+        if answer is None:
+            old = "Stopped comparing" if look.stopped else CHANGED
+            words = "" if look.works or version is None else f"{name}: {old}"
+            reason = NOTHING if version is None else ""
+            sign, ink = "unknown", self._tokens.unk
+        self.mark.setPixmap(pixmap(sign, ink, self._tokens.surf, 16, self.devicePixelRatioF()))
+        self.mark.setVisible(bool(words))
+        self.verdict.setText(words)
+        self.reason.setText(reason)
+        self.again.setVisible(version is not None and not look.works)
+        runs = isinstance(answer, ComparedRuns) and answer.told.equal is False
+        self.both.setVisible(runs)
+        self._show_run(answer if isinstance(answer, ComparedRuns) and runs else None)
+
+    def _said(self, answer: ComparedRuns | StudioError | None) -> tuple[str, QColor, str, str]:
+        """The sign and its ink, the verdict and the reason."""
+        tokens, version = self._tokens, self.look.version
+        name = version.words if version else ""
+        if isinstance(answer, StudioError):
+            return "unknown", tokens.unk, f"{name}: not compared", refusal_words(answer)
+        told = answer.told if answer is not None else None
+        if told is None:
+            return "unknown", tokens.unk, "", ""
+        if told.equal is None:
+            return "unknown", tokens.unk, f"{name}: unknown", capital(told.reason)
+        if told.equal:
+            count = counted(told.configurations[1], "configuration")
+            return "check", tokens.ok, f"Same behaviour as {name}", f"{count}, all."
+        return "error", tokens.bad, f"Another behaviour than {name}", capital(told.reason)
+
+    def _show_run(self, answer: ComparedRuns | None) -> None:
+        if answer is None or not answer.told.path or not self._entered:
+            self.run.clear()
+            self.run.hide()
+            return
+        self.run.show()
+        words = "Shortest run to a difference"
+        self.run.show_steps(self._session.blueprint, answer.after, words, bad=True)
+
+    def _play(self) -> None:
+        answer, version = self.look.answer, self.look.version
+        if isinstance(answer, ComparedRuns) and version is not None:
+            self.play_wanted.emit(version, (answer.before, answer.after))
+
+    # The states that behave alike.
+
+    def _same_changed(self) -> None:
+        if self._entered and self.same.answer is None:
+            self.same.look()
+        self._show_same()
+
+    def _show_same(self) -> None:
+        answer = self.same.answer
+        found = answer if isinstance(answer, tuple) else ()
+        rows = [_row(one, len(self._session.blueprint) > 1) for one in found[:MOST]]
+        if len(found) > MOST:
+            rows.append(ListRow(f"and {len(found) - MOST:,} more", kind="section"))
+        self.rows.show_rows(rows)
+        self._show_chosen()
+
+    def _show_chosen(self) -> None:
+        chosen, answer = self.chosen, self.same.answer
+        self.merge.setEnabled(chosen is not None and not chosen.why_not)
+        if chosen is not None:
+            words = chosen.why_not or "the same facts, and the same operations from there on"
+            self.why.setText(capital(f"{series(chosen.states)}: {words}"))
+        elif isinstance(answer, StudioError):
+            self.why.setText(refusal_words(answer))
+        elif answer is None:
+            self.why.setText("Not known yet.")
+        elif answer:
+            self.why.setText("Choose a row to see why.")
+        else:
+            self.why.setText("There are none: whatever happens, each state shows which it is.")
+
+    def _merge(self) -> None:
+        chosen = self.chosen
+        if chosen is not None and not chosen.why_not:
+            self.merge_wanted.emit(chosen)
+
+
+def _row(same: SameStates, several: bool) -> ListRow:
+    names = series(same.states[:6])
+    more = f" and {len(same.states) - 6:,} more" if len(same.states) > 6 else ""
+    branch = f"{same.branch}: " if several else ""
+    icon = "minus" if same.why_not else "mixed"
+    right = "differ in facts" if same.facts else "not merged" if same.why_not else "can be merged"
+    return ListRow(f"{branch}{names}{more}", same, icon, right=right, accent=not same.why_not)
+
+
+def _column(*parts: QWidget | QLayout) -> QWidget:
+    """Widgets and rows below each other."""
+    made = QWidget()
+    down = QVBoxLayout(made)
+    down.setContentsMargins(12, 8, 12, 8)
+    down.setSpacing(8)
+    for part in parts:
+        if isinstance(part, QWidget):
+            down.addWidget(part, int(isinstance(part, RowsView)))
+        else:
+            down.addLayout(part)
+    if not any(isinstance(part, RowsView) for part in parts):
+        down.addStretch(1)
+    return made
+
+
+def _button(words: str, tip: str) -> QPushButton:
+    button = QPushButton(words)
+    button.setProperty("role", "row")
+    button.setToolTip(tip_text(tip))
+    return button
