@@ -7,6 +7,7 @@ import json
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
 
 from smsl_studio.blueprint.configuration import Hierarchy
@@ -19,6 +20,7 @@ from smsl_studio.graph.joint.goals import FoundRun, SearchGoals
 from smsl_studio.graph.joint.hashed import HashNumbers
 from smsl_studio.graph.joint.joint_steps import JointSteps
 from smsl_studio.graph.joint.products import JointBox
+from smsl_studio.graph.joint.ranks import ranked
 from smsl_studio.graph.joint.reach import JointReach
 from smsl_studio.smsl.json_form import parse_json
 from tests.graph.joint.test_products import drawn
@@ -93,6 +95,24 @@ def test_a_table_of_cells_grows_with_what_is_found() -> None:
     assert (found.count, found.bound) == (9**5, "")
 
 
+def test_ranks_have_no_gap_in_codes_of_several_groups() -> None:
+    values = grid(5, 9)
+    for n in range(5):  # of two neighbours one is at 0
+        low = {f"C{near}/0": "0" for near in (n - 1, n + 1) if 0 <= near < 5}
+        values[f"C{n}"]["_operations"] = {"S0/go": {"requires": low}}
+    steps = steps_of(values)
+    reach = JointReach(steps)
+    layout, numbers = ranked(reach.diagram, reach.whole)
+    assert len(layout.groups) > 1
+    everything = np.array([layout.code(one) for one in reach.diagram.members(reach.whole, 10**6)])
+    assert reach.count < 9**5
+    assert sorted(numbers.of(everything).tolist()) == list(range(reach.count))
+    goals = SearchGoals([{0: frozenset({8}), 2: frozenset({8})}])
+    first, *others = runs(steps, goals, reach)
+    assert first is not None
+    assert all(one == first for one in others)
+
+
 def test_the_first_run_by_its_addresses_is_found() -> None:
     steps = steps_of(grid(3, 4))
     run = shortest_run(steps, SearchGoals([{0: frozenset({2}), 1: frozenset({1})}]))
@@ -114,8 +134,6 @@ def test_bounds_are_told_and_what_is_near_is_found_all_the_same() -> None:
 
 
 def test_cells_are_the_same_for_the_same_configuration() -> None:
-    import numpy as np
-
     numbers = HashNumbers()
     codes = np.array([5, 2**40, 5, 7, 2**40], np.int64)
     first = numbers.of(codes).tolist()

@@ -165,7 +165,8 @@ def test_what_a_step_passes_counts_for_never_and_not_for_reachable() -> None:
     assert found["p1"].verdict == "holds"
 
 
-def test_a_pending_configuration_is_shown_with_its_edge() -> None:
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_pending_configuration_is_shown_with_its_edge(engine: str) -> None:
     subs = {
         "INITIAL": "S000",
         "ACTIVATING": "S111",
@@ -180,7 +181,7 @@ def test_a_pending_configuration_is_shown_with_its_edge() -> None:
         "SUB": {"HEADER": ONE, "S0": {"on": "S1"}, "S1": {"off": "S0"}},
         "TWO": {"HEADER": ONE, "S0": {"on2": "S1"}, "S1": {"off2": "S0"}},
     }
-    found = verdicts(values)
+    found = answered(values, ENGINES[engine])
     run = found["p"].counterexample
     assert run is not None
     assert run.path == (Address("BASE", "S000", "both"),)
@@ -227,6 +228,62 @@ def test_a_run_meets_the_same_hazards_as_its_proof() -> None:
     assert first.configuration == {"B": "Statem"}
     other = {"name": "A off, B not prepared", "facts": {"A/0": "0", "B/0": "0"}}
     assert smsl.run(blueprint({"_hazards": [other], **TURN})).reason == "no_route"
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(
+    ("facts", "goes"),
+    [
+        ({}, True),
+        ({"SUB/0": "1", "TWO/0": "0"}, False),  # on the way of ``both``
+        ({"SUB/0": "0", "TWO/0": "1"}, True),  # never: SUB rises first
+        ({"BASE/2": "1"}, False),  # at the end of ``end``
+        ({"BASE/1": "1", "BASE/2": "0"}, False),  # at the end of ``both``
+        ({"BASE/2": "0"}, False),  # at the start, and everywhere before ``end``
+    ],
+)
+def test_routes_go_around_hazards_on_the_way(
+    engine: str, facts: dict[str, str], goes: bool
+) -> None:
+    header = {"INITIAL": "S000", "ACTIVATING": "S111", "NUM_FACTS": 3}
+    header |= {"SUB_SBS": {"SUB": 0, "TWO": 1}}
+    values = {
+        "_hazards": [{"name": "h", "facts": facts}] if facts else [],
+        "_properties": [
+            {"name": "after", "after": ["BASE in S000", "SUB = 1 and TWO = 0"]},
+            {"name": "back", "way_back": {"from": "BASE in S000", "to": "BASE in S111"}},
+        ],
+        "BASE": {"HEADER": header, "S000": {"both": "S110"}, "S110": {"end": "S111"}, "S111": {}},
+        "SUB": {"HEADER": ONE, "S0": {"on": "S1"}, "S1": {"off": "S0"}},
+        "TWO": {"HEADER": ONE, "S0": {"on2": "S1"}, "S1": {"off2": "S0"}},
+    }
+    found = answered(values, ENGINES[engine])
+    # A way to the goal that leaves out what must come fails; where there is none, it holds.
+    assert found["after"].verdict == ("fails" if goes else "holds")
+    assert found["back"].verdict == ("holds" if goes else "fails")
+    run = found["after"].counterexample
+    if run is not None:
+        assert [str(one) for one in run.path] == ["BASE/S000/both", "BASE/S110/end"]
+    if engine == "diagram":
+        assert found["after"].engine == found["back"].engine == "diagram"
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_what_came_after_may_be_owed_again(engine: str) -> None:
+    table = {f"S{n}": {"go": f"S{n + 1}"} for n in range(3)} | {"S3": {}}
+    values = {
+        "_properties": [
+            {"name": "again", "after": ["A in S0 or A in S2", "A in S1"]},
+            {"name": "once", "after": ["A in S0", "A in S1"]},
+        ],
+        "A": {"HEADER": ONE, "_operations": {"go": {"requires": {"B/0": "1"}}}, **table},
+        "B": {"HEADER": ONE, "S0": {"on": "S1"}, "S1": {}},
+    }
+    found = answered(values, ENGINES[engine])
+    assert found["once"].verdict == "holds"
+    run = found["again"].counterexample
+    assert run is not None
+    assert [str(one) for one in run.path] == ["B/S0/on", "A/S0/go", "A/S1/go", "A/S2/go"]
 
 
 def test_routes_go_around_hazards_and_proofs_of_hazards_do_not() -> None:
