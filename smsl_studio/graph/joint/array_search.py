@@ -20,6 +20,7 @@ AT_ONCE = 8_192
 """So many configurations are worked on together."""
 
 _DIGIT = 255
+_MARKS = np.arange(1, _DIGIT + 1, dtype=np.uint8)
 
 
 class Numbering(Protocol):
@@ -151,8 +152,8 @@ class ArraySearch:
                 self.count += len(fresh)
                 if self.count > self._bound.configurations:
                     raise TooLarge(f"{self._bound.configurations:,} configurations in arrays")
-        self.layers.append(np.concatenate(found) if found else layer[:0])
-        self._origins.append(np.concatenate(origins) if origins else self._origins[0][:0])
+        self.layers.append(_joined(found, layer))
+        self._origins.append(_joined(origins, self._origins[0]))
         self._next = []
         return -1, passing
 
@@ -176,6 +177,10 @@ class ArraySearch:
         Each place writes a digit of its own into the cell of its number, the last place first. What
         stands there in the end is the digit of the first place. Digits are not 0.
         """
+        if len(numbers) <= _DIGIT:  # as in most layers of long runs
+            marks = _MARKS[: len(numbers)]
+            self._seen[numbers[::-1]] = marks[::-1]
+            return np.flatnonzero(self._seen.take(numbers) == marks)
         left: Array = np.arange(len(numbers))
         digits = left
         while True:
@@ -211,6 +216,13 @@ class ArraySearch:
             _, firsts = np.unique(rows.take(fits), return_index=True)
             found += [tables.operations[one] for one in operations.take(fits.take(firsts))]
         return found
+
+
+def _joined(parts: Sequence[Array], like: Array) -> Array:
+    """Return arrays as one. Without any it is empty, and of the kind of ``like``."""
+    if len(parts) == 1:
+        return parts[0]
+    return np.concatenate(parts) if parts else like[:0]
 
 
 def first_set(bits: Array, mask: Array) -> int:

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.proof.space import Key, Space, Test
+from smsl_studio.inspection.proof.verdict import Counterexample
 from smsl_studio.stop import BoundMet, heed
 
 NOWHERE = -1
@@ -84,6 +85,26 @@ class Exploration:
         them. None at the start."""
         before = self._origin[node]
         return None if before == NOWHERE else (before, self.name(self._label[node]))
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it has one start and leaves no step of its SBs out. Then the way by ``origin`` is
+        the first of the shortest ways by its addresses."""
+        return len(self.starts) == 1 and not self.space.cone.quiet
+
+    def way(self, node: int) -> Counterexample:
+        """Return the run by ``origin``."""
+        path, here = [], node
+        while (before := self.origin(here)) is not None:
+            here, address = before
+            path.append(address)
+        return self.run(here, path[::-1], node)
+
+    def run(self, start: int, path: Sequence[Address], end: int) -> Counterexample:
+        """Return a run between two configurations, with the SBs that stand still."""
+        space = self.space
+        first, last = (space.in_order(space.whole(self.keys[one])) for one in (start, end))
+        return Counterexample(first, tuple(path), last)
 
     def depth(self, node: int) -> int:
         """Return the number of steps from the nearest start."""

@@ -32,6 +32,8 @@ def never(found: Exploration, meaning: Meaning, watched: int) -> Answer:
         wanted = {before for before, _ in met}
         way.nearest(lambda one: one[0] in wanted)
         return Answer(FAILS, way.run_during(met, test))
+    if node != NOWHERE and found.is_plain:
+        return Answer(FAILS, found.way(node))
     if node != NOWHERE:
         way = WaySearch(found)
         hits = way.nearest(lambda one: test(found.keys[one[0]]))

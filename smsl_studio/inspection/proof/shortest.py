@@ -8,6 +8,7 @@ quiet SBs count too.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
+from itertools import pairwise
 from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address
@@ -45,25 +46,26 @@ class WaySearch:
         self._found = found
         self._may = may or (lambda key, was: True)
         self._mark = mark or (lambda key, was: 0)
-        self._layers: list[dict[Node, None]] = []
+        self._layers: list[dict[Node, Node]] = []
+        """The nodes of each layer in the order of the runs to them, each with the node before
+        it. A start has itself."""
 
     def layers(self) -> Iterator[Collection[Node]]:
         """Yield the nodes that can be visited, those with the fewest steps first."""
-        layer = dict.fromkeys(
-            node for number in self._found.starts if (node := self._visit(number, 0)) is not None
-        )
+        starts = (self._visit(number, 0) for number in self._found.starts)
+        layer = {node: node for node in starts if node is not None}
         seen = set(layer)
         while layer:
             self._layers.append(layer)
             yield layer
-            further: dict[Node, None] = {}
+            further: dict[Node, Node] = {}
             for here in layer:
                 heed()
                 for target in self._found.onward(here[0]):
                     there = self._visit(target, here[1])
                     if there is not None and there not in seen:
                         seen.add(there)
-                        further[there] = None
+                        further[there] = here
             layer = further
 
     def nearest(self, hit: Callable[[Node], bool]) -> set[Node]:
@@ -76,6 +78,8 @@ class WaySearch:
 
     def run(self, hits: Collection[Node]) -> Counterexample:
         """Return the shortest run to one of the nodes, which are in the last layer visited."""
+        if self._found.is_plain:
+            return self._first_found(hits)
         path, walkers = self._walk(set(hits))
         space, one = self._found.space, walkers[0]
         return Counterexample(space.in_order(one.start), tuple(path), space.in_order(one.here))
@@ -109,6 +113,22 @@ class WaySearch:
         key = self._found.keys[number]
         mark = self._mark(key, was)
         return (number, mark) if self._may(key, mark) else None
+
+    def _first_found(self, hits: Collection[Node]) -> Counterexample:
+        """Return the run to the first of the nodes. Nothing is left out of the search, so each
+        layer is in the order of the runs to its nodes."""
+        found, wanted = self._found, set(hits)
+        nodes = [next(node for node in self._layers[-1] if node in wanted)]
+        for layer in reversed(self._layers[1:]):
+            nodes.append(layer[nodes[-1]])
+        nodes.reverse()
+        path = []
+        for here, there in pairwise(nodes):
+            heed()
+            steps = found.steps(here[0])
+            label = next(one for one, to in steps if self._visit(to, here[1]) == there)
+            path.append(found.name(label))
+        return found.run(nodes[0][0], path, nodes[-1][0])
 
     def _walk(self, hits: set[Node]) -> tuple[list[Address], list[_Walker]]:
         """Return the path to the nodes, and all configurations in which it may end."""
