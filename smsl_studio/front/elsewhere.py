@@ -30,7 +30,8 @@ def with_remote(request: RunRequest, host: Host) -> Host:
     remote facts do not fit together. PluginError if the bindings file is not valid.
     """
     blueprint = request.blueprint
-    file = bindings_beside(blueprint.file)
+    signed = request.trust.bindings if request.trust is not None else None
+    file = signed or bindings_beside(blueprint.file)
     table = file.mqtt
     broker, site = request.broker or table.broker, request.site or table.site
     if not table.facts:

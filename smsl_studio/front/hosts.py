@@ -29,14 +29,16 @@ def make_host(
     child for a process host.
     """
     blueprint, world, seed = request.blueprint, request.world, request.seed
+    trust = request.trust
+    file = trust.bindings if trust is not None else None
     if request.host == "local":
         from smsl_studio.host.local import LocalHost
 
-        return LocalHost(blueprint, world, seed, request.plugin_paths, loaded)
+        return LocalHost(blueprint, world, seed, request.plugin_paths, loaded, file)
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
-    signed = request.trust.code if request.trust is not None else None
-    terms = ChildTerms(_locations(loaded, world), signed=signed)
+    signed = trust.code if trust is not None else None
+    terms = ChildTerms(_locations(loaded, world), signed=signed, bindings=file)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 

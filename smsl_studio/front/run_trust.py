@@ -8,6 +8,7 @@ from typing import Any
 
 from smsl_studio.errors import RunRefused
 from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
 
 Json = Any
@@ -17,7 +18,8 @@ Json = Any
 class RunTrust:
     """The refusals of a run, the typed conditions that are met, and the code that was signed, by
     location. ``header`` is what the log says about it. ``words`` say in one line who approved the
-    blueprint, and whose keys count. ``loaded`` are the plugins as they were described."""
+    blueprint, and whose keys count. ``loaded`` are the plugins as they were described, and
+    ``bindings`` is the bindings file that was signed."""
 
     refusals: tuple[Refusal, ...] = ()
     met: tuple[str, ...] = ()
@@ -25,6 +27,7 @@ class RunTrust:
     header: Mapping[str, Json] = field(default_factory=dict)
     words: str = ""
     loaded: Loaded | None = None
+    bindings: BindingsFile | None = None
 
     def must_hold(self) -> None:
         """Raise RunRefused if there are refusals."""

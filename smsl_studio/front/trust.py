@@ -34,8 +34,15 @@ def with_trust(request: RunRequest) -> RunRequest:
     )
     answer = answered(question)
     refusals = (*answer.judgement.refusals, *_changed(request.blueprint))
-    met, code, loaded = answer.judgement.met, answer.code, answer.loaded
-    told = RunTrust(refusals, met, code, _header(answer), _words(answer), loaded)
+    told = RunTrust(
+        refusals,
+        answer.judgement.met,
+        answer.survey.locations,
+        _header(answer),
+        _words(answer),
+        answer.survey.loaded,
+        answer.survey.bindings,
+    )
     return replace(request, trust=told)
 
 

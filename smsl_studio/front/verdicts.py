@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -19,7 +19,7 @@ from smsl_studio.front.approval_files import (
     trust_files,
 )
 from smsl_studio.front.check_findings import WHOLE, whole_check
-from smsl_studio.front.world_codes import WorldSurvey, surveyed
+from smsl_studio.front.world_codes import NOWHERE, WorldSurvey, surveyed
 from smsl_studio.inspection.approval.case import ApprovalCase, PresentState
 from smsl_studio.inspection.approval.conditions import Asking
 from smsl_studio.inspection.approval.judge import Judgement, judge, refused
@@ -29,7 +29,6 @@ from smsl_studio.inspection.approval.rule_code import rule_codes
 from smsl_studio.inspection.approval.seen_records import has_seen, keep_record
 from smsl_studio.inspection.approval.statement import InspectionOptions, SignedFile
 from smsl_studio.inspection.approval.store_files import store_alone
-from smsl_studio.library.loaded import Loaded
 
 Name = str | os.PathLike[str]
 
@@ -59,14 +58,12 @@ class ApprovalQuestion:
 
 @dataclass(frozen=True)
 class ApprovalAnswer:
-    """The judgement, the files that it rests on, the code that a run may load, and the plugins of
-    the world as they were described."""
+    """The judgement, the files that it rests on, and what the world has for the blueprint."""
 
     judgement: Judgement
     trust: TrustFiles | None = None
     record: RecordFile | None = None
-    code: Mapping[str, str] = field(default_factory=dict)
-    loaded: Loaded | None = None
+    survey: WorldSurvey = NOWHERE
 
 
 def verify_approval(
@@ -111,7 +108,7 @@ def answered(question: ApprovalQuestion) -> ApprovalAnswer:
 
 
 def _answered(question: ApprovalQuestion, trust: TrustFiles, record: RecordFile) -> ApprovalAnswer:
-    found = WorldSurvey()
+    found = NOWHERE
     if question.world is not None:
         found = surveyed(question.blueprint, question.world, question.plugin_paths)
     case = ApprovalCase(
@@ -123,7 +120,7 @@ def _answered(question: ApprovalQuestion, trust: TrustFiles, record: RecordFile)
     )
     judgement = judge(case)
     _keep(question, judgement)
-    return ApprovalAnswer(judgement, trust, record, found.locations, found.loaded)
+    return ApprovalAnswer(judgement, trust, record, found)
 
 
 def _asking(question: ApprovalQuestion, found: WorldSurvey) -> Asking:

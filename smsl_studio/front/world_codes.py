@@ -13,7 +13,7 @@ from smsl_studio.front.equipment import loaded_for
 from smsl_studio.inspection.approval.statement import WorldCode
 from smsl_studio.inspection.approval.world_code import world_code
 from smsl_studio.library.bindings import bind
-from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.plugin_code import code_at
 from smsl_studio.world.engines import TABLE
@@ -25,7 +25,8 @@ class WorldSurvey:
 
     ``locations`` has the SHA-256 of the code at each location, for the process that loads it.
     ``rates`` has the readings a second (Hz) of the quickest sensor of each fact. ``missing`` says
-    why there is no such world. ``loaded`` are the plugins, as they were described.
+    why there is no such world. ``loaded`` are the plugins, as they were described,
+    and ``bindings`` is the bindings file.
     """
 
     code: WorldCode | None = None
@@ -33,6 +34,11 @@ class WorldSurvey:
     rates: Mapping[FactKey, float] = field(default_factory=dict)
     missing: str = ""
     loaded: Loaded | None = None
+    bindings: BindingsFile | None = None
+
+
+NOWHERE = WorldSurvey()
+"""No world was asked about."""
 
 
 def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()) -> WorldSurvey:
@@ -46,9 +52,9 @@ def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()
             key = (one.branch, one.digit)
             rates[key] = max(rates.get(key, 0.0), 1 / one.period)
         if world == TABLE:
-            return WorldSurvey(rates=rates, loaded=loaded)
+            return WorldSurvey(rates=rates, loaded=loaded, bindings=file)
         locations = code_at(loaded.locations(world), plugin_paths)
         code = world_code(world, loaded, bindings, file, locations)
-        return WorldSurvey(code, locations, rates, loaded=loaded)
+        return WorldSurvey(code, locations, rates, loaded=loaded, bindings=file)
     except (WorldError, PluginError) as error:
         return WorldSurvey(missing=str(error))

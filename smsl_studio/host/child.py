@@ -30,6 +30,7 @@ from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
+from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
 from smsl_studio.smsl.forms import form_named
@@ -61,6 +62,8 @@ class Recipe:
     """The largest memory of the child in bytes. None means half of the machine's memory."""
     signed: tuple[tuple[str, str], ...] | None = None
     """Locations of plugins, and the SHA-256 of the code there that was signed. None: of none."""
+    bindings: BindingsFile | None = None
+    """The bindings file that was signed. None means the one beside the blueprint."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -127,7 +130,8 @@ class _Child:
             signed = None if recipe.signed is None else dict(recipe.signed)
             loaded = discover(paths, recipe.only, lambda name, _: self._loads(name), signed)
             self._loads("")
-        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded)
+        file = recipe.bindings
+        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
         self._run = RunAnswers(blueprint)
         self._answers = self._run.of
         self._verbs |= {

@@ -34,7 +34,7 @@ from smsl_studio.host.protocol import (
 )
 from smsl_studio.host.sensor_schedule import SensorSchedule
 from smsl_studio.library.bindings import bind
-from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
@@ -50,7 +50,8 @@ class LocalHost:
     """A world, and the library code that is bound to a blueprint in it.
 
     ``plugin_paths`` are plugin folders that are searched before all others. ``loaded`` are plugins
-    that were found already. The printed output of library code goes to standard error.
+    that were found already. ``file`` is a bindings file that was read before, and was signed; None:
+    the one beside the blueprint. The printed output of library code goes to standard error.
     """
 
     def __init__(
@@ -60,12 +61,14 @@ class LocalHost:
         seed: int = 0,
         plugin_paths: Sequence[Path] = (),
         loaded: Loaded | None = None,
+        file: BindingsFile | None = None,
     ) -> None:
         self._blueprint = blueprint
         self._name = world
         self._seed = seed
         self._paths = tuple(plugin_paths)
         self._loaded = loaded
+        self._file = file
         self._bindings: Bindings | None = None
         self._bound: Mapping[Address, Bound] = {}
         self._engine: World | None = None
@@ -256,7 +259,7 @@ class LocalHost:
     def _bind(self) -> Bindings:
         if self._bindings is None:
             table = self._name == TABLE
-            file = None if table else bindings_beside(self._blueprint.file)
+            file = None if table else self._file or bindings_beside(self._blueprint.file)
             self._bindings = bind(self._blueprint, self._plugins(), self._name, file)
             self._bound = _bounds(self._bindings)
         return self._bindings

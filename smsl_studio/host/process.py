@@ -30,6 +30,7 @@ from smsl_studio.host.protocol import Happened, OpenedWorld, Outcome, Priced, Ti
 from smsl_studio.host.spare import Spare
 from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.host.wire import NoAnswer, WireFrame
+from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heed, starving
 
@@ -51,7 +52,8 @@ class ChildTerms:
     ``only`` are the places of the plugins that it loads; None: all there are. ``hang_limit`` holds
     for one answer, ``open_limit`` for the first, ``silence_limit`` for the time without a pulse.
     ``memory`` is in bytes; None: half of the machine's. ``signed`` has the SHA-256 of code that was
-    signed, by location: other code there is not loaded.
+    signed, by location: other code there is not loaded. ``bindings`` is the bindings file that was
+    signed; None: the one beside the blueprint.
     """
 
     only: tuple[str, ...] | None = None
@@ -60,6 +62,7 @@ class ChildTerms:
     open_limit: float = 60.0
     memory: int | None = None
     signed: Mapping[str, str] | None = None
+    bindings: BindingsFile | None = None
 
 
 USUAL = ChildTerms()
@@ -83,7 +86,9 @@ class ProcessHost:
         texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
         signed = None if terms.signed is None else tuple(sorted(terms.signed.items()))
-        self._recipe = Recipe(texts, world, seed, paths, terms.only, terms.memory, signed)
+        self._recipe = Recipe(
+            texts, world, seed, paths, terms.only, terms.memory, signed, terms.bindings
+        )
         self._terms = terms
         self._blueprint = blueprint
         self._answers: RunAnswers | None = None

@@ -68,7 +68,7 @@ def test_a_window_without_a_file_says_what_can_be_done_and_nothing_else(sit: Sit
     person.until_inspected()
     assert window.status_line.words == "No file open"
     assert (window.menu_row.title, window.windowTitle()) == ("SMSL Studio", "SMSL Studio")
-    assert not window.menu_row.badge.isVisible()
+    assert not window.features.approval.badge.isVisible()
     docks = (window.docks.left, window.docks.right, window.docks.bottom)
     assert not any(dock.isVisible() for dock in docks)
     assert not window.mode_bar.run.isEnabled()
@@ -134,7 +134,7 @@ def test_a_sample_opens_as_a_copy_and_has_its_picture(sit: Sit) -> None:
     assert (person.window.mode, person.window.files.path) == ("draw", None)
     assert person.blueprint.state_count == 27
     assert card.path.read_bytes() == before
-    assert person.window.menu_row.badge.isVisible()
+    assert person.window.features.approval.badge.isVisible()
 
 
 def test_recent_files_have_pictures_and_open_with_a_click(sit: Sit, remembered: list[Path]) -> None:

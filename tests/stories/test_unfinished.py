@@ -47,7 +47,7 @@ def test_what_is_missing_is_a_soft_list_without_a_sign(sit: Sit) -> None:
     assert window.status_line.counts[3].text() == "1 note, 2 to finish"
     assert "approval" not in window.findings.summary.text()
     assert not window.canvas.marks.findings, "no sign on the canvas"
-    assert not window.menu_row.badge.isVisible(), "there is nothing to approve"
+    assert not window.features.approval.badge.isVisible(), "there is nothing to approve"
     missing = [one for one in window.findings.findings if one.rule in NOT_YET]
     assert [one.fix for one in missing] == [None, None], "no fix deletes what is just drawn"
     row = person.row(window.findings.list, "R10")
@@ -79,7 +79,7 @@ def test_saving_shows_them_too_and_the_badge(
     person.ctrl(Key.Key_S)
     person.until_inspected()
     assert severities(person) == {Severity.ERROR}
-    assert person.window.menu_row.badge.isVisible()
+    assert person.window.features.approval.badge.isVisible()
 
 
 def test_another_new_drawing_is_quiet_again(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -100,7 +100,7 @@ def test_a_file_is_never_quiet(sit: Sit, tmp_path: Path) -> None:
     person = sit(path)
     person.until_inspected()
     assert severities(person) == {Severity.ERROR}
-    assert person.window.menu_row.badge.isVisible()
+    assert person.window.features.approval.badge.isVisible()
 
 
 def test_a_real_mistake_is_one_in_a_new_drawing_too(sit: Sit) -> None:

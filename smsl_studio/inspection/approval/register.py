@@ -53,7 +53,7 @@ class Register:
 def register_payload(values: Json) -> bytes:
     """Return the canonical bytes of a register's values. SealError if they are none."""
     _keys_of(_valid(values))
-    return canonical(values)
+    return canonical(values)  # what is valid is not nested deeply
 
 
 def read_register(raw: bytes, key: bytes) -> Register:

@@ -86,7 +86,7 @@ def signers_of(
         key = case.grounds.keys.get(record.envelope.keyid)
         moment = record.statement.time
         if key is None:
-            words = f"{who} is signed with the key {record.envelope.keyid}, which is not known"
+            words = f"{who} is signed with the key {record.envelope.keyid[:80]}, which is not known"
             wrong.append(Refusal("key_unknown", words))
         elif not is_signed(record.envelope, key.public):
             wrong.append(Refusal("signature_invalid", f"the signature of {who} is wrong"))

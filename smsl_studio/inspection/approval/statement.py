@@ -206,6 +206,8 @@ def read_statement(payload: bytes) -> Statement:
         fault = error.errors(include_url=False)[0]
         where = ".".join(str(part) for part in fault["loc"])
         raise SealError(f"the payload: {where[:200]}: {fault['msg']}") from None
+    except RecursionError:
+        raise SealError("the payload is nested too deeply") from None
     except SealError:
         raise
     except StudioError as error:

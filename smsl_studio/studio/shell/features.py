@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
+from smsl_studio.studio.features.approval.feature import ApprovalFeature
 from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
@@ -67,6 +68,7 @@ class Features(QObject):
         self.draw.properties.claims.wanted.connect(self.inspection.show_page)
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.branch_map = BranchMapFeature(parts, shell)
+        self.approval = ApprovalFeature(parts)
         self.merge = MergeFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
@@ -88,7 +90,8 @@ class Features(QObject):
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
-        yield from (self.draw, self.inspection, self.merge, self.branch_map, self.start)
+        yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
+        yield from (self.start,)
         yield from (self.export, self.run, self.supervise, self.people, self.monitor)
         yield from (self.replay, self.tour, self.help, self.settings)
 
@@ -194,7 +197,8 @@ class Features(QObject):
         """End all work, because the window closes. The run ends first."""
         self.end_run()
         for feature in (
-            self.replay, self.export, self.merge, self.inspection, self.draw, self.start,
+            self.replay, self.export, self.approval, self.merge, self.inspection, self.draw,
+            self.start,
         ):  # fmt: skip
             feature.stop()
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt
-from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QMenuBar, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.controls import Elided, Label, label, name_parts, row
-from smsl_studio.studio.base.icons import draw, pixmap
-from smsl_studio.studio.base.theme import MENU_BAR, Tokens, text_font
+from smsl_studio.studio.base.icons import pixmap
+from smsl_studio.studio.base.theme import MENU_BAR, Tokens
 
 MENUS = ("File", "Edit", "View", "Blueprint", "Run", "Help")
 Fill = Callable[[QMenu], None]
@@ -34,11 +34,7 @@ class MenuRow(QWidget):
         self._logo = Label()
         self.menus = QMenuBar()
         self.menus.setNativeMenuBar(False)
-        self.badge = Badge("Uninspected", "shield", tokens)
-        self.badge.setToolTip(
-            "Nobody has inspected and signed this blueprint. It runs in simulation only."
-        )
-        self._badges: tuple[QWidget, ...] = (self.badge,)
+        self._badges: tuple[QWidget, ...] = ()
         self._title = _Title(self)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 2, 12, 1)
@@ -47,7 +43,6 @@ class MenuRow(QWidget):
         layout.addSpacing(4)
         layout.addWidget(self.menus, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addStretch(1)
-        layout.addWidget(self.badge)
         self._fill(actions, submenus)
         name_parts(self.menus)
         self.menus.setAccessibleName("Menus")
@@ -56,15 +51,16 @@ class MenuRow(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._logo.setPixmap(_logo(tokens, self.devicePixelRatioF()))
-        self.badge.set_tokens(tokens)
         self._title.set_tokens(tokens)
 
     def add_badge(self, badge: QWidget) -> None:
-        """Add a badge before the badge "Uninspected". The title does not cover it."""
-        self._badges = (badge, *self._badges)
+        """Add a badge before the others. The first one, that of trust, stays at the right end. The
+        title does not cover it."""
         layout = self.layout()
         assert isinstance(layout, QHBoxLayout)
-        layout.insertWidget(layout.indexOf(self.badge), badge)
+        at = layout.indexOf(self._badges[0]) if self._badges else layout.count()
+        self._badges = (badge, *self._badges)
+        layout.insertWidget(at, badge)
         badge.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -75,8 +71,9 @@ class MenuRow(QWidget):
         return super().eventFilter(watched, event)
 
     def show_unsettled(self, shown: bool) -> None:
-        """Show or hide the badge "Uninspected": an unfinished drawing is not to be approved yet."""
-        self.badge.setVisible(shown)
+        """Show or hide the badge of trust: an unfinished drawing is not to be approved yet."""
+        if self._badges:
+            self._badges[-1].setVisible(shown)
         self._place()
 
     def show_title(self, name: str, edited: str) -> None:
@@ -149,41 +146,6 @@ class _Title(QWidget):
         self._dot.setVisible(bool(edited))
         self._edited.setVisible(bool(edited))
         self.setAccessibleName(plain_text(f"{name}, {edited}" if edited else name))
-
-
-class Badge(QWidget):
-    """A small box with icon and words. Its dashed border means that something is not settled."""
-
-    def __init__(self, words: str, icon: str, tokens: Tokens) -> None:
-        super().__init__()
-        self._words, self._icon, self._tokens = words, icon, tokens
-        self._font = text_font(12, 500)
-        self.setAccessibleName(plain_text(words))
-        self.setFixedSize(self.sizeHint())
-
-    def sizeHint(self) -> QSize:
-        """Wide enough for the words."""
-        return QSize(round(QFontMetricsF(self._font).horizontalAdvance(self._words)) + 38, 22)
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        """Use the colours of another theme."""
-        self._tokens = tokens
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a dashed box with icon and words."""
-        tokens, painter = self._tokens, QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        pen = QPen(tokens.risk, 1)
-        pen.setDashPattern([3, 2])
-        painter.setPen(pen)
-        painter.setBrush(tokens.risks)
-        painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
-        draw(painter, self._icon, QRectF(9, 4.5, 13, 13), tokens.risk, tokens.risks)
-        painter.setPen(tokens.risk)
-        painter.setFont(self._font)
-        room = self.rect().adjusted(28, 0, 0, 0)
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self._words))
 
 
 def _logo(tokens: Tokens, ratio: float) -> QPixmap:
