@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import RunRefused
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
@@ -26,9 +27,10 @@ def make_host(
 
     ``loaded`` are plugins that were found already. A local host uses them directly. The child of a
     process host loads the plugins of the world anew, and no others. ``spare`` may have a waiting
-    child for a process host.
+    child for a process host. RunRefused if the world is hardware and no approval was asked for.
     """
     blueprint, world, seed = request.blueprint, request.world, request.seed
+    _refuse_hardware(request, loaded)
     trust = request.trust
     file = trust.bindings if trust is not None else None
     if request.host == "local":
@@ -40,6 +42,16 @@ def make_host(
     signed = trust.code if trust is not None else None
     terms = ChildTerms(_locations(loaded, world), signed=signed, bindings=file)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
+
+
+def _refuse_hardware(request: RunRequest, loaded: Loaded | None) -> None:
+    world = request.world
+    if request.trust is not None or loaded is None or world == TABLE or world not in loaded.worlds:
+        return
+    if loaded.world(world)[1].hardware:
+        words = f"{world} is hardware, and no policy is named"
+        advice = "Run it in a simulated world, or name a trust policy that is met."
+        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
 
 
 def make_ready(

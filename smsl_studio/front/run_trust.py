@@ -19,7 +19,8 @@ class RunTrust:
     """The refusals of a run, the typed conditions that are met, and the code that was signed, by
     location. ``header`` is what the log says about it. ``words`` say in one line who approved the
     blueprint, and whose keys count. ``loaded`` are the plugins as they were described, and
-    ``bindings`` is the bindings file that was signed."""
+    ``bindings`` is the bindings file that was signed. ``hardware`` says that the world was judged
+    as hardware."""
 
     refusals: tuple[Refusal, ...] = ()
     met: tuple[str, ...] = ()
@@ -28,6 +29,7 @@ class RunTrust:
     words: str = ""
     loaded: Loaded | None = None
     bindings: BindingsFile | None = None
+    hardware: bool = False
 
     def must_hold(self) -> None:
         """Raise RunRefused if there are refusals."""

@@ -126,8 +126,6 @@ def open_request(
     trust = checked.trust
     if trust is not None:
         trust.must_hold()
-    else:
-        _refuse_hardware(checked, loaded)
     blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
     refuse_nonsense(blueprint, "Mend what this finding says, then run it again.")
     refuse_too_large(Hierarchy(blueprint))
@@ -142,6 +140,7 @@ def open_request(
         findings=to_accept(blueprint, chosen),
         left_out=left_out(blueprint),
         approved=trust is not None,
+        hardware=trust is not None and trust.hardware,
         met=trust.met if trust is not None else (),
     )
     host = with_remote(checked, make_host(checked, loaded, spare))
@@ -286,16 +285,6 @@ def _trusted(request: RunRequest) -> RunRequest:
     from smsl_studio.front.trust import with_trust
 
     return with_trust(request)
-
-
-def _refuse_hardware(request: RunRequest, loaded: Loaded | None) -> None:
-    """Raise RunRefused if a world is hardware, and no approval was asked for."""
-    if loaded is None or request.world not in loaded.worlds or request.world == TABLE:
-        return
-    if loaded.world(request.world)[1].hardware:
-        words = f"{request.world} is hardware, and no policy is named"
-        advice = "Run it in a simulated world, or name a trust policy that is met."
-        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
 
 
 def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:

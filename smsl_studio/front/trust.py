@@ -42,6 +42,7 @@ def with_trust(request: RunRequest) -> RunRequest:
         _words(answer),
         answer.survey.loaded,
         answer.survey.bindings,
+        answer.survey.code is not None and answer.survey.code.hardware,
     )
     return replace(request, trust=told)
 

@@ -157,11 +157,24 @@ def test_the_code_that_was_verified_is_the_code_that_runs(file: Path, host: str)
     assert codes(run) == ["code_changed"]
 
 
+def test_the_bindings_that_were_verified_are_those_that_run(file: Path) -> None:
+    file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
+    record = lamp(file, LAMP_PLUGIN)
+    request = smsl.RunRequest(smsl.read(file), "lamp", record=record, host="local")
+    checked = with_trust(request)
+    other = '[world.lamp.operations]\n"Op_on" = {function = "lamp.refuse"}\n'
+    file.with_suffix(".toml").write_text(other)
+    assert smsl.run_request(checked).reason == "goal_reached", "the file is not read again"
+    assert codes(smsl.run_request(request)) == ["code_changed", "too_few_persons"]
+
+
 def test_hardware_runs_only_under_a_policy_that_is_met(file: Path) -> None:
     file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
     hardware = LAMP_PLUGIN.replace('engine="table"', 'engine="table", hardware=True')
     record = lamp(file, hardware)
     assert codes(smsl.run(smsl.read(file), "lamp")) == ["policy_unmet"]
+    with pytest.raises(RunRefused, match="hardware"):
+        list(smsl.sweep(smsl.read(file), "lamp"))
     assert codes(smsl.run(smsl.read(file), "lamp", record=record)) == ["policy_unmet"]
     policy = written_policy(file.parent, "persons = 1")
     assert codes(smsl.run(smsl.read(file), "lamp", policy=policy)) == ["register_invalid"]

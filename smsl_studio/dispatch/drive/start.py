@@ -39,7 +39,7 @@ def begin_run(
     _refuse_hazards([one for one in hazards if one.meets(configuration)])
     ordered = goals_of(hierarchy, terms.goals)
     opened = host.open(configuration)
-    if opened.hardware and not terms.approved:
+    if opened.hardware and not terms.hardware:
         words = f"{opened.world} is hardware and this blueprint has no inspection record"
         advice = "Run it in a simulated world first."
         raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])

@@ -22,8 +22,8 @@ class RunTerms:
     ``visits`` times, and then the run holds. ``findings`` are the findings that a person must
     accept before anything moves, in words. A run that is not ``guarded`` ignores hazards.
     ``left_out`` are annotations of the file that nobody can read, as addresses with sentences.
-    ``approved`` says that a policy guards the run and is met, so that hardware may move. ``met``
-    are the typed conditions of the approval that are met.
+    ``approved`` says that a policy or a record guards the run and is met, and ``hardware`` that the
+    approval is one for a world that is hardware. ``met`` are the typed conditions that are met.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -38,6 +38,7 @@ class RunTerms:
     guarded: bool = True
     left_out: Sequence[tuple[str, str]] = ()
     approved: bool = False
+    hardware: bool = False
     met: Sequence[str] = ()
 
     @property

@@ -16,9 +16,11 @@ from smsl_studio.inspection.approval.statement import SignedFile, WorldCode
 
 @dataclass(frozen=True, slots=True)
 class SeenRecord:
-    """A record that this user's store has seen: its person, its digest, and what it follows."""
+    """A record that this user's store has seen: the identity of its key, its digest, and what it
+    follows. It counts only if the key is known as one of the same person, so that a foreign
+    register cannot make the records of others look old."""
 
-    person: str
+    key: str
     digest: str
     follows: str | None
 

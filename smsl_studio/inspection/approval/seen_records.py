@@ -41,8 +41,12 @@ def seen_records() -> tuple[SeenRecord, ...]:
     """Return all records that were seen."""
     found = ((path.stem, read_stored(path)) for path in _files())
     try:
-        return tuple(SeenRecord(one["person"], name, one["follows"]) for name, one in found if one)
-    except (TypeError, KeyError):
+        return tuple(
+            SeenRecord(one["envelope"]["signatures"][0]["keyid"], name, one["follows"])
+            for name, one in found
+            if one
+        )
+    except (TypeError, KeyError, IndexError):
         raise SealError(f"a file in {_folder()} is not what Studio wrote") from None
 
 

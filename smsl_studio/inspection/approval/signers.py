@@ -115,7 +115,8 @@ def rolled_back(case: ApprovalCase, one: Signer) -> bool:
     """Whether the store has seen a later record of this person, or another one in its place."""
     follows, digest = one.said.follows, one.record.digest
     for seen in case.grounds.seen:
-        if seen.person != one.person or seen.digest == digest:
+        key = case.grounds.keys.get(seen.key)
+        if key is None or name_of(key.person) != one.person or seen.digest == digest:
             continue
         if seen.follows == digest or (follows is not None and seen.follows == follows):
             return True

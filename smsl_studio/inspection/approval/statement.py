@@ -126,7 +126,7 @@ class WorldCode(_Signed):
 class InspectionOptions(_Signed):
     """The options of the check."""
 
-    limit: int | None
+    limit: Annotated[int, Field(ge=1)] | None
     with_failures: bool
     recoverability: bool
     rules: list[Text] | None

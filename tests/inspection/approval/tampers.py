@@ -252,8 +252,7 @@ def rolled_back(draw: Random, files: Files) -> Files:
     """An old record is put back, and the store has seen a later one."""
     at = draw.randrange(2)
     old = read_record_file(files.record)[at]
-    person = ("adalovelace", "bencarson")[at]
-    later = SeenRecord(person, f"{draw.getrandbits(256):064x}", old.digest)
+    later = SeenRecord((ADA, BEN)[at].key, f"{draw.getrandbits(256):064x}", old.digest)
     return replace(files, seen=(later,))
 
 

@@ -192,14 +192,15 @@ def test_who_is_revoked_does_not_count_whatever_the_time() -> None:
 def test_an_older_record_than_the_store_has_seen_is_rolled_back() -> None:
     old = signed(door(), ADA)
     new = signed(door(), ADA, 1, verdict="rejected", follows=old.digest)
-    seen = (SeenRecord("adalovelace", new.digest, old.digest),)
+    seen = (SeenRecord(ADA.key, new.digest, old.digest),)
     assert codes(judged(door(), [old], trusting(seen=seen))) == {"rolled_back"}
     fork = signed(door(), ADA, 2, follows=old.digest)
     assert "rolled_back" in codes(judged(door(), [old, fork], trusting(seen=seen)))
-    first = (SeenRecord("adalovelace", "0" * 64, None),)
+    first = (SeenRecord(ADA.key, "0" * 64, None),)
     assert judged(door(), [old], trusting(seen=first)).is_approved
-    other = (SeenRecord("bencarson", new.digest, old.digest),)
-    assert judged(door(), [old], trusting(seen=other)).is_approved
+    for key in (BEN.key, "sha256:" + "0" * 64):
+        other = (SeenRecord(key, new.digest, old.digest),)
+        assert judged(door(), [old], trusting(seen=other)).is_approved
 
 
 def test_rules_that_have_changed_count_where_the_policy_asks() -> None:

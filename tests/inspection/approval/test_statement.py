@@ -11,17 +11,23 @@ import pytest
 from smsl_studio.errors import SealError
 from smsl_studio.inspection.approval.record_file import read_record_file, written_record_file
 from smsl_studio.inspection.approval.statement import read_statement
-from smsl_studio.seal.canonical import canonical
 from tests.approval import ADA, BEN, door, signed
 
 Json = Any
 PAYLOAD = signed(door(), ADA).envelope.payload
 
 
+def nested(depth: int) -> Json:
+    found: Json = {}
+    for _ in range(depth):
+        found = {"a": found}
+    return [found]
+
+
 def changed(change: Callable[[Json], object]) -> bytes:
     values = json.loads(PAYLOAD)
     change(values)
-    return canonical(values)
+    return json.dumps(values, separators=(",", ":"), sort_keys=True, ensure_ascii=False).encode()
 
 
 def test_what_is_written_is_read_again() -> None:
@@ -44,6 +50,9 @@ def test_what_is_written_is_read_again() -> None:
         lambda v: v["predicate"].update(person=""),
         lambda v: v["predicate"]["options"].update(limit="5"),
         lambda v: v["predicate"]["options"].update(limit=True),
+        lambda v: v["predicate"]["options"].update(limit=0),
+        lambda v: v["predicate"]["content"]["test.json"].update(meaning=nested(900)),
+        lambda v: v["predicate"]["content"]["test.json"].update(meaning=[2**60]),
         lambda v: v["predicate"]["rules"][0].update(result="fine"),
         lambda v: v["predicate"]["content"].update(other={}),
         lambda v: v["predicate"]["content"]["test.json"].update(meaning=[]),
