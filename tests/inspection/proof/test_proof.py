@@ -281,6 +281,8 @@ def test_what_came_after_may_be_owed_again(engine: str) -> None:
     }
     found = answered(values, ENGINES[engine])
     assert found["once"].verdict == "holds"
+    if engine == "diagram":
+        assert found["again"].engine == "diagram"
     run = found["again"].counterexample
     assert run is not None
     assert [str(one) for one in run.path] == ["B/S0/on", "A/S0/go", "A/S1/go", "A/S2/go"]
