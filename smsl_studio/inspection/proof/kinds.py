@@ -96,16 +96,16 @@ def _no_hit(found: Exploration) -> Answer:
 
 def steps_to(found: Exploration, test: Test) -> dict[int, int]:
     """Return for each configuration the number of steps to one that meets a condition."""
-    back: dict[int, list[int]] = {}
+    back: list[list[int]] = [[] for _ in range(len(found))]
     for node in range(found.expanded):
         for target in found.onward(node):
-            back.setdefault(target, []).append(node)
+            back[target].append(node)
     far = {node: 0 for node, key in enumerate(found.keys) if test(key)}
     waiting = deque(far)
     while waiting:
         heed()
         node = waiting.popleft()
-        for one in back.get(node, ()):
+        for one in back[node]:
             if one not in far:
                 far[one] = far[node] + 1
                 waiting.append(one)

@@ -34,9 +34,15 @@ class LoneExploration(Exploration):
         (name,) = self.space.order
         branch = self.space.blueprint[name]
         graph = self._graph = graph_of(branch)
+        operations = sorted(set(graph.operations), key=escape)
+        rank = {operation: number for number, operation in enumerate(operations)}
+        by_address = [rank[operation] for operation in graph.operations].__getitem__
         failing = failing_states(branch) if self.space.routed else {}
-        closed = [self.space.shuts((state,)) for state in graph.names]
-        fails = [state in failing for state in graph.names]
+        closed = fails = [False] * len(graph)
+        if self.space.routed:
+            closed = [self.space.shuts((state,)) for state in graph.names]
+            fails = [state in failing for state in graph.names]
+        targets, to_targets, to_labels = graph.targets, self._targets.append, self._labels.append
         here = [graph.index[state] for (state,) in self.keys]
         node_of = {state: node for node, state in enumerate(here)}
         for node, state in enumerate(here):
@@ -46,8 +52,8 @@ class LoneExploration(Exploration):
                 self.bound = str(error)
                 return
             edges = graph.edges_out(state)
-            for edge in sorted(edges, key=self._text) if len(edges) > 1 else edges:
-                target = graph.targets[edge]
+            for edge in sorted(edges, key=by_address) if len(edges) > 1 else edges:
+                target = targets[edge]
                 if closed[target] or (fails[target] and not fails[state]):
                     continue
                 to = node_of.get(target)
@@ -58,13 +64,10 @@ class LoneExploration(Exploration):
                         return
                     node_of[target] = to
                     here.append(target)
-                self._targets.append(to)
-                self._labels.append(edge)
+                to_targets(to)
+                to_labels(edge)
             self._first.append(len(self._targets))
             if len(self._targets) > MOST_STEPS:
                 count = f"{len(self.keys):,} configurations"
                 self.bound = f"{count} with {MOST_STEPS:,} steps, which would fill the memory"
                 return
-
-    def _text(self, edge: int) -> str:
-        return escape(self._graph.operations[edge])
