@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from threading import Event
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.stop import heed
 from smsl_studio.studio.features.inspection.explorer import BROKEN, NOTHING, STOPPED
 from smsl_studio.studio.features.inspection.state_pick import StatePick
 from tests.stories.at_explorer import (
@@ -315,6 +317,16 @@ def test_a_long_search_is_called_off(sit: Sit, monkeypatch: pytest.MonkeyPatch) 
     from smsl_studio.studio.features.inspection import look_line
 
     monkeypatch.setattr(look_line, "PATIENCE", 0)
+    ended = Event()
+
+    def for_ever(*_: object) -> None:
+        """A search that ends only when it is called off."""
+        try:
+            while True:
+                heed()
+        finally:
+            ended.set()
+
     person = at_configuration(sit, SAMPLES / "hanoi-corrected.json")
     explorer, looking = page(person).explorer, page(person).looking
     monkeypatch.setattr("smsl_studio.studio.features.inspection.explorer.shortest_run_to", for_ever)
@@ -326,14 +338,7 @@ def test_a_long_search_is_called_off(sit: Sit, monkeypatch: pytest.MonkeyPatch) 
     assert page(person).said.text() == STOPPED
     person.until(looking.isHidden)
     assert explorer.steps is not None, "what was known stays"
-
-
-def for_ever(*_: object) -> None:
-    """A search that ends only when it is called off."""
-    from smsl_studio.stop import heed
-
-    while True:
-        heed()
+    person.until(ended.is_set)
 
 
 def test_one_of_many_states_is_chosen_from_a_list(sit: Sit) -> None:

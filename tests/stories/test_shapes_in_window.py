@@ -12,6 +12,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.front.inputs import read
 from smsl_studio.front.shapes import diff_behaviour, flatten
 from smsl_studio.stop import heed
+from smsl_studio.studio.features.draw.compare.linked_views import DOTS
 from smsl_studio.studio.features.draw.shape import shape_edit
 from smsl_studio.studio.features.draw.shape.identify_dialog import IdentifyDialog
 from smsl_studio.studio.features.draw.shape.refused_shape import RefusedShape
@@ -102,11 +103,13 @@ def test_identify_lists_cuts_with_what_they_save_and_why(sit: Sit, tmp_path: Pat
     assert isinstance(dialog, IdentifyDialog)
     person.until(dialog.isVisible)
     words = str(dialog.rows.model().index(0, 0).data())
-    assert words.startswith("REGISTRATION: 1 state become")
+    assert words.startswith("REGISTRATION: 1 state becomes ")
     assert "is entered at State100+State0 and left through" in dialog.why.text()
     dialog.rows.setFocus()
     QTest.keyClick(dialog.rows, Key.Key_Return)
-    person.click(preview(person).apply)
+    shown = preview(person)
+    person.until(lambda: min(one.canvas.zoom for one in (shown.before, shown.after)) > DOTS)
+    person.click(shown.apply)
     assert len(person.blueprint) == 2
     assert person.window.session.history.count() == 1
     person.come_back()
@@ -130,7 +133,7 @@ def test_selected_states_become_a_sub_sb(sit: Sit, tmp_path: Path) -> None:
     assert person.window.actions_table["extract"].isEnabled()
     ask(person, "extract")
     shown = preview(person)
-    assert "become the sub-SB" in shown.said.text()
+    assert "becomes the sub-SB" in shown.said.text()
     person.click(shown.leave)
     assert person.blueprint is before, "Cancel changes nothing"
     ask(person, "extract")
@@ -173,13 +176,20 @@ def test_undo_and_other_edits_close_the_preview(sit: Sit) -> None:
     assert "State010" not in person.blueprint["REGISTRATION"].table
     assert len(person.blueprint) == 2
     assert "so the preview was closed" in person.window.toast.words
+    assert not shown_now(person)
     person.come_back()
 
     ask(person, "flatten")
     preview(person)
     session.edit("Add", lambda bp: editing.add_state(bp, "REGISTRATION", "State010"))
     assert shapes(person).dialog is None
+    assert not shown_now(person)
     assert len(person.blueprint) == 2
+
+
+def shown_now(person: Person) -> list[ShapePreview]:
+    """The previews that are open."""
+    return [one for one in person.window.findChildren(ShapePreview) if one.isVisible()]
 
 
 def test_a_search_that_lasts_is_called_off_or_ended_by_an_edit(

@@ -95,7 +95,7 @@ class EquivalencePage(QWidget):
         sides = QSplitter(Qt.Orientation.Horizontal)
         sides.setHandleWidth(1)
         sides.setChildrenCollapsible(False)
-        choose = row(label("Compare the drawing with", "second"), self.file, self.saved,
+        choose = row(label("Compare with", "second"), self.file, self.saved,
                      self.revision, None, spacing=6)  # fmt: skip
         left = _column(
             choose, row(self.looking), row(self.mark, self.verdict, None), self.reason,
@@ -108,7 +108,7 @@ class EquivalencePage(QWidget):
         )
         sides.addWidget(left)
         sides.addWidget(right)
-        sides.setSizes([520, 480])
+        sides.setSizes([540, 460])
         return sides
 
     def _connect(self) -> None:

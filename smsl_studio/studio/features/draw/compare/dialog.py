@@ -65,6 +65,8 @@ class CompareDialog(QDialog):
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.setWindowTitle("Compare")
         self._stands_alone = False
+        self.marked = True
+        """Whether the drawings have the signs of changes."""
         self._difference: Difference | None = None
         self._pairs: list[Pair] = []
         self._shown: Pair | None = None
@@ -194,7 +196,7 @@ class CompareDialog(QDialog):
             (self.before, difference.before, pair[0], places[0], self._signs[0]),
             (self.after, difference.after, pair[1], places[1], self._signs[1]),
         ):
-            side.show_branch(blueprint, name, where, signs.by_address)
+            side.show_branch(blueprint, name, where, signs.by_address if self.marked else {})
         moved = places != self._places and self.before.canvas.camera.fitted
         # Before the first show event, the canvases have no size to fit into.
         if self.isVisible() and (fit or moved):

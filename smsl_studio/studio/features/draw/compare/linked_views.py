@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QPointF, QRectF
 
 from smsl_studio.studio.base.canvas.canvas import Canvas
+
+DOTS = 0.2
+"""Below this zoom nothing can be read."""
+AROUND = 170, 100
+"""Width and height of a state, in scene units, with some room around it."""
 
 
 class LinkedViews(QObject):
@@ -30,6 +35,10 @@ class LinkedViews(QObject):
             # The side with the smaller zoom leads, so that both fit.
             leader = min(sides, key=lambda canvas: canvas.zoom)
             self._follow(leader, sides[0] if leader is sides[1] else sides[1])
+        # Very long names of operations can leave no room for the states, which then are dots.
+        least = min((_zoom_of_states(canvas) for canvas in sides), default=0.0)
+        if least > DOTS and any(canvas.zoom < DOTS for canvas in sides):
+            sides[0].camera.go(_middle(sides[0]), least, smooth=False)
 
     def _follow(self, canvas: Canvas, follower: Canvas) -> None:
         if self._following:
@@ -40,3 +49,23 @@ class LinkedViews(QObject):
             follower.camera.go(canvas.camera.centre, canvas.zoom, smooth=False)
         finally:
             self._following = False
+
+
+def _box(canvas: Canvas) -> QRectF:
+    """The rectangle of the middles of all states, in scene units."""
+    places = list(canvas.positions.values())
+    left, top = (min(place[axis] for place in places) for axis in (0, 1))
+    right, foot = (max(place[axis] for place in places) for axis in (0, 1))
+    return QRectF(QPointF(left, top), QPointF(right, foot))
+
+
+def _middle(canvas: Canvas) -> QPointF:
+    return _box(canvas).center()
+
+
+def _zoom_of_states(canvas: Canvas) -> float:
+    """The zoom at which all states fit, without the names of their operations; 1 at most."""
+    box = _box(canvas)
+    across = canvas.width() / (box.width() + AROUND[0])
+    down = canvas.height() / (box.height() + AROUND[1])
+    return min(across, down, 1.0)

@@ -76,5 +76,6 @@ class IdentifyDialog(QDialog):
 def _row(found: FoundCut) -> ListRow:
     states = counted(len(found.cut.chosen.states), "state")
     saves = f"saves {counted(found.states_saved, 'state')}, {counted(found.facts_saved, 'fact')}"
-    words = f"{found.branch.name}: {states} become {found.name}"
+    become = "becomes" if len(found.cut.chosen.states) == 1 else "become"
+    words = f"{found.branch.name}: {states} {become} {found.name}"
     return ListRow(words, found, "layers", right=saves, accent=True)

@@ -27,13 +27,14 @@ PROVED = "It behaves as before, for this blueprint as written."
 @dataclass(frozen=True, eq=False)
 class ShapeEdit:
     """``words`` name the step in the history, ``result`` the side after it. ``sentence`` tells what
-    the edit does."""
+    the edit does. ``marked`` says whether the drawings show single changes."""
 
     before: Blueprint
     after: Blueprint
     words: str
     result: str
     sentence: str
+    marked: bool = False
 
 
 def flat_edit(blueprint: Blueprint) -> ShapeEdit:
@@ -73,7 +74,8 @@ def merge_edit(blueprint: Blueprint, same: SameStates) -> ShapeEdit:
     kept = next(name for name in same.states if name in after[same.branch].table)
     names = series([name for name in same.states if name != kept])
     sentence = f"What leads to {names} leads to {kept}. {PROVED}"
-    return ShapeEdit(blueprint, after, f"Merge {names} into {kept}", "merged", sentence)
+    words = f"Merge {names} into {kept}"
+    return ShapeEdit(blueprint, after, words, "merged", sentence, marked=True)
 
 
 def _extracted(
@@ -81,7 +83,8 @@ def _extracted(
 ) -> ShapeEdit:
     fewer = len(blueprint[branch].table) - len(after[branch].table)
     saved = f"{branch} has {counted(fewer, 'state')} less. " if fewer > 0 else ""
-    sentence = f"{series(states)} become the sub-SB {name} of {branch}. {saved}{PROVED}"
+    become = "becomes" if len(states) == 1 else "become"
+    sentence = f"{series(states)} {become} the sub-SB {name} of {branch}. {saved}{PROVED}"
     words = f"Extract {name} from {branch}"
     return ShapeEdit(blueprint, after, words, f"with {name}", sentence)
 

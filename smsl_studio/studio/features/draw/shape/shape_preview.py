@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.comparison import compare
@@ -37,6 +38,17 @@ class ShapePreview(CompareDialog):
         whole = self.layout()
         assert isinstance(whole, QVBoxLayout)
         whole.addLayout(line)
+        # Where nearly all names are new, signs of changes would only hide the drawings.
+        self.marked = edit.marked
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._link.fit)
         difference = as_drawn(compare(edit.before, edit.after))
         self.show_difference(difference, "as it is drawn", edit.result)
         self.setWindowTitle(plain_text(f"Preview: {edit.words}"))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Fit both sides once they have their sizes, and give Apply the keyboard focus."""
+        super().showEvent(event)
+        self._soon.start(0)
+        self.apply.setFocus()
