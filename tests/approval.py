@@ -10,6 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from smsl_studio.blueprint.digests import content_of, digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.approval.case import ApprovalCase, PresentState, TrustGrounds
@@ -31,6 +33,7 @@ from smsl_studio.inspection.approval.statement import (
     statement_of,
 )
 from smsl_studio.inspection.approval.times import written_time
+from smsl_studio.seal import key_box
 from smsl_studio.seal.canonical import canonical
 from smsl_studio.seal.ed25519 import identity, public_of, sealed
 from smsl_studio.seal.strict_json import base64_text
@@ -82,6 +85,12 @@ BEN = Member("Ben Carson", "surgeon", bytes(range(1, 33)))
 EVE = Member("Eve", "engineer", bytes(range(2, 34)))
 BOT = Member("ci", "automatic", bytes(range(3, 35)))
 EVERYBODY = (ADA, BEN, EVE, BOT)
+
+
+def make_keys_cheap(patch: pytest.MonkeyPatch) -> None:
+    """Let the boxes of keys take the least work that is allowed, and each only once."""
+    patch.setattr(key_box, "_N", 1 << 14)
+    patch.setattr(key_box, "_key", cache(key_box._key))
 
 
 @cache

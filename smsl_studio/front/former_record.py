@@ -26,6 +26,14 @@ def changes_since_record(
     ``record`` is a record's file. Without it the record beside the blueprint and the store are
     looked at; both results are empty if there is none. ReadError if a record cannot be read.
     """
+    from smsl_studio.inspection.approval.seen_index import newest_entry
+
+    beside = os.path.lexists(f"{blueprint.file}.record.json")
+    try:
+        if record is None and not beside and not newest_entry(blueprint.file):
+            return "", ()
+    except SealError as error:
+        raise ReadError(error.sentence, error.place or Place(blueprint.file, 1, 1)) from None
     from smsl_studio.inspection.against import inspect_against_content
     from smsl_studio.inspection.approval.record_file import (
         SignedRecord,

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.approval import DOOR, PASSPHRASE
+from tests.approval import DOOR, PASSPHRASE, make_keys_cheap
 from tests.cli.shell import Answer, Shell
 
 
@@ -69,6 +69,7 @@ class Desk:
 def make_desk(shell: Shell, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Desk:
     """A desk with the blueprint that is approved, and Ada's key."""
     monkeypatch.setenv("SMSL_PASSPHRASE", PASSPHRASE)
+    make_keys_cheap(monkeypatch)
     desk = Desk(shell, folder)
     desk.write()
     desk.key("Ada Lovelace", "engineer", "ada")

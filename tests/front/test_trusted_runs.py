@@ -15,15 +15,16 @@ from smsl_studio.front.trust import with_trust
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.permission import allow
 from smsl_studio.runlog.events import RunFinished, RunStarted
-from tests.approval import DOOR, PASSPHRASE, written_policy
+from tests.approval import DOOR, PASSPHRASE, make_keys_cheap, written_policy
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, found_plugin, write_allowed
 
 WORDS = PASSPHRASE.encode()
 
 
 @pytest.fixture
-def file(tmp_path: Path) -> Path:
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A blueprint with a key that can approve it."""
+    make_keys_cheap(monkeypatch)
     path = tmp_path / "door.json"
     path.write_text(json.dumps(DOOR), "utf-8")
     smsl.make_key("Ada Lovelace", "engineer", WORDS, "ada")

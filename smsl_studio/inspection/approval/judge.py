@@ -78,7 +78,8 @@ def judge(case: ApprovalCase) -> Judgement:
     met: list[str] = []
     for one in last:
         if one.counts:
-            refusals += _open_conditions(case, one, signers, met)
+            for setter in _setters(one, signers):
+                refusals += _open_conditions(case, setter, signers, met)
     return _judged(refusals, last, met)
 
 
@@ -111,8 +112,9 @@ def _missing_persons(case: ApprovalCase, last: Sequence[Signer]) -> Iterator[Ref
         have = f"{len(good)} {'does' if len(good) == 1 else 'do'}"
         yield Refusal("too_few_persons", f"{persons} must approve it, and {have}")
     for role in unfilled:
-        wanted = policy.roles[role]
-        words = f"{wanted} of the role {role} must approve it, beside those of other roles"
+        many = policy.roles[role]
+        persons = "a person" if many == 1 else f"{many} persons"
+        words = f"{persons} of the role {role} must approve it; one person fills one role"
         yield Refusal("role_missing", words)
 
 
@@ -145,6 +147,16 @@ def _hardware(case: ApprovalCase) -> Iterator[Refusal]:
         yield Refusal("policy_unmet", f"{where}, and no policy is named")
     elif not grounds.registered:
         yield Refusal("register_invalid", f"{where}, and the policy names no register")
+
+
+def _setters(last: Signer, signers: Sequence[Signer]) -> Iterator[Signer]:
+    """Yield the records whose conditions hold for a person: the last word, and those before it as
+    long as each only said that conditions are met."""
+    own = [one for one in signers if one.person == last.person and one.counts]
+    for one in reversed(own):
+        yield one
+        if not one.said.met:
+            return
 
 
 def _open_conditions(

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.errors import SealError
 from smsl_studio.inspection.approval.case import SeenRecord
 from smsl_studio.inspection.approval.record_file import SignedRecord
+from smsl_studio.inspection.approval.seen_index import (
+    ENTRY,
+    ENVELOPE,
+    entries,
+    newest_entry,
+    records_folder,
+)
 from smsl_studio.inspection.approval.statement import PAYLOAD_TYPE
 from smsl_studio.inspection.approval.store_files import read_stored, store_folder, write_stored
 from smsl_studio.seal.envelope import read_envelope
@@ -20,53 +27,47 @@ Json = Any
 def keep_record(record: SignedRecord, person: str, file: str) -> None:
     """Note that a record was seen for a file. ``person`` is the name by which its signer is told
     apart. The caller holds the store."""
-    path = _folder() / f"{record.digest}.json"
-    if path.exists():
+    if has_seen(record.digest):
         return
+    said = record.statement.predicate
+    path = records_folder() / record.digest
+    write_stored(path.with_suffix(ENVELOPE), record.envelope.as_json())
     write_stored(
-        path,
+        path.with_suffix(ENTRY),
         {
-            "version": 1,
             "person": person,
+            "key": record.envelope.keyid,
             "file": os.path.realpath(file),
-            "follows": record.statement.predicate.follows,
-            "time": record.statement.predicate.time,
+            "follows": said.follows,
+            "time": said.time,
             "closure": record.statement.digests.closure,
-            "envelope": record.envelope.as_json(),
         },
     )
 
 
 def seen_records() -> tuple[SeenRecord, ...]:
     """Return all records that were seen."""
-    found = ((path.stem, read_stored(path)) for path in _files())
-    try:
-        return tuple(
-            SeenRecord(one["envelope"]["signatures"][0]["keyid"], name, one["follows"])
-            for name, one in found
-            if one
-        )
-    except (TypeError, KeyError, IndexError):
-        raise SealError(f"a file in {_folder()} is not what Studio wrote") from None
+    return tuple(SeenRecord(one["key"], digest, one["follows"]) for digest, one in entries())
 
 
 def has_seen(digest: str) -> bool:
     """Whether a record was seen before."""
-    return (_folder() / f"{digest}.json").exists()
+    return (records_folder() / f"{digest}{ENTRY}").exists()
 
 
 def newest_seen(file: str, closure: str = "", person: str | None = None) -> SignedRecord | None:
-    """Return the newest record that was seen for a file, or for a closure, and of a person if one
-    is named. None if there is none."""
-    real, best, when = os.path.realpath(file), None, ""
-    for path in _files():
-        one = read_stored(path)
-        if not isinstance(one, dict) or (person is not None and one.get("person") != person):
-            continue
-        fits = one.get("file") == real or (closure and one.get("closure") == closure)
-        if fits and str(one.get("time")) > when:
-            best, when = one, str(one["time"])
-    return None if best is None else SignedRecord.of(read_envelope(best["envelope"], PAYLOAD_TYPE))
+    """Return the newest record that was seen (see ``newest_entry``). None if there is none.
+
+    SealError if it is not the one that was seen.
+    """
+    digest = newest_entry(file, closure, person)
+    if not digest:
+        return None
+    path = records_folder() / f"{digest}{ENVELOPE}"
+    found = SignedRecord.of(read_envelope(read_stored(path), PAYLOAD_TYPE))
+    if found.digest != digest:
+        raise SealError(f"{path} is not what Studio wrote", advice="Put back your copy of it.")
+    return found
 
 
 def seen_serial(key: str) -> int:
@@ -110,17 +111,6 @@ def _serials() -> Mapping[str, Json]:
     if found is not None and not isinstance(found, dict):
         raise SealError(f"{_serials_file()} is not what Studio wrote")
     return found or {}
-
-
-def _files() -> Iterable[Path]:
-    try:
-        return sorted(path for path in _folder().iterdir() if path.suffix == ".json")
-    except (FileNotFoundError, NotADirectoryError):
-        return ()
-
-
-def _folder() -> Path:
-    return store_folder() / "records"
 
 
 def _serials_file() -> Path:

@@ -234,6 +234,20 @@ def test_free_conditions_are_closed_by_the_role_that_set_them() -> None:
     assert not judged(door(), [before, record], grounds).is_approved
 
 
+def test_who_says_that_one_condition_is_met_leaves_the_others_open() -> None:
+    first = signed(door(), BEN, verdict="conditions", conditions=["one", "world = lamp"])
+    met = signed(door(), BEN, 1, met=["one"], follows=first.digest)
+    found = judged(door(), [first, met])
+    assert [one.sentence for one in found.refusals] == [
+        "this is asked when a run starts, and cannot be asked here: world = lamp"
+    ]
+    assert judged(door(), [first, met], world="lamp").is_approved
+    other = signed(door(), BEN, 1, met=["another"], follows=first.digest)
+    assert len(judged(door(), [first, other]).refusals) == 2
+    anew = signed(door(), BEN, 2, follows=met.digest)
+    assert judged(door(), [first, other, anew]).is_approved, "a fresh word has no conditions"
+
+
 @pytest.mark.parametrize(
     ("text", "asked", "wanted"),
     [
