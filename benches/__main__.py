@@ -49,6 +49,7 @@ BENCHES = (
     "walks",
     "layouts",
     "mental_map",
+    "tidy",
     "plans",
     "proof",
     "shapes",

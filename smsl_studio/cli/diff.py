@@ -35,6 +35,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     add_limit(parser, "with --behaviour: store at most N configurations (default 1,000,000)")
     add_picture(parser, required=False)
+    parser.add_argument(
+        "--collapse",
+        action="store_true",
+        help="with -o: draw unchanged operations between the same two states as one line",
+    )
     add_format(parser)
 
 
@@ -51,13 +56,15 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         )
     if files == ["-", "-"]:
         raise UsageError("standard input cannot be both files", advice="Name one of them.")
+    if options.collapse and not options.output:
+        raise UsageError("--collapse is about a picture", advice="Name it with -o.")
     if options.behaviour:
         return _compare_behaviour(options, out)
     if options.output:
         picture_form(options.output)
     difference = diff(read_argument(files[0]), read_argument(files[1]))
     if options.output:
-        _draw(difference, options.output)
+        _draw(difference, options.output, options.collapse)
     if options.format == "json":
         out.json(difference.as_json())
     else:
@@ -113,9 +120,10 @@ def _told(sign: str, change: Change) -> str:
     return one_line(f"{sign} {where}{change.words}")
 
 
-def _draw(difference: Difference, output: str) -> None:
+def _draw(difference: Difference, output: str, collapsed: bool) -> None:
     inputs = (*inputs_of(difference.before), *inputs_of(difference.after))
-    save_document(drawn_difference(difference, output), output, made_of=inputs)
+    picture = drawn_difference(difference, output, collapsed)
+    save_document(picture, output, made_of=inputs)
 
 
 def _places(difference: Difference, change: Change) -> str:

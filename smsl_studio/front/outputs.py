@@ -254,13 +254,17 @@ def title_of(blueprint: Blueprint) -> str:
     return PurePath(blueprint.file).name
 
 
-def drawn_difference(difference: Difference, output: Name) -> bytes:
-    """Return a picture of a comparison as bytes. Added, removed and changed elements are marked."""
+def drawn_difference(difference: Difference, output: Name, collapsed: bool = False) -> bytes:
+    """Return a picture of a comparison as bytes. Added, removed and changed elements are marked.
+
+    With ``collapsed`` unchanged operations between the same two states are one line.
+    """
     from smsl_studio.picture.colours import LIGHT
     from smsl_studio.picture.compared import draw_difference
 
     title = f"{difference.before.file} -> {difference.after.file}"
-    return picture_of(draw_difference(difference), title, output, LIGHT)
+    panels = draw_difference(difference, LIGHT, collapsed)
+    return picture_of(panels, title, output, LIGHT)
 
 
 def picture_form(output: Name) -> str:

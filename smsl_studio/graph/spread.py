@@ -15,6 +15,7 @@ import numpy as np
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.shape import distances
+from smsl_studio.stop import heed
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cell = tuple[int, int]
@@ -58,6 +59,7 @@ def _pivot_distances(graph: BranchGraph, first: int) -> tuple[list[int], Array]:
     rows: list[Array] = []
     state = first
     for _ in range(count):
+        heed()
         row = np.array(distances(graph.neighbours, state), dtype=np.float64)
         far = row.max() + 4.0
         row[row < 0] = far
@@ -124,6 +126,7 @@ def _stress(places: Array, pivots: list[int], steps: Array) -> Array:
     # Sums are made one by one, because numpy adds in an order that depends on the machine.
     total = np.maximum(sum(weights.T, np.zeros(len(steps))), 1e-9)[:, None]
     for _ in range(_ROUNDS):
+        heed()
         moved = np.zeros_like(places)
         for number, pivot in enumerate(pivots):
             gap = places - places[pivot]
@@ -156,6 +159,7 @@ def _own_cells(places: Array) -> list[tuple[float, float]]:
     full = _Full()
     found: list[tuple[float, float]] = []
     for x, y in places.tolist():
+        heed()
         wanted = (round(x / CELL_X), round(y / CELL_Y))
         ring = full.around(wanted)
         cell = full.free(wanted, ring, taken)

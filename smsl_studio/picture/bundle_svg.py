@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from smsl_studio.legible import markup
 from smsl_studio.picture.arrowhead import HEAD, arrowhead
@@ -51,9 +51,10 @@ def draw_count(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
     yield "</g>"
 
 
-def draw_stubs(figure: Figure, colours: Colours) -> Iterator[str]:
-    """Yield the marks of the states from which operations lead back to the start by the lane."""
-    for state in figure.picture.stubs if figure.shows_nodes else ():
+def draw_stubs(figure: Figure, states: Collection[int], colours: Colours) -> Iterator[str]:
+    """Yield the marks of those of some states from which operations lead back by the lane."""
+    drawn = set(states) if figure.shows_nodes else set()
+    for state in (one for one in figure.picture.stubs if one in drawn):
         line = stub_of(figure.geometry.box(state), 1.0)
         x, y = line[-1]
         yield polyline(line, colours["slate"], 1.5)

@@ -24,9 +24,11 @@ WIDE = 900.0
 BETWEEN = 12.0
 
 
-def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[SvgPanel]:
-    """Return a panel with the words, then one for each SB that has changed. UsageError for too many
-    SBs.
+def draw_difference(
+    difference: Difference, colours: Colours = LIGHT, collapsed: bool = False
+) -> list[SvgPanel]:
+    """Return a panel with the words, then one for each SB that has changed. With ``collapsed``
+    unchanged operations between the same two states are one line. UsageError for too many SBs.
     """
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
@@ -41,7 +43,7 @@ def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Sv
         places = places_of(difference, *pair)
         drawn = [
             _side(
-                Picture(sides[i], pair[i], crowd),
+                _shown(Picture(sides[i], pair[i], crowd), signs[i], collapsed),
                 ("before", "after")[i],
                 signs[i],
                 places[i],
@@ -54,6 +56,17 @@ def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Sv
     return panels
 
 
+def _shown(picture: Picture, signs: Signs, collapsed: bool) -> Picture:
+    """Return the picture, collapsed if that is wanted. What has changed is drawn by itself."""
+    return picture.collapse(_signed(picture, signs)) if collapsed else picture
+
+
+def _signed(picture: Picture, signs: Signs) -> dict[int, str]:
+    """Return the operations that have changed, by number, with their signs."""
+    edges = range(len(picture.operations))
+    return {e: sign for e in edges if (sign := signs.of(picture.address(e)))}
+
+
 def _side(
     picture: Picture, word: str, signs: Signs, places: Mapping[str, Point], colours: Colours
 ) -> SvgPanel:
@@ -61,8 +74,7 @@ def _side(
     states = {
         i: sign for i, state in enumerate(picture.names) if (sign := signs.of(Address(name, state)))
     }
-    edges = range(len(picture.operations))
-    operations = {e: sign for e in edges if (sign := signs.of(picture.address(e)))}
+    operations = _signed(picture, signs)
     figure = Figure(picture, places, frozenset(operations))
     return panel_of(figure, name, word, colours, states, operations)
 

@@ -55,7 +55,7 @@ def panel_of(
     notes, groups = figure.drawn_with(None)
     parts.extend(draw_groups(figure, groups, colours))
     parts.extend(draw_lines(figure, edges, colours, operations))
-    parts.extend(draw_stubs(figure, colours))
+    parts.extend(draw_stubs(figure, range(len(figure.picture)), colours))
     parts.extend(draw_titles(figure, groups, colours))
     parts.extend(draw_notes(figure, notes, colours))
     for state in range(len(figure.picture)):

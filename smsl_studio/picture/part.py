@@ -44,6 +44,19 @@ def chosen_part(picture: Picture, chosen: Iterable[Address]) -> PicturePart:
     return PicturePart(picture, tuple(sorted(states)), tuple(sorted(edges)))
 
 
+def collapsed_part(picture: Picture, part: PicturePart) -> Picture:
+    """Return the picture, collapsed for a part of it. An operation of the part has a line of its
+    own if the part has not all of its bundle."""
+    bundles, edges = picture.all_bundles, set(part.edges)
+    return picture.collapse(
+        [
+            edge
+            for edge in part.edges
+            if edge in bundles.first and not edges.issuperset(bundles.members[bundles.first[edge]])
+        ]
+    )
+
+
 def part_in(figure: Figure, frame: Rect) -> PicturePart:
     """Return the part of a figure of which something lies in a frame."""
     left, top, right, bottom = frame

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from smsl_studio.picture.bundle_svg import draw_stubs
 from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.drawn_svg import draw_groups, draw_notes, draw_titles
 from smsl_studio.picture.figure import Figure, Rect
@@ -45,6 +46,7 @@ def _parts(
     return [
         *draw_groups(figure, groups, colours),
         *draw_lines(figure, part.edges, colours),
+        *draw_stubs(figure, part.states, colours),
         *draw_titles(figure, groups, colours),
         *draw_notes(figure, notes, colours),
         *(svg for state in part.states for svg in draw_node(figure, state, colours)),

@@ -4,7 +4,7 @@ Qt.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
@@ -120,9 +120,10 @@ class Picture:
         laned = with_lane(found, back)
         return laned if back and self.bundled(laned).small else found
 
-    def collapse(self) -> Picture:
-        """Return the same picture, collapsed. A line that is drawn by hand stays by itself."""
-        found = self.bundled(self.all_bundles.without(self.edge_layouts()))
+    def collapse(self, alone: Collection[int] = ()) -> Picture:
+        """Return the same picture, collapsed. Operations that are drawn ``alone`` are in no bundle,
+        and neither is a line that is drawn by hand."""
+        found = self.bundled(self.all_bundles.without({*alone, *self.edge_layouts()}))
         found.collapsed = True
         return found
 

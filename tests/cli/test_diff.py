@@ -194,3 +194,22 @@ def test_behaviours_are_compared(shell: Shell, tmp_path: Path) -> None:
     unknown = shell("diff", *files, "--behaviour", "--limit", "3", "--format", "json")
     assert (unknown.status, unknown.json["equal"]) == (1, None)
     assert shell("diff", *files, "--behaviour", "-o", "x.svg").status == 2
+
+
+def test_unchanged_operations_between_two_states_are_one_line_in_the_picture(
+    shell: Shell, tmp_path: Path
+) -> None:
+    values = json.loads(Path(sample("registration")).read_text())
+    del values["REGISTRATION"]["State_1100"]["Op_ReplanLandmarks"]
+    other, whole, bundled = (tmp_path / name for name in ("b.json", "a.svg", "b.svg"))
+    other.write_text(json.dumps(values))
+    files = ("diff", sample("registration"), str(other))
+    assert shell(*files, "-o", str(whole)).status == 1
+    assert shell(*files, "-o", str(bundled), "--collapse").status == 1
+    texts = whole.read_text("utf-8"), bundled.read_text("utf-8")
+    assert texts[0].count("<polyline") > texts[1].count("<polyline")
+    assert "State_1100 -&gt; Op_ClearDigitization" in texts[1]
+    assert "State_1100 -&gt; Op_ReplanLandmarks" not in texts[1], "a change stands alone"
+    refused = shell(*files, "--collapse")
+    assert refused.status == 2
+    assert "Name it with -o." in refused.err

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.toast import Toast
+from smsl_studio.studio.document.files.collapse_choice import CollapseChoice
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
@@ -25,6 +26,7 @@ class WindowParts:
     files: Files
     inspector: Inspector
     settings: Settings
+    collapsing: CollapseChoice
     toast: Toast
     tokens: Tokens
     window: QMainWindow

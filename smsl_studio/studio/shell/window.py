@@ -16,6 +16,7 @@ from smsl_studio.studio.base.settings import KEYS
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.toast import Toast
 from smsl_studio.studio.document.files.auto_save import AutoSave
+from smsl_studio.studio.document.files.collapse_choice import CollapseChoice
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.fresh import empty_blueprint
@@ -80,7 +81,14 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(self.tokens, self.body)
         self.parts = WindowParts(
-            self.session, self.files, self.inspector, self._settings, self.toast, self.tokens, self
+            self.session,
+            self.files,
+            self.inspector,
+            self._settings,
+            CollapseChoice(self.session, self.files, self._settings),
+            self.toast,
+            self.tokens,
+            self,
         )
         self.features = Features(self.parts, self, self._windows)
         self.leaving = Departure(self.features.may_leave, self.files, Dialogs(self))

@@ -179,3 +179,19 @@ def test_what_changes_no_place_leaves_the_file_without_places() -> None:
     places, after = changed({"SB": table}, {"SB": {**table, "S3": {"og": "S4", "by": "S8"}}})
     assert not after["SB"].notes.layout
     assert agree(places, after)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_state_that_is_moved_by_hand_moves_no_other(seed: int) -> None:
+    chance = Random(seed)
+    table = {f"S{at}": {"go": f"S{chance.randrange(20)}"} for at in range(20)}
+    blueprint = read_blueprint(parse_json(json.dumps({"SB": table}), "x.json"))
+    places = Places()
+    before = places.of(blueprint["SB"])
+    for moved in chance.sample(list(table), 12):
+        to = (round(chance.random() * 900, 1), round(chance.random() * 900, 1))
+        edited = places.completed(blueprint, places.moved(blueprint, "SB", {moved: to}))
+        after = places.of(edited["SB"])
+        assert after == {**before, moved: to}
+        assert opened_anew(edited)["SB"] == after, "and none in the file that is saved"
+        blueprint, before = edited, after

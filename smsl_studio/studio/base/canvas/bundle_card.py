@@ -38,6 +38,7 @@ class BundleCard(Card):
         super().__init__(canvas, tokens, 10.0)
         self._canvas, self.rows = canvas, list[BundleRow]()
         self.pinned = False
+        self._own: tuple[int, ...] = ()
         self.float_up()
         self.title = Label("", self)
         self.title.setFont(mono_font(12, 600))
@@ -91,6 +92,21 @@ class BundleCard(Card):
             self._show(edge)
         self.keep(True)
 
+    def step(self, by: int) -> bool:
+        """Open the card of the next bundle (1) or the former one (-1), with the keyboard focus in
+        its first row. False if no operations are bundled."""
+        sheet = self._canvas.sheet
+        every = sorted(sheet.picture.bundles.members) if sheet is not None else []
+        if not every or sheet is None:
+            return False
+        first = sheet.picture.bundles.first.get(self.edge, -1)
+        at = every.index(first) + by if first in every else (0 if by > 0 else -1)
+        edge = every[at % len(every)]
+        self._canvas.reveal(sheet.picture.address(edge), smooth=False)
+        self.open(edge)
+        self.rows[0].setFocus()
+        return True
+
     def keep(self, on: bool) -> None:
         """Pin the card, or let it go with the pointer again."""
         self.pinned, self.pin.accent = on, on
@@ -108,13 +124,14 @@ class BundleCard(Card):
             if focused:
                 self._canvas.setFocus()
 
-    def follow(self) -> None:
-        """Stay beside the chip after the view has moved. A card that is not pinned hides, and so
-        does one whose chip is out of view or whose bundle was opened."""
+    def follow(self, moved: bool = True) -> None:
+        """Stay beside the chip after the view has ``moved`` or has other marks. A card hides if its
+        chip is out of view or if its bundle has other operations now. One that is not pinned hides
+        as soon as the view moves."""
         sheet, edge = self._canvas.sheet, self.edge
         if edge < 0 or sheet is None:
             return
-        if self.pinned and edge in sheet.picture.bundles.first:
+        if (self.pinned or not moved) and _own(sheet.picture, edge) == self._own:
             place = self._place(edge, self.width(), self.height())
             if self._canvas.rect().contains(place):
                 self.setGeometry(place)
@@ -131,9 +148,15 @@ class BundleCard(Card):
             self._hide.start()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape closes the card."""
+        """Escape closes the card, L goes to the next bundle and Shift+L to the former one, Enter
+        chooses the operation of the row that has the focus."""
+        row = next((row for row in self.rows if row.hasFocus()), None)
         if event.key() == Qt.Key.Key_Escape:
             self.go()
+        elif event.key() == Qt.Key.Key_L:
+            self.step(-1 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1)
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and row is not None:
+            row.click()
         else:
             event.ignore()
 
@@ -141,6 +164,7 @@ class BundleCard(Card):
         sheet = self._canvas.sheet
         if sheet is None:
             return
+        self._own = _own(sheet.picture, edge)
         title, lines = card_lines(sheet.picture, edge)
         self.title.setText(title)
         self.setAccessibleName(plain_text(f"{len(lines)} operations, {title}"))
@@ -173,9 +197,12 @@ class BundleCard(Card):
             row.update()
 
     def _choose(self, line: BundleLine) -> None:
-        """Select an operation. The card goes, because the operation is drawn by itself now."""
+        """Choose an operation, as a click on its line does. The card goes, because a selected
+        operation is drawn by itself."""
         self.go()
         self._canvas.selection_wanted.emit((line.address,))
+        if not self._canvas.editing:
+            self._canvas.edge_clicked.emit(line.address)
         self._canvas.setFocus()
 
     def _mark(self, edge: int) -> None:
@@ -219,6 +246,11 @@ def _places(chip: QRect, wide: int, high: int) -> Iterator[QRect]:
     for y in (chip.center().y() - high // 2, chip.top() - 20, chip.bottom() + 20 - high):
         yield QRect(right, y, wide, high)
         yield QRect(left, y, wide, high)
+
+
+def _own(picture: Picture, edge: int) -> tuple[int, ...]:
+    """The operations of the bundle of an edge; empty if it is in none."""
+    return picture.bundles.members.get(picture.bundles.first.get(edge, -1), ())
 
 
 def card_lines(picture: Picture, edge: int) -> tuple[str, list[BundleLine]]:

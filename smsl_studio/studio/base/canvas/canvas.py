@@ -6,7 +6,7 @@ User requests leave it as signals, and ``CanvasEditor`` turns them into edits of
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer
 from PySide6.QtGui import (
@@ -29,11 +29,11 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
-from smsl_studio.picture.crowded import is_crowded, may_be_crowded
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.canvas_collapse import CanvasCollapse
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import pending_ends
@@ -52,9 +52,8 @@ class Canvas(BranchView):
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
         self._pinch = Pinch(self.camera)
-        self._fitted = self._words = self._collapsed = self._judged = self._quiet = False
-        self.collapse_choice: Callable[[], bool | None] = lambda: False
-        """Whether the person wants SBs collapsed; None if nobody said so: then crowded ones are."""
+        self._fitted = self._words = self._quiet = False
+        self.collapse = CanvasCollapse(self, self._draw_again)
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -88,9 +87,9 @@ class Canvas(BranchView):
             if positions is None:
                 positions = place_states(picture.branch)
             former = self.sheet if self.sheet and self.sheet.is_of(branch) else None
-            if not (keep_view and self._judged):
-                self._judge(picture, positions)
-            shown = picture.collapse() if self._collapsed else picture
+            if not (keep_view and self.collapse.knows(branch)):
+                self.collapse.judge(picture, positions)
+            shown = picture.collapse() if self.collapsed else picture
             sheet = Sheet(shown, positions, self.ink, self.marks, former)
             sheet.looks.quiet = picture.mixed if self._quiet else frozenset()
         self.show_sheet(sheet)
@@ -101,33 +100,10 @@ class Canvas(BranchView):
         self.hand.look_again()
         self._describe()
 
-    def _judge(self, picture: Picture, positions: Mapping[str, Position]) -> None:
-        """Find out whether an SB that opens is to be collapsed: as the person chose, else if its
-        names have no room."""
-        chosen, self.crowded, self._judged = self.collapse_choice(), False, True
-        if self.editing and may_be_crowded(picture):
-            plain = Sheet(picture, positions, self.ink, Marks())
-            self.crowded = is_crowded(plain.geometry)
-        self._collapsed = self.editing and (self.crowded if chosen is None else chosen)
-        self.crowded = self.crowded or self._collapsed
-
-    def judge_anew(self) -> None:
-        """Another file comes next: it is collapsed or not whatever the present one is."""
-        self._judged = False
-
     @property
     def collapsed(self) -> bool:
         """Whether operations between the same two states are drawn as one line."""
-        return self._collapsed
-
-    def set_collapsed(self, on: bool) -> None:
-        """Draw operations between the same two states as one line, or each by itself."""
-        sheet = self.sheet
-        if on != self._collapsed:
-            self._collapsed, self.crowded = on, True
-            if sheet is not None:
-                name, places = sheet.picture.branch.name, self.positions
-                self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
+        return self.collapse.on
 
     @property
     def quiet(self) -> bool:
@@ -149,12 +125,16 @@ class Canvas(BranchView):
 
     def set_words(self, on: bool) -> None:
         """Show meanings on the chips, or the values as they are written."""
-        sheet = self.sheet
         if on != self._words:
             self._words = on
-            if sheet is not None:
-                name, places = sheet.picture.branch.name, self.positions
-                self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
+            self._draw_again()
+
+    def _draw_again(self) -> None:
+        """Draw the same SB once more, in another way."""
+        sheet = self.sheet
+        if sheet is not None:
+            name, places = sheet.picture.branch.name, self.positions
+            self.show_branch(sheet.picture.blueprint, name, places, keep_view=True)
 
     def look_at_opening(self) -> None:
         """Show the whole SB, or the part around the initial state if states would be too small.

@@ -63,6 +63,7 @@ class Overlays:
         self.breadcrumb.clicked.connect(self._crumb)
         self.dense.collapse_wanted.connect(canvas.collapse_wanted)
         self.dense.lane_wanted.connect(self._list_lane)
+        self.dense.bundle_wanted.connect(lambda: self.bundle.step(1))
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Give all floating widgets the colours of another theme."""
@@ -97,7 +98,7 @@ class Overlays:
     def show_marks(self, marks: Marks) -> None:
         """Show the legend that fits the marks: during a run that of the run."""
         sheet = self._canvas.sheet
-        self.bundle.follow()
+        self.bundle.follow(moved=False)
         if self.show_dense():
             self._place_dense()
         guarded = sheet is not None and bool(sheet.picture.guarded)
@@ -112,7 +113,7 @@ class Overlays:
         """Show what is collapsed, in a drawing that is or was; returns whether the legend has
         another size."""
         sheet, before = self._canvas.sheet, (self.dense.empty, self.dense.size())
-        if sheet is None or not self._canvas.editing or not self._canvas.crowded:
+        if sheet is None or not self._canvas.crowded:
             self.dense.show_counts(False, 0, 0)
         else:
             every, now = sheet.picture.all_bundles.members, sheet.picture.bundles
@@ -122,7 +123,9 @@ class Overlays:
             opened, back = len(pairs) - whole, len(sheet.picture.all_bundles.back)
             self.dense.show_counts(sheet.picture.collapsed, len(pairs), opened, back)
             quiet = sheet.looks.quiet
-            self.dense.show_mixed(len(sheet.picture.mixed), bool(quiet))
+            # A run and a comparison dim everything that they do not mark.
+            mixed = len(sheet.picture.mixed) if self._canvas.editing else 0
+            self.dense.show_mixed(mixed, bool(quiet))
         return before != (self.dense.empty, self.dense.size())
 
     def _list_lane(self) -> None:

@@ -26,6 +26,9 @@ from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.operation_gestures import Connect, Retarget
 from smsl_studio.studio.base.canvas.overlays import Overlays
 
+NO_BUNDLE = "No operations are bundled here. The menu View bundles them."
+"""What is said where a key would open the card of a bundle."""
+
 
 class Hand:
     """The gesture in progress, and whether Space is held.
@@ -275,7 +278,22 @@ class Hand:
         if isinstance(tool, ConnectTool) and event.key() in keys.ENTER and tool.take_selected():
             self._leave_tool(tool)
             return True
+        if self._lists_bundle(event):
+            return True
         return self.line.key(event) or keys.press(self._canvas, event)
+
+    def _lists_bundle(self, event: QKeyEvent) -> bool:
+        """Whether a key opens the card of a bundle: L the next one, Shift+L the former one."""
+        shift = Qt.KeyboardModifier.ShiftModifier
+        if event.key() != Qt.Key.Key_L or event.modifiers() & ~shift:
+            return False
+        self.list_bundle(-1 if event.modifiers() & shift else 1)
+        return True
+
+    def list_bundle(self, by: int) -> None:
+        """Open the card of the next (1) or the former (-1) bundle, or say that there is none."""
+        if not self._overlays.bundle.step(by):
+            self._canvas.say(NO_BUNDLE)
 
     def key_release(self, event: QKeyEvent) -> bool:
         """Take the release of Space; returns whether the key was used."""

@@ -18,6 +18,9 @@ from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, faded
 from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
+ICON, GAP = 16.0, 8.0
+"""The side of an icon, and the room left of one that stands before words (pixels)."""
+
 
 class Card(QWidget):
     """A floating background with a thin border and rounded corners."""
@@ -86,7 +89,7 @@ def tint(label: QLabel, colour: QColor) -> None:
 
 
 class IconButton(QAbstractButton):
-    """A button with a line icon or with words; its name is also its tooltip."""
+    """A button with a line icon, with words, or with both; its name is also its tooltip."""
 
     def __init__(self, parent: QWidget, tokens: Tokens, icon: str, name: str) -> None:
         super().__init__(parent)
@@ -127,13 +130,15 @@ class IconButton(QAbstractButton):
         if not self.isEnabled():
             colour = faded(colour, 0.4)
         painter.setBrush(NO_BRUSH)
+        box = QRectF(0, 0, ICON, ICON)
+        box.moveCenter(rect.center())
+        if self.text() and self._icon:
+            box.moveLeft(GAP)
+            rect.setLeft(box.right())
+        if self._icon:
+            draw(painter, self._icon, box, colour, tokens.surf)
         if self.text():
             painter.setFont(text_font(13, 500))
             painter.setPen(colour)
             painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, plain_text(self.text()))
-        else:
-            side = 16.0
-            box = QRectF(0, 0, side, side)
-            box.moveCenter(rect.center())
-            draw(painter, self._icon, box, colour, tokens.surf)
         painter.end()

@@ -7,39 +7,52 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import Label
-from smsl_studio.studio.base.overlays.card import Card, IconButton, tint
+from smsl_studio.studio.base.overlays.card import GAP, ICON, Card, IconButton
 from smsl_studio.studio.base.paint.ink import Type
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
+THICK = (
+    "A thick line stands for so many operations between two states. Its number counts them. "
+    "A click lists those of the next one (L)."
+)
+COULD_BE = "So many lines would stand for several operations between two states each."
+BACK = (
+    "Operations that lead far back to the initial state share the lane with the house. ↵ below a "
+    "state: one leads from there. A click lists them."
+)
+MIXED = "They change several facts at once, or load a sub-SB."
 ROOM = 24
 """The room at the sides of a button with words (pixels)."""
 
 
 class DenseLegend(Card):
-    """Counts the bundles of a drawing. Its button shows all operations, or collapses them again."""
+    """Counts the bundles of a drawing and explains them. Its last button shows all operations, or
+    collapses them again.
+    """
 
     collapse_wanted = Signal(bool)
     """Whether operations shall be collapsed."""
     lane_wanted = Signal()
     """List the operations that lead back to the start."""
+    bundle_wanted = Signal()
+    """List the operations of the next bundle."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
         self._type = Type(text_font(13, 500))
         self._collapsed, self.empty = False, True
-        self.bundles = Label("", self)
-        self.bundles.setFont(text_font(12, 500))
-        self.back = IconButton(self, tokens, "", "Back to start")
+        self.bundles = IconButton(self, tokens, "bundle", "Bundles")
+        self.bundles.clicked.connect(self.bundle_wanted)
+        self.back = IconButton(self, tokens, "house", "Back to start")
         self.back.clicked.connect(self.lane_wanted)
-        self.mixed = IconButton(self, tokens, "", "Load and mixed")
+        self.mixed = IconButton(self, tokens, "mixed", "Load and mixed")
         self.mixed.hide()
         self.all = IconButton(self, tokens, "", "Show all")
         self.all.accent = True
         self.all.clicked.connect(lambda: self.collapse_wanted.emit(not self._collapsed))
         row = QHBoxLayout(self)
-        row.setContentsMargins(12, 1, 3, 1)
+        row.setContentsMargins(3, 1, 3, 1)
         row.setSpacing(8)
         row.addWidget(self.bundles)
         row.addWidget(self.back)
@@ -56,13 +69,14 @@ class DenseLegend(Card):
         """
         self._collapsed, self.empty = collapsed, not bundles and not back
         words = f"Back to start {back:,}"
-        self._say(self.back, words, "List the operations that lead back to the start")
+        self._say(self.back, words, BACK)
         self.back.setVisible(bool(back))
         self.back.setEnabled(collapsed)
         words = f"Bundles {bundles:,}"
         if collapsed and opened:
             words += f", {opened:,} open"
-        self.bundles.setText(words)
+        self._say(self.bundles, words, THICK if collapsed else COULD_BE)
+        self.bundles.setEnabled(collapsed)
         button = "Show all" if collapsed else "Collapse"
         tip = "Draw every operation by itself" if collapsed else (
             "Draw operations between the same two states as one line")  # fmt: skip
@@ -75,7 +89,7 @@ class DenseLegend(Card):
         """Tell how many operations change several facts at once or load a sub-SB, and whether they
         are dimmed. Its button is hidden if there are none."""
         words = f"Load and mixed {count:,}{', dimmed' if dimmed else ''}"
-        tip = "Show them as all others" if dimmed else "Dim what changes several facts at once"
+        tip = f"{MIXED} {'Show them as all others.' if dimmed else 'Dim them.'}"
         self._say(self.mixed, words, tip)
         self.mixed.accent = dimmed
         self.mixed.setVisible(bool(count))
@@ -86,18 +100,14 @@ class DenseLegend(Card):
         button.setText(words)
         button.setAccessibleName(plain_text(words))
         button.setToolTip(tip_text(tip))
-        button.setFixedSize(round(self._type.width(words)) + ROOM, 30)
+        icon = 0 if button is self.all else round(ICON + GAP / 2)
+        button.setFixedSize(round(self._type.width(words)) + ROOM + icon, 30)
 
     def sizeHint(self) -> QSize:
         """As wide as its words, 32 high."""
         shown = [one for one in (self.back, self.mixed, self.all) if not one.isHidden()]
-        wide = self.bundles.sizeHint().width() + sum(one.width() + 8 for one in shown)
-        return QSize(wide + 15, 32)
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        """Use the colours of another theme."""
-        super().set_tokens(tokens)
-        tint(self.bundles, tokens.tx2)
+        wide = self.bundles.width() + sum(one.width() + 8 for one in shown)
+        return QSize(wide + 6, 32)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the card, and a line before the button."""

@@ -33,7 +33,6 @@ from smsl_studio.studio.document.notices import step_notice
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
-from smsl_studio.studio.features.draw.canvas.collapse_choice import CollapseChoice
 from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
@@ -105,7 +104,7 @@ class DrawFeature(Feature):
         self._parts, self._shell, self._loaded = parts, shell, Loaded()
         self._warned = False
         self.canvas = Canvas(tokens)
-        self.collapsing = CollapseChoice(self.canvas, files, parts.settings)
+        self.canvas.collapse.join(parts.collapsing)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = DrawVerbs(session, self.editor)
         self.align = AlignVerbs(self.editor)
@@ -125,6 +124,7 @@ class DrawFeature(Feature):
         ask = self.properties.file.ask_file = Dialogs(window).file_to_open
         self.comparing = Comparison(session, files, ask, tokens, window)
         self.shapes = ShapeVerbs(session, self.canvas, window)
+        self.comparing.wish = parts.collapsing.wish
         self.safety = Safety(parts, self.source, self.comparing.with_version)
         self.going = Destinations(shell, self.properties, self.library, files)
         bar = DrawingFindBar(tokens)
@@ -156,7 +156,7 @@ class DrawFeature(Feature):
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
-            *view_actions(self.drawing, self.collapsing, shell.sides, shell.program, shell),
+            *view_actions(self.drawing, shell.sides, shell.program, shell),
             *walk_actions(self.canvas, lambda: shell.mode == "draw"),
             *blueprint_actions(
                 self.drawing,
@@ -194,7 +194,7 @@ class DrawFeature(Feature):
         session.opened.connect(self._parts.toast.hide)
         session.opened.connect(self._forget_warning)
         session.opened.connect(self.canvas.setFocus)
-        session.opened.connect(self.canvas.judge_anew)
+        session.opened.connect(self.canvas.collapse.forget)
         session.jumped.connect(self._jumped)
         session.history.indexChanged.connect(lambda _: self._parts.toast.edited())
         session.broken_changed.connect(self._show_broken)

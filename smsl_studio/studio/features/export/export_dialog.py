@@ -67,7 +67,7 @@ class ExportDialog(PictureDialog):
             combo.setCurrentIndex(max(combo.findData(value), 0))
         self.lay_out()
         self._svg = ""
-        for combo in (self.what, self.theme):
+        for combo in (self.what, self.bundling, self.theme):
             combo.currentIndexChanged.connect(self._draw)
         for combo in (self.form, self.scale):
             combo.currentIndexChanged.connect(self._tell)

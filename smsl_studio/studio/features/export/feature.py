@@ -102,7 +102,15 @@ class ExportFeature(Feature):
         sheet = self._canvas.sheet
         shortened = sheet is not None and sheet.level < Level.FULL
         chosen = session.selection
-        return Subject(what, session.blueprint, session.branch, chosen, view, shortened)
+        return Subject(
+            what,
+            session.blueprint,
+            session.branch,
+            chosen,
+            view,
+            shortened,
+            self._canvas.collapsed,
+        )
 
     def _copied(self) -> Subject:
         from smsl_studio.studio.features.export.subject import BRANCH, SELECTION

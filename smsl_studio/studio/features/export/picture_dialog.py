@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
@@ -28,6 +29,8 @@ from smsl_studio.studio.features.export.subject import ALL, BRANCH, SELECTION, V
 Came = TypeVar("Came")
 WORDS = {VIEW: "What is in view", SELECTION: "The selection", BRANCH: "This State Branch",
          ALL: "All State Branches"}  # fmt: skip
+BUNDLING = {"Each by itself": False, "Bundled": True}
+"""How operations between the same two states are drawn."""
 
 
 class PictureDialog(QDialog):
@@ -65,6 +68,8 @@ class PictureDialog(QDialog):
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(8)
         self.what = self.choice("Picture of", {WORDS[what]: what for what in subjects})
+        self.bundling = self.choice("Operations", BUNDLING)
+        self.bundling.setCurrentIndex(int(any(one.collapsed for one in subjects.values())))
         self.show_work("")
 
     def choice(self, words: str, entries: Mapping[str, object]) -> Combo:
@@ -112,8 +117,9 @@ class PictureDialog(QDialog):
 
     @property
     def subject(self) -> Subject:
-        """What is chosen to be drawn."""
-        return self.subjects[str(self.what.currentData())]
+        """What is chosen to be drawn, and how."""
+        chosen = self.subjects[str(self.what.currentData())]
+        return replace(chosen, collapsed=bool(self.bundling.currentData()))
 
     @property
     def busy(self) -> bool:

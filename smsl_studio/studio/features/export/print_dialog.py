@@ -54,7 +54,8 @@ class PrintDialog(PictureDialog):
         self.lay_out()
         self._job: PrintJob | None = None
         self._pages: Sequence[tuple[str, QImage]] = ()
-        self.what.currentIndexChanged.connect(self._draw)
+        for combo in (self.what, self.bundling):
+            combo.currentIndexChanged.connect(self._draw)
         for combo in (self.size_, self.paper, self.turn):
             combo.currentIndexChanged.connect(self._show)
         self.go.clicked.connect(self._print)

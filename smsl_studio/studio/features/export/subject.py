@@ -13,7 +13,14 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.crowd import crowd_of
 from smsl_studio.picture.figure import Figure, Rect
-from smsl_studio.picture.part import PicturePart, chosen_part, part_in, whole_part
+from smsl_studio.picture.panel import SvgPanel
+from smsl_studio.picture.part import (
+    PicturePart,
+    chosen_part,
+    collapsed_part,
+    part_in,
+    whole_part,
+)
 from smsl_studio.picture.part_svg import draw_frame, draw_part
 from smsl_studio.picture.picture import Picture
 from smsl_studio.stop import heed
@@ -35,7 +42,7 @@ class Subject:
     ``branch`` is the SB that is shown, ``view`` the visible part of its drawing (left, top, right,
     bottom, in scene units). The blueprint is that of the moment at which the picture was asked for.
     ``shortened`` is true if the canvas is zoomed out, so that it shows less of names and facts than
-    the picture.
+    the picture. ``collapsed`` draws operations between the same two states as one line.
     """
 
     what: str
@@ -44,21 +51,18 @@ class Subject:
     selection: tuple[Address, ...]
     view: Rect
     shortened: bool = False
+    collapsed: bool = False
 
     def pages(self, theme: str) -> list[str]:
         """The pictures as SVG, one for each page of a PDF or of paper."""
         if self.what in (BRANCH, ALL):
-            colours = COLOURS[theme]
-            return svg_pages(panels_of(self.blueprint, self._branches, colours), self.title,
-                             colours, apart=True)  # fmt: skip
+            return svg_pages(self._panels(theme), self.title, COLOURS[theme], apart=True)
         return [self._detail(COLOURS[theme])]
 
     def svg(self, theme: str) -> str:
         """The one picture of an SVG or PNG file."""
         if self.what in (BRANCH, ALL):
-            colours = COLOURS[theme]
-            panels = panels_of(self.blueprint, self._branches, colours)
-            return svg_pages(panels, self.title, colours, apart=False)[0]
+            return svg_pages(self._panels(theme), self.title, COLOURS[theme], apart=False)[0]
         return self._detail(COLOURS[theme])
 
     def file(self, output: PurePath, theme: str, scale: float) -> bytes:
@@ -88,15 +92,21 @@ class Subject:
     def _branches(self) -> list[str]:
         return [self.branch] if self.what == BRANCH else list(self.blueprint.branches)
 
+    def _panels(self, theme: str) -> list[SvgPanel]:
+        return panels_of(self.blueprint, self._branches, COLOURS[theme], self.collapsed)
+
     def _picture(self, name: str) -> Picture:
         return Picture(self.blueprint, name, crowd_of(self.blueprint, [name]))
 
     def _detail(self, colours: Colours) -> str:
         picture = self._picture(self.branch)
+        chosen = chosen_part(picture, self.selection if self.what == SELECTION else ())
+        if self.collapsed:
+            picture = collapsed_part(picture, chosen)
         figure = Figure(picture, place_states(picture.branch))
         heed()
         if self.what == SELECTION:
-            return draw_part(figure, chosen_part(picture, self.selection), self.title, colours)
+            return draw_part(figure, chosen, self.title, colours)
         left, top, right, bottom = (side * figure.scale for side in self.view)
         frame = left, top, right, bottom
         return draw_frame(figure, part_in(figure, frame), frame, self.title, colours)

@@ -61,6 +61,8 @@ class Comparison(QObject):
         super().__init__(parent)
         self._session, self._files, self.ask_file = session, files, ask_file
         self._tokens, self._window = tokens, parent
+        self.wish: Callable[[str], bool | None] = lambda file: None
+        """Called with the file of the drawing: whether the person wants it collapsed."""
         self._version: Version | None = None
         self._dialog: CompareDialog | None = None
         # git may take long if the history is long.
@@ -205,6 +207,7 @@ class Comparison(QObject):
         if self._dialog is not None:
             self._dialog.close()
         self._dialog = CompareDialog(self._tokens, self._window)
+        self._dialog.collapse(self.wish(self._session.blueprint.file))
         self._dialog.stand_alone(self._window)
         lend_run_keys(self._dialog, self._window)
         self._dialog.element_wanted.connect(self._show_element)

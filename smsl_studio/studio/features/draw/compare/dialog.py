@@ -22,6 +22,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.base.announcement import announce
+from smsl_studio.studio.base.canvas.collapsing import Collapsing
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.panels import keyed_tool
@@ -33,7 +34,7 @@ from smsl_studio.studio.features.draw.compare.both_runs import BothRuns
 from smsl_studio.studio.features.draw.compare.change_rows import rows_of
 from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS, PREVIOUS_KEYS
 from smsl_studio.studio.features.draw.compare.linked_views import LinkedViews
-from smsl_studio.studio.features.draw.compare.side import Side
+from smsl_studio.studio.features.draw.compare.side import BOTH, Side
 
 UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 SIZE = (1200, 760)
@@ -79,7 +80,9 @@ class CompareDialog(QDialog):
     # Building.
 
     def _build(self, tokens: Tokens) -> None:
-        self.before, self.after = Side(tokens, "Before", "left"), Side(tokens, "After", "right")
+        self.collapsing = Collapsing(self)
+        self.before = Side(tokens, "Before", "left", self.collapsing)
+        self.after = Side(tokens, "After", "right", self.collapsing)
         self._words = Elided()
         self.branches = Combo()
         self.branches.setAccessibleName("State Branch")
@@ -197,11 +200,24 @@ class CompareDialog(QDialog):
             (self.after, difference.after, pair[1], places[1], self._signs[1]),
         ):
             side.show_branch(blueprint, name, where, signs.by_address if self.marked else {})
+        self._agree()
         moved = places != self._places and self.before.canvas.camera.fitted
         # Before the first show event, the canvases have no size to fit into.
         if self.isVisible() and (fit or moved):
             self._link.fit()
         self._places = places
+
+    def _agree(self) -> None:
+        """Collapse both sides if one of them is crowded, so that they can be compared."""
+        sides = self.before.canvas.collapse, self.after.canvas.collapse
+        if any(side.on for side in sides):
+            for side in sides:
+                side.turn(True)
+
+    def collapse(self, on: bool | None) -> None:
+        """Bundle operations on both sides or on none, as for the drawing; None: as they need it."""
+        if on is not None:
+            self.collapsing.keep(BOTH, on)
 
     def _branch_chosen(self, number: int) -> None:
         self.changes.setCurrentIndex(QModelIndex())

@@ -14,11 +14,14 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.collapsing import Collapsing
 from smsl_studio.studio.base.controls import Elided
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 
 LEAST = 280
+BOTH = "both sides"
+"""The name under which both sides keep their choice of bundles."""
 
 
 class Side(QWidget):
@@ -27,11 +30,12 @@ class Side(QWidget):
     clicked = Signal(object)
     """Address: the person clicked this state or operation."""
 
-    def __init__(
-        self, tokens: Tokens, word: str, place: str, parent: QWidget | None = None
-    ) -> None:
-        """``word`` says which version it is, ``place`` where it stands: left or right."""
-        super().__init__(parent)
+    def __init__(self, tokens: Tokens, word: str, place: str, collapsing: Collapsing) -> None:
+        """``word`` says which version it is, ``place`` where it stands: left or right.
+
+        ``collapsing`` is shared with the other side.
+        """
+        super().__init__()
         self._head = f"{word}, at the {place}"
         self._blueprint: Blueprint | None = None
         self._shown: tuple[str, Mapping[str, Point]] | None = None
@@ -40,6 +44,7 @@ class Side(QWidget):
         self.title.setContentsMargins(14, 8, 14, 8)
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
+        self.canvas.collapse.join(collapsing, BOTH)
         self.canvas.setAccessibleName(plain_text(f"Canvas, {word}"))
         self.canvas.edge_clicked.connect(self.clicked)
         self.canvas.node_clicked.connect(self.clicked)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from smsl_studio.picture.chip_words import has_words
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
-from smsl_studio.studio.features.draw.canvas.collapse_choice import CollapseChoice
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
 
 def view_actions(
     drawing: DrawVerbs,
-    collapsing: CollapseChoice,
     docks: DockSides,
     windows: AllWindows,
     shell: Shell,
@@ -54,6 +52,14 @@ def view_actions(
                 "No fact here has a name or a meaning yet. Write them in the table of facts."
             )
 
+    def seen() -> bool:
+        """Whether the drawing, or a run of it, is shown."""
+        return shell.mode in ("draw", "run", "supervise")
+
+    def bundle() -> None:
+        """Bundle the operations of this file, or show them all, in every view of it."""
+        canvas.collapse_wanted.emit(not canvas.collapsed)
+
     def dim_mixed() -> None:
         """Dim load and mixed operations, or show them as the others; this is remembered."""
         canvas.set_quiet(not canvas.quiet)
@@ -90,7 +96,7 @@ def view_actions(
         Action("words", "Words instead of digits", show_words, "View", "", (), drawn,
                lambda: canvas.words, section=1,
                tip="Show what the values of facts mean; the file stays as it is"),
-        Action("bundle", "Bundle operations", collapsing.turn, "View", "bundle", (), drawn,
+        Action("bundle", "Bundle operations", bundle, "View", "bundle", (), seen,
                lambda: canvas.collapsed, section=1,
                tip="Draw operations between the same two states as one line with their number; "
                "the file stays as it is"),

@@ -25,6 +25,10 @@ def walk_actions(canvas: Canvas, drawn: Callable[[], bool]) -> tuple[Action, ...
         """Whether one operation is selected."""
         return one() and bool(canvas.marks.selection[0].operation)
 
+    def bundled() -> bool:
+        """Whether operations are drawn as one line."""
+        return drawn() and canvas.collapsed
+
     return (
         Action("next_operation", "Next operation of the state",
                partial(step_operation, canvas, 1), "View", "", ("O",), one, scope="canvas",
@@ -38,4 +42,7 @@ def walk_actions(canvas: Canvas, drawn: Callable[[], bool]) -> tuple[Action, ...
         Action("go_to_source", "Go to its source", partial(go_to_source, canvas), "View", "",
                ("Shift+G",), on_operation, scope="canvas", section=1,
                tip="Select the state that the selected operation leaves"),
+        Action("list_bundle", "List the next bundle", partial(canvas.hand.list_bundle, 1), "View",
+               "", ("L",), bundled, scope="canvas", section=1,
+               tip="Show the operations of the next thick line; Shift+L: of the former one"),
     )  # fmt: skip

@@ -1,0 +1,48 @@
+"""CollapseChoice: whether a person wants the drawings of a file collapsed, kept in the settings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.session import Session
+
+KEPT = 100
+"""The choices of so many files are remembered, newest first."""
+KEY = "collapsed"
+
+
+class CollapseChoice(Collapsing):
+    """Keeps the choice for each file in the settings, never in the file. A drawing that was never
+    saved has its choice until the window closes.
+    """
+
+    def __init__(self, session: Session, files: Files, settings: Settings) -> None:
+        super().__init__(files)
+        self._session, self._files, self._settings = session, files, settings
+
+    def wish(self, file: str) -> bool | None:
+        """What the person chose for a file; None if there was no choice."""
+        path = self._path(file)
+        return self._known().get(path.as_uri()) if path is not None else super().wish(file)
+
+    def keep(self, file: str, on: bool) -> None:
+        """Remember the choice for a file, also when the window has closed."""
+        path = self._path(file)
+        if path is None:
+            super().keep(file, on)
+            return
+        # A URI has no spaces and no line breaks, whatever the name of the file.
+        known = {path.as_uri(): on, **self._known()} | {path.as_uri(): on}
+        lines = [f"{'on' if one else 'off'} {name}" for name, one in known.items()]
+        self._settings.store_text(KEY, "\n".join(lines[:KEPT]))
+
+    def _path(self, file: str) -> Path | None:
+        """The place of a file on the disk; None for a drawing that was never saved."""
+        return self._files.path if file == self._session.blueprint.file else None
+
+    def _known(self) -> dict[str, bool]:
+        lines = (line.partition(" ") for line in self._settings.text_of(KEY).split("\n"))
+        return {name: word == "on" for word, _, name in lines if name}
