@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from fnmatch import translate
 from functools import cached_property
-from math import prod
 from re import compile as compiled
 from typing import NamedTuple
 
@@ -17,15 +16,14 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.properties.meaning import Meaning, branches_in, holds
-from smsl_studio.blueprint.stepper import Stepper
-from smsl_studio.blueprint.terms import Terms
+from smsl_studio.blueprint.properties.meaning import Meaning
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.inspection.proof import kinds
 from smsl_studio.inspection.proof.arrays import ArraySpace
+from smsl_studio.inspection.proof.claim_cones import ROUTED, WATCHED, ClaimCones
 from smsl_studio.inspection.proof.claims import Claim, claims_of
-from smsl_studio.inspection.proof.cone import Cone, cone_of
+from smsl_studio.inspection.proof.cone import Cone
 from smsl_studio.inspection.proof.engines import ENGINES, Engines
 from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.failed_starts import failed_starts
@@ -82,12 +80,6 @@ class PlannedRoute(NamedTuple):
     cost: float
 
 
-WATCHED = (HAZARD, "never")
-"""The kinds that look also at what a step passes on its way."""
-
-ROUTED = ("after", "way_back")
-"""The kinds that go only where a route may go."""
-
 Planned = Callable[[Sequence[Address]], PlannedRoute | None]
 """Plans the cheapest route from the start to goals. PlanningError if it meets its bound."""
 
@@ -122,7 +114,6 @@ class _Prover:
     ) -> None:
         self._blueprint, self._claims = blueprint, claims
         self._planned, self._scope = planned, scope
-        self._cones: dict[tuple[str, ...], Cone] = {}
         self._explored: dict[tuple[bool, Cone], Exploration] = {}
         self._lone: dict[Cone, bool] = {}
         self._looked_at: int | None = None
@@ -153,10 +144,20 @@ class _Prover:
         at_once = self._at_once(one, meanings)
         if at_once is not None:
             return at_once
-        found = self._exploration(one)
+        near, *rest = self._cones.to_look_at(one)
+        first = self._explored_answer(one, meanings, near)
+        if first.answer.verdict == HOLDS or not rest:
+            return first
+        found = self._explored_answer(one, meanings, *rest)
+        # A fault that was found stays one, whatever is too large for a shorter run to it.
+        return found._replace(answer=first.answer) if found.answer.verdict == UNKNOWN else found
+
+    def _explored_answer(self, one: Claim, meanings: tuple[Meaning, ...], cone: Cone) -> _Found:
+        """Answer from the configurations of a cone, one by one."""
+        found = self._exploration(one, cone)
         first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
-            answer = kinds.never(found, meanings[0], self._watched_numbers[id(one)])
+            answer = kinds.never(found, meanings[0], self._watched_numbers[id(one), cone])
         elif one.kind == "reachable":
             answer = kinds.reachable(found, meanings[0])
         elif one.kind == "before":
@@ -175,13 +176,13 @@ class _Prover:
     def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
         """Answer from all configurations together, None if that is not possible."""
         scope = self._scope
-        if scope.failures or not scope.engines or self._is_small:
+        if scope.failures or not scope.engines or self._cones.is_small:
             return None
-        cone = self._cone(one)
+        cone = self._cones.cone(one)
         if self._is_lone(cone):
             return None
         routed = self._goes_around(one)
-        shown = self._product(cone) > scope.near
+        shown = self._cones.product(cone) > scope.near
         how = routed, one.kind not in ROUTED
         space = whole = self._engines.engine(self._hierarchy.order, *how)
         if not isinstance(space, SymbolicSpace) and shown:
@@ -206,7 +207,9 @@ class _Prover:
         """Whether the graph of one SB has all that a question looks at."""
         found = self._lone.get(cone)
         if found is None:
-            found = is_lone(self._hierarchy, cone) and self._product(cone) <= self._scope.limit
+            found = (
+                is_lone(self._hierarchy, cone) and self._cones.product(cone) <= self._scope.limit
+            )
             self._lone[cone] = found
         return found
 
@@ -225,12 +228,12 @@ class _Prover:
 
     # what is looked at
 
-    def _exploration(self, one: Claim) -> Exploration:
-        """Return what can be reached, as far as it can change the answer of a claim."""
-        routed, cone = self._goes_around(one), self._cone(one)
+    def _exploration(self, one: Claim, cone: Cone) -> Exploration:
+        """Return what can be reached of a cone by the steps that a claim looks at."""
+        routed = self._goes_around(one)
         found = self._explored.get((routed, cone))
         if found is None:
-            hazards = self._near_hazards(cone) if routed else ()
+            hazards = self._cones.near_hazards(cone) if routed else ()
             space = Space(self._blueprint, routed, hazards, cone)
             mates = self._watched.get(cone, ())
             tests = [space.test(one.meanings[0]) for one in mates if one.meanings]
@@ -250,66 +253,24 @@ class _Prover:
         found: dict[Cone, list[Claim]] = {}
         for one in self._claims:
             if one.kind in WATCHED and one.meanings:
-                found.setdefault(self._cone(one), []).append(one)
+                for cone in self._cones.to_look_at(one):
+                    found.setdefault(cone, []).append(one)
         return found
 
     @cached_property
-    def _watched_numbers(self) -> dict[int, int]:
-        """The number of each such claim among those of its cone, by its identity. A file may have
+    def _watched_numbers(self) -> dict[tuple[int, Cone], int]:
+        """The number of each such claim among those of a cone, by its identity. A file may have
         thousands.
         """
         return {
-            id(one): number for mates in self._watched.values() for number, one in enumerate(mates)
+            (id(one), cone): number
+            for cone, mates in self._watched.items()
+            for number, one in enumerate(mates)
         }
 
-    def _cone(self, one: Claim) -> Cone:
-        if self._is_small:
-            return Cone(frozenset(self._hierarchy.order))
-        routed = one.kind in ROUTED
-        wanted = {name for meaning in one.meanings or () for name in branches_in(meaning)}
-        if one.kind == "after":
-            wanted.update(self._hierarchy.roots)
-        if self._scope.failures:
-            # Whatever fails, a run may begin in each configuration in which it can fail.
-            wanted.update(one.name for one in self._blueprint if failing_states(one))
-        key = (str(routed), *sorted(wanted))
-        found = self._cones.get(key)
-        if found is None:
-            found = self._cones[key] = self._cone_of(wanted, routed)
-        return found
-
-    def _cone_of(self, wanted: set[str], routed: bool) -> Cone:
-        stepper = Stepper(self._hierarchy, Terms() if routed else Terms(failing=None))
-        cone = cone_of(stepper, wanted, routed)
-        while routed:
-            # A hazard hinders the steps of all its SBs.
-            hazards = self._near_hazards(cone)
-            more = {name for hazard in hazards for name in branches_in(hazard)}
-            if more <= cone.kept:
-                break
-            cone = cone_of(stepper, cone.kept | more, routed)
-        return cone
-
-    def _near_hazards(self, cone: Cone) -> tuple[Meaning, ...]:
-        """Return the hazards that can hinder a route. One that is met at the start hinders all."""
-        return tuple(
-            hazard
-            for hazard in self._hazards
-            if self._starts_hazardous
-            or not (cone.kept | cone.quiet).isdisjoint(branches_in(hazard))
-        )
-
     @cached_property
-    def _starts_hazardous(self) -> bool:
-        start = start_configuration(self._hierarchy, {})
-        return self._scope.failures or any(holds(one, start) for one in self._hazards)
-
-    def _product(self, cone: Cone) -> int:
-        return prod(len(self._blueprint[name].table) or 1 for name in cone.kept)
-
-    @cached_property
-    def _is_small(self) -> bool:
-        return prod(len(one.table) or 1 for one in self._blueprint) <= self._scope.small
+    def _cones(self) -> ClaimCones:
+        return ClaimCones(self._hierarchy, self._hazards, self._scope.failures, self._scope.small)
 
     @cached_property
     def _hierarchy(self) -> Hierarchy:

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.inspection.proof.engines import ENGINES
 from smsl_studio.inspection.proof.prove import PlannedRoute, Scope, prove
+from smsl_studio.inspection.proof.space import Key, Space, Step
 from smsl_studio.inspection.proof.verdict import PropertyVerdict
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import SHAPES, blueprint_values
@@ -97,6 +98,60 @@ def compare(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(80))
 def test_cones_and_diagrams_change_no_verdict_and_no_run(seed: int) -> None:
     compare(seed)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_fails_elsewhere_changes_no_verdict_and_no_length(seed: int) -> None:
+    """SBs that can fail and do not touch a claim: the SBs of the claim are looked at first."""
+    chance = Random(f"elsewhere {seed}")
+    plain = drawn(seed, chance)
+    others = renamed(blueprint_values(seed + 7, 0), "Z")
+    for branch in others.values():
+        branch["_facts"] = {"0": {"failure": [chance.choice("01")]}}
+    values = {**drawn_properties(plain, chance), **plain, **others}
+    whole = verdicts(values, Scope(20_000, True, 10**9))
+    for one, other in zip(verdicts(values, Scope(20_000, True, 0)), whole, strict=True):
+        if other.verdict != "unknown":
+            assert one.verdict == other.verdict, one.name
+            runs = one.counterexample, other.counterexample
+            lengths = {None if run is None else len(run.path) for run in runs}
+            assert len(lengths) == 1, one.name
+
+
+def test_many_roots_that_can_fail_are_not_combined(monkeypatch: pytest.MonkeyPatch) -> None:
+    """24 of them have 282 thousand million configurations, and a claim is about one."""
+    asked = 0
+    steps = Space.steps
+
+    def counted(space: Space, key: Key) -> list[Step]:
+        nonlocal asked
+        asked += 1
+        return steps(space, key)
+
+    monkeypatch.setattr(Space, "steps", counted)
+    root = {"_facts": {"0": {"failure": ["f"]}}, "State_0": {"on": "State_1"},
+            "State_1": {"off": "State_0"}, "State_f": {"mend": "State_0"}}  # fmt: skip
+    properties = [
+        {"name": "never", "never": "R0 = 1 and R1 = 0 and R0 = 0"},
+        {"name": "back", "way_back": {"from": "R0 = f", "to": "R0 = 0", "within": 1}},
+        {"name": "reached", "reachable": "R0 = f"},
+    ]
+    roots: dict[str, Any] = {f"R{number}": root for number in range(24)}
+    found = verdicts({"_properties": properties, **roots}, Scope(failures=True))
+    assert [one.verdict for one in found] == ["holds"] * 3
+    assert asked < 100
+
+
+def test_a_failure_that_is_found_is_told_though_the_whole_is_too_large() -> None:
+    root = {"_facts": {"0": {"failure": ["f"]}}, "State_0": {"on": "State_1"}, "State_1": {},
+            "State_f": {}}  # fmt: skip
+    names = [f"R{number}" for number in range(24)]
+    together = " and ".join(f"{name} = 1" for name in names[:6])
+    values = {"_properties": [{"name": "p", "never": together}], **dict.fromkeys(names, root)}
+    (one,) = verdicts(values, Scope(2_000, True))
+    assert (one.verdict, one.bound is None) == ("fails", False)
+    assert one.counterexample is not None
+    assert len(one.counterexample.path) == 6
 
 
 def many_subs(count: int, states: int) -> dict[str, Any]:
