@@ -45,5 +45,5 @@ def _print(file: str, answer: ApprovalAnswer, out: Output) -> None:
         words = f"{said['verdict']} by {said['person']} ({said['role']}), {said['time']}"
         out.line(one_line(f"{file}: {words}, {said['key']}"))
     for refusal in judgement.refusals:
-        out.line(one_line(f"{file}: {out.red(refusal.code)}: {refusal.sentence}"))
+        out.line(f"{one_line(file)}: {out.red(refusal.code)}: {one_line(refusal.sentence)}")
     out.line(one_line(f"{file}: {judgement.verdict}"))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from smsl_studio.inspection.approval.case import ApprovalCase
@@ -86,8 +87,7 @@ def signers_of(
         key = case.grounds.keys.get(record.envelope.keyid)
         moment = record.statement.time
         if key is None:
-            words = f"{who} is signed with the key {record.envelope.keyid[:80]}, which is not known"
-            wrong.append(Refusal("key_unknown", words))
+            wrong.append(_unknown(case, record, who))
         elif not is_signed(record.envelope, key.public):
             wrong.append(Refusal("signature_invalid", f"the signature of {who} is wrong"))
         elif moment > case.asking.now + AHEAD:
@@ -100,6 +100,17 @@ def signers_of(
             found.append(Signer(record, key, tuple(_faults(case, record, key))))
         before = moment
     return found, wrong
+
+
+def _unknown(case: ApprovalCase, record: SignedRecord, who: str) -> Refusal:
+    """Return the refusal of a record whose keyid is that of no known key."""
+    named = record.envelope.keyid
+    is_identity = re.fullmatch(r"sha256:[0-9a-f]{64}", named) is not None
+    other = (replace(record.envelope, keyid=one) for one in case.grounds.keys)
+    if not is_identity or any(is_signed(one, case.grounds.keys[one.keyid].public) for one in other):
+        words = f"{who} names a key {named[:80]!r} that is not the one that has signed it"
+        return Refusal("signature_invalid", words)
+    return Refusal("key_unknown", f"{who} is signed with the key {named}, which is not known")
 
 
 def last_words(signers: Sequence[Signer]) -> list[Signer]:

@@ -7,6 +7,7 @@ from datetime import UTC, date, datetime, time, timedelta
 
 _TIME = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,6})?Z", re.ASCII)
 _DATE = re.compile(r"\d{4}-\d\d-\d\d", re.ASCII)
+_OFFSET = re.compile(rf"{_TIME.pattern[:-1]}[+-]\d\d:\d\d", re.ASCII)
 
 AHEAD = timedelta(minutes=5)
 """How far the clock of another machine may be ahead of ours."""
@@ -29,14 +30,22 @@ def end_of(text: str) -> datetime:
     neither."""
     if _DATE.fullmatch(text):
         return datetime.combine(date.fromisoformat(text), time.max, UTC)
-    return read_time(text)
+    return _moment(text)
 
 
 def begin_of(text: str) -> datetime:
     """Return the begin of a date, or the moment of a time. ValueError if it is neither."""
     if _DATE.fullmatch(text):
         return datetime.combine(date.fromisoformat(text), time.min, UTC)
-    return read_time(text)
+    return _moment(text)
+
+
+def _moment(text: str) -> datetime:
+    """Return the moment of a time that others have written, with any offset of RFC 3339."""
+    found = _OFFSET.fullmatch(text)
+    if found is None:
+        return read_time(text)
+    return datetime.fromisoformat(text).astimezone(UTC)
 
 
 def later(moment: datetime, days: float) -> datetime:

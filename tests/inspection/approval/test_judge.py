@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import timedelta
 from typing import Any
 
@@ -110,6 +111,14 @@ def test_a_moved_signature_is_wrong() -> None:
     first, second = one.envelope, other.envelope
     moved = Envelope(first.kind, first.payload, first.keyid, second.signature)
     assert "signature_invalid" in codes(judged(door(), [SignedRecord.of(moved)]))
+
+
+@pytest.mark.parametrize(
+    "keyid", ["", "ada", ADA.key.removeprefix("sha256:"), BEN.key, "sha256:" + "0" * 64]
+)
+def test_a_keyid_that_is_not_the_identity_of_the_key_is_wrong(keyid: str) -> None:
+    envelope = replace(signed(door(), ADA).envelope, keyid=keyid)
+    assert "signature_invalid" in codes(judged(door(), [SignedRecord.of(envelope)]))
 
 
 def test_records_stand_in_the_order_of_signing() -> None:

@@ -137,6 +137,7 @@ def test_a_date_is_the_end_of_its_day() -> None:
     assert written_time(end_of("2026-03-01")) == "2026-03-01T23:59:59.999999Z"
     assert written_time(begin_of("2026-03-01")) == "2026-03-01T00:00:00.000000Z"
     assert end_of("2026-03-01T12:00:00Z") == NOON
+    assert begin_of("2026-03-01T13:00:00+01:00") == NOON
     assert later(NOON, 1e6) > NOON
     for text in ("2026-3-1", "2026-02-30", "today", "2026-03-01T12:00:00", ""):
         with pytest.raises(ValueError, match=r".+"):
