@@ -10,7 +10,8 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.inputs import read
 from smsl_studio.inspection.explorer.onward import ConfigurationWalk, OnwardStep
-from smsl_studio.inspection.explorer.run_to import shortest_run_to
+from smsl_studio.inspection.explorer.run_to import RunThere, shortest_run_to
+from smsl_studio.inspection.proof.engines import Engines
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.explorer.test_explorer import blueprint, coupled_steps, reached
 from tests.inspection.proof.brute import Brute
@@ -45,6 +46,10 @@ def test_plain_steps_and_a_plain_search_permit_and_find_the_same(seed: int) -> N
         assert run is not None
         assert tuple(map(str, run.path)) == way
         assert (dict(run.start), dict(run.end)) == (start, here)
+    for key, way in list(ways.items())[:: max(len(ways) // 3, 1)]:
+        together = shortest_run_to(whole, dict(key), 1)
+        assert together.run is not None, "all configurations are looked at together"
+        assert tuple(map(str, together.run.path)) == way
 
 
 def out(plain: dict[str, dict[str, dict[str, str]]], name: str, state: str) -> set[object]:
@@ -53,7 +58,9 @@ def out(plain: dict[str, dict[str, dict[str, str]]], name: str, state: str) -> s
     return {Address(name, state, operation) for operation in plain[name][state]}
 
 
-def test_a_place_that_no_run_reaches_and_one_beyond_the_limit() -> None:
+def test_a_place_that_no_run_reaches_and_one_beyond_the_limit(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     free = {name: {
         "HEADER": {"INITIAL": "S0", "ACTIVATING": "S9"},
         **{f"S{n}": {"on": f"S{n + 1}"} for n in range(9)}, "S9": {}, "Salone": {},
@@ -61,9 +68,13 @@ def test_a_place_that_no_run_reaches_and_one_beyond_the_limit() -> None:
     whole = blueprint(free)
     assert shortest_run_to(whole, {"A": "Salone", "B": "S0"}, 1000).run is None
     assert shortest_run_to(whole, {"A": "Salone", "B": "S0"}, 1000).bound == ""
+    beyond = shortest_run_to(whole, {"A": "S9", "B": "S1"}, 5).run
+    assert beyond is not None
+    assert len(beyond.path) == 10, "what is not stored is looked at together"
+    assert shortest_run_to(whole, {"A": "Salone", "B": "S0"}, 5) == RunThere(None)
+    monkeypatch.setattr(Engines, "engine", lambda *_: None)
     bounded = shortest_run_to(whole, {"A": "S9", "B": "S1"}, 5)
-    assert bounded.run is None
-    assert bounded.bound == "5 configurations"
+    assert bounded == RunThere(None, "5 configurations")
     found = shortest_run_to(whole, {"A": "S2", "B": "S1"}, 5).run
     assert found is not None
     assert [str(one) for one in found.path] == ["A/S0/on", "A/S1/on", "B/S0/on"]
