@@ -40,6 +40,14 @@ _OUTCOMES = {
     "stopped": "The run was stopped",
     "failed": "The run failed",
 }
+_SIGNER = ("person", "role", "verdict", "time")
+_GROUNDS = (
+    ("keys", "Whose keys counted"),
+    ("met", "Conditions met"),
+    ("policy", "Trust policy (SHA-256)"),
+    ("record", "Record (SHA-256)"),
+    ("register", "Register (SHA-256)"),
+)
 _NO_END = "The log ends before the run did"
 _HEADER = (
     ("file", "Blueprint"),
@@ -56,7 +64,6 @@ _HEADER = (
     ("script", "Script"),
     ("supervisor", "Supervised by"),
     ("by_hand", "Run by hand"),
-    ("policy", "Trust policy"),
     ("node", "Computer"),
 )
 
@@ -159,6 +166,24 @@ def _header(header: Mapping[str, Json]) -> Iterator[tuple[str, str]]:
     for key, words in _HEADER:
         if key in header:
             yield words, _said(header[key])
+    if "policy" in header:
+        yield from _approval(header["policy"])
+
+
+def _approval(value: Json) -> Iterator[tuple[str, str]]:
+    """Yield who approved the blueprint. The value may be anything, because it comes from a log."""
+    if not isinstance(value, dict):
+        yield "Approval", "Uninspected: this run asked for no approval"
+        return
+    yield "Approval", _said(value.get("verdict"))
+    signers = value.get("signers")
+    for one in signers if isinstance(signers, list) else ():
+        if isinstance(one, dict):
+            who, role, verdict, time = (_said(one.get(k)) for k in _SIGNER)
+            yield "Signed by", f"{who} ({role}): {verdict}, {time}"
+    for key, words in _GROUNDS:
+        if value.get(key):
+            yield words, _said(value[key])
 
 
 def _named(values: Json) -> Iterator[tuple[str, str]]:

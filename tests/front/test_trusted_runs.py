@@ -58,6 +58,11 @@ def test_an_approved_blueprint_runs_and_its_log_says_who_approved_it(file: Path)
     assert header["policy"]["signers"][0]["person"] == "Ada Lovelace"
     assert smsl.verify(log).doubt is None
     assert smsl.replay(log).events == run.events
+    smsl.account(log, log.with_suffix(".html"))
+    page = log.with_suffix(".html").read_text("utf-8")
+    assert "<dt>Approval</dt><dd>approved</dd>" in page
+    assert "Ada Lovelace (engineer): conditions, 20" in page
+    assert "keys of this computer, not of a register" in page
 
 
 def test_a_run_that_asks_for_nothing_is_as_before(file: Path) -> None:

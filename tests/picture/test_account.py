@@ -151,7 +151,7 @@ def test_a_run_from_the_command_line_has_its_header_told() -> None:
     assert seen.under("h1") == ["Account of a run of knee.smsl"]
     pairs = dict(zip(seen.under("dt"), seen.under("dd") + seen.under("code"), strict=False))
     assert pairs["Goals asked for"] == "SB/A, SB/B"
-    assert pairs["Trust policy"] == "none"
+    assert pairs["Approval"].startswith("Uninspected")
     assert pairs["Levels set before the run"] == "SB/go: human; inspection: shared"
     heard = "broker: lab:1883; site: lab; facts: SB/0: eye, ear"
     assert pairs["Sensors elsewhere"] == heard
@@ -159,7 +159,12 @@ def test_a_run_from_the_command_line_has_its_header_told() -> None:
     assert "imported sub.smsl" in seen.under("dt")
 
 
-@pytest.mark.parametrize("odd", [None, [], [[[]]], {"a": {"b": {"c": 1}}}, 1e400, True, "x", [{}]])
+SIGNERS = {"signers": [1, {"person": ["<b>"], "role": None}], "keys": {"<b>": 1}}
+
+
+@pytest.mark.parametrize(
+    "odd", [None, [], [[[]]], {"a": {"b": {"c": 1}}}, 1e400, True, "x", [{}], SIGNERS]
+)
 def test_a_header_may_say_anything(odd: object) -> None:
     keys = (
         "file",
