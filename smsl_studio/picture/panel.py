@@ -12,7 +12,9 @@ from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.guards import MEANING
 from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, guard_at, sub_mark_at
 from smsl_studio.picture.nodes import draw_node
-from smsl_studio.picture.strokes import box, number, text
+from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.returns import house
+from smsl_studio.picture.strokes import box, number, polygon, text
 from smsl_studio.picture.words import elided, width
 
 TITLE, NOTE = 16.0, 12.0
@@ -97,10 +99,8 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
             for digit, sub in picture.branch.subs.items()
         )
         words.append(("bar", f"expanded by a sub-SB: {elided(subs, NOTE, LEAST)}"))
-    if figure.shows_nodes and picture.bundles.members:
-        words.append(("", "A number on a line: so many operations between these two states."))
-    if figure.shows_nodes and picture.stubs:
-        words.append(("", "↵ below a state: an operation leads from there back to the start."))
+    if figure.shows_nodes:
+        words.extend(_bundle_words(picture))
     if figure.shows_labels:
         named = [e for e in range(len(picture.operations)) if e not in picture.bundles.first]
         kinds = {picture.kind(edge) for edge in named}
@@ -117,9 +117,21 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
         yield "".join(_row(mark, line, colours)), width(line, NOTE) + (18.0 if mark else 0.0)
 
 
+def _bundle_words(picture: Picture) -> Iterator[tuple[str, str]]:
+    """Yield the marks of bundles that the picture has, and what they mean."""
+    laned = picture.bundles.lane >= 0
+    if len(picture.bundles.members) > laned:
+        yield "", "A number on a line: so many operations between these two states."
+    if laned:
+        yield "house", "on a line: so many operations lead far back to the start"
+        yield "", "↵ below a state: one of them leads from there."
+
+
 def _row(mark: str, words: str, colours: Colours) -> Iterator[str]:
     if mark == "bar":
         yield box((0.0, 7.0, 13.0, 2.0), 1.0, colours["acc"])
+    elif mark == "house":
+        yield polygon(house(6.0, 7.0), "none", colours["acc"])
     elif mark == "guard":
         yield from guard_at((6.0, 8.0), colours)
     elif mark:

@@ -149,9 +149,21 @@ def test_the_picture_names_the_lane_and_marks_where_it_begins() -> None:
     (panel,) = draw_blueprint(blueprint_of(table), ["SB"], collapsed=True)
     assert "to start, 4" in panel.svg
     assert "State_5 -&gt; Op_Reset -&gt; State_0" in panel.svg
-    assert "back to the start" in panel.svg
+    number, lane = "A number on a line", "lead far back to the start"
+    assert number in panel.svg
+    assert lane in panel.svg
     (plain,) = draw_blueprint(blueprint_of(table), ["SB"])
     assert "to start" not in plain.svg
+    assert lane not in plain.svg
+    # The legend explains only what is drawn.
+    del table["State_1"]["Op_Reset"]
+    (panel,) = draw_blueprint(blueprint_of(table), ["SB"], collapsed=True)
+    assert number not in panel.svg
+    assert lane in panel.svg
+    both = {"A": {"Op_Go": "B"}, "B": {"Op_Back": "A"}}
+    (panel,) = draw_blueprint(blueprint_of(both), ["SB"], collapsed=True)
+    assert number in panel.svg
+    assert lane not in panel.svg
 
 
 def test_a_line_drawn_by_hand_is_not_in_the_lane() -> None:
