@@ -29,9 +29,11 @@ class SearchGoals(NamedTuple):
 class FoundRun(NamedTuple):
     """A shortest run: the operations that are asked, and the configuration at its end.
 
-    With ``during`` the end is none that is wanted, but a step out of it passes one.
+    With ``during`` the end is none that is wanted, but a step out of it passes one. Without a
+    ``start`` it begins where a run does.
     """
 
     path: list[Address]
     end: Mapping[str, str]
     during: bool
+    start: Mapping[str, str] | None = None

@@ -8,6 +8,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.graph.joint.diagram import Diagram, Relation
+from smsl_studio.graph.joint.failed import failed_moves
 from smsl_studio.graph.joint.force_order import force_order
 from smsl_studio.graph.joint.products import JointBox, JointMoves, TooLarge, joined
 from smsl_studio.graph.joint.products_of import ANY_EDGE, ProductSteps
@@ -24,10 +25,16 @@ class JointSteps:
     """All steps of a blueprint. TooLarge if a bound is met, RunRefused if there is no start.
 
     With ``shut`` they are those that a route may take: none leads into a failure state, and none
-    meets one of the conditions of ``shut``.
+    meets one of the conditions of ``shut``. With ``failures`` they may begin where one SB has
+    failed: ``failed`` leads there.
     """
 
-    def __init__(self, hierarchy: Hierarchy, shut: Sequence[Meaning] | None = None) -> None:
+    def __init__(
+        self,
+        hierarchy: Hierarchy,
+        shut: Sequence[Meaning] | None = None,
+        failures: bool = False,
+    ) -> None:
         begun = start_configuration(hierarchy, {})
         if len(hierarchy.order) > MOST_BRANCHES:
             raise TooLarge(f"{MOST_BRANCHES} SBs")
@@ -36,12 +43,13 @@ class JointSteps:
         self.products, self.asked = products.steps, products.asked
         if shut:
             boxes = [box for one in shut for box in self.boxes(one, True)]
-            start = self.numbers.coded(begun)
+            start = None if failures else self.numbers.coded(begun)
             self.asked = without_shut(self.asked, boxes, self.numbers, start)
             self.products = joined(one.moves for one in self.asked)
         self._passed, self._rough = products.passed, products.rough
         self.levels = force_order(len(hierarchy.order), self.products)
         self.start = self.numbers.coded(begun)
+        self.failed = list(failed_moves(hierarchy, self.numbers)) if failures else []
 
     def diagram(self) -> Diagram:
         """Return an empty diagram for sets of configurations."""

@@ -34,7 +34,15 @@ class JointReach:
         product = prod(self.diagram.sizes)
         if soon and product <= IN_ARRAYS:
             self.diagram.allow(max(LEAST_WORK, product // SHARE))
-        self.whole = Saturation(self.diagram, self._onward).reached(self.start)
+        saturation = Saturation(self.diagram, self._onward)
+        self.whole = saturation.reached(self.start)
+        self.begun = self.diagram.point(self.start)
+        """All configurations in which a run begins."""
+        for one in steps.failed:
+            image = self.diagram.image(self.whole, Relation(one, steps.levels))
+            self.begun = self.diagram.union(self.begun, image, self._top)
+        if steps.failed:
+            self.whole = saturation.closed(self.begun)
         self.count = self.diagram.count(self.whole)
         self.diagram.keep()
 
@@ -91,8 +99,8 @@ class JointPaths:
         self._diagram, self._top = reach.diagram, reach.diagram.height - 1
 
     def reached(self) -> int:
-        """Return what can be reached from the start."""
-        return Saturation(self._diagram, self._forth).reached(self._reach.start)
+        """Return what can be reached from where runs begin."""
+        return Saturation(self._diagram, self._forth).closed(self._reach.begun)
 
     def onward(self, found: int) -> int:
         """Return where one step leads from a set."""
@@ -126,7 +134,7 @@ class JointPaths:
         after ``most`` steps.
         """
         diagram, top = self._diagram, self._top
-        layers = [diagram.point(self._reach.start)]
+        layers = [self._reach.begun]
         seen = layers[0]
         while True:
             ends = diagram.both(layers[-1], hits, top)
@@ -149,7 +157,7 @@ class JointPaths:
         With them comes a function that returns the sets on the shortest runs to some of them.
         """
         diagram, top = self._diagram, self._top
-        layers = [diagram.point(self._reach.start)]
+        layers = [self._reach.begun]
         seen = layers[0]
         while layers[-1]:
             found = diagram.both(layers[-1], wanted, top)

@@ -23,15 +23,17 @@ def without_shut(
     asked: Iterable[AskedMoves],
     shut: Sequence[JointBox],
     numbers: StateNumbers,
-    start: Sequence[int],
+    start: Sequence[int] | None,
 ) -> list[AskedMoves]:
     """Return the products without the steps that meet one of the boxes.
 
-    Steps that move no SB of a box come into it only if the ``start`` is in it. TooLarge if they
-    become too many, or if it is not known exactly what they pass.
+    Steps that move no SB of a box come into it only if the ``start`` is in it; None is any start.
+    TooLarge if they become too many, or if it is not known exactly what they pass.
     """
     found: list[AskedMoves] = []
-    inside = any(all(start[at] in states for at, states in box.items()) for box in shut)
+    inside = start is None or any(
+        all(start[at] in states for at, states in box.items()) for box in shut
+    )
     for one in asked:
         places = one.moves.keys() | {at for passed in one.passed for at in passed}
         if not inside and not any(places & box.keys() for box in shut):

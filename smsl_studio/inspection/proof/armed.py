@@ -8,21 +8,14 @@ with those on whose way F has held and since then no G.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.many_starts import ManyStarts, MarkedSet
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.stop import heed
-
-
-class MarkedSet(NamedTuple):
-    """Configurations that are not armed, and armed ones."""
-
-    plain: int
-    armed: int
 
 
 class ArmedSearch:
@@ -40,9 +33,9 @@ class ArmedSearch:
     def ways(self) -> list[MarkedSet]:
         """Return the sets on the shortest ways, step by step. There must be one."""
         diagram, top = self._diagram, self._top
-        start = diagram.point(self._reach.start)
-        is_armed = bool(diagram.both(start, self._arming, top))
-        layers = [MarkedSet(0, start) if is_armed else MarkedSet(start, 0)]
+        begun = self._reach.begun
+        plain, armed = (cut(begun, self._arming, top) for cut in (diagram.without, diagram.both))
+        layers = [MarkedSet(plain, armed)]
         seen = layers[0]
         while True:
             heed()
@@ -105,6 +98,8 @@ class ArmedSearch:
     def run(self, space: Space) -> FoundRun:
         """Return the first of the shortest ways by its addresses. ``space`` has its steps."""
         ways = self.ways()
+        if self._reach.steps.failed:
+            return ManyStarts(self._reach, self._arming, self._disarming).run(ways)
         here = space.whole(space.start())
         is_armed = bool(ways[0].armed)
         path: list[Address] = []

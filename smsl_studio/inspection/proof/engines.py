@@ -33,13 +33,18 @@ class Engines:
     """The engines of a blueprint and of its parts. Each is made only if it is asked.
 
     ``hazards`` hinder the steps that a route may take. ``allowed`` are the engines that may be
-    used, by their words.
+    used, by their words. With ``failures`` a run may begin where one SB has failed.
     """
 
     def __init__(
-        self, blueprint: Blueprint, hazards: Sequence[Meaning], allowed: Collection[str] = ENGINES
+        self,
+        blueprint: Blueprint,
+        hazards: Sequence[Meaning],
+        allowed: Collection[str] = ENGINES,
+        failures: bool = False,
     ) -> None:
         self._blueprint, self._hazards, self._allowed = blueprint, hazards, allowed
+        self._failures = failures
         self._known: dict[_Key, Engine | None] = {}
         self._parts: list[_Key] = []
         self._arrays: ArraySpace | None = None
@@ -79,10 +84,11 @@ class Engines:
         shut = [one for one in self._hazards if names.issuperset(branches_in(one))]
         space = partial(Space, blueprint, routed, tuple(shut))
         try:
-            steps = JointSteps(Hierarchy(part), shut if routed else None)
+            steps = JointSteps(Hierarchy(part), shut if routed else None, self._failures)
         except TooLarge:
             return None
         if SymbolicSpace.engine in self._allowed:
             with suppress(TooLarge):
-                return SymbolicSpace(space, steps, soon)
-        return ArraySpace(space, steps) if ArraySpace.engine in self._allowed else None
+                return SymbolicSpace(space, steps, soon and not self._failures)
+        arrays = ArraySpace.engine in self._allowed and not self._failures
+        return ArraySpace(space, steps) if arrays else None

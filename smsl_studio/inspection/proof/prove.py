@@ -176,7 +176,7 @@ class _Prover:
     def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
         """Answer from all configurations together, None if that is not possible."""
         scope = self._scope
-        if scope.failures or not scope.engines or self._cones.is_small:
+        if not scope.engines or self._cones.is_small:
             return None
         cone = self._cones.cone(one)
         if self._is_lone(cone):
@@ -224,7 +224,7 @@ class _Prover:
 
     @cached_property
     def _engines(self) -> Engines:
-        return Engines(self._blueprint, self._hazards, self._scope.engines)
+        return Engines(self._blueprint, self._hazards, self._scope.engines, self._scope.failures)
 
     # what is looked at
 

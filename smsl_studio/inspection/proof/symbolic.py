@@ -133,6 +133,8 @@ class SymbolicSpace:
             return walked(self._space(), self._reach, *paths.nearest(hits, passing, steps))
         diagram.allow()
         with suppress(TooLarge):
+            if self._reach.steps.failed:
+                raise TooLarge("arrays with many starts")
             wanted, passed = (diagram.boxes(one, MOST_BOXES) for one in (hits, passing))
             found = self._reach.in_arrays(SearchGoals(wanted, passed, may))
             if found is not None:

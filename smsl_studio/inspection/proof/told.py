@@ -27,7 +27,7 @@ def told(space: Space, run: FoundRun, meaning: Meaning | None = None) -> Counter
     ``space`` makes the steps. ``run`` tells of the SBs that move alone. If something passed is
     meant, the first operation by its address that passes ``meaning`` is the last of the run.
     """
-    start = space.whole(space.start())
+    start = {**space.whole(space.start()), **(run.start or {})}
     here = {**start, **run.end}
     if len(run.path) <= MOST_CARRIED:
         _carry_out(space, start, run.path, here)

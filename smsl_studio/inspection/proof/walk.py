@@ -7,15 +7,22 @@ from collections.abc import Mapping, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.graph.joint.goals import FoundRun
+from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.many_starts import ManyStarts, MarkedSet
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.stop import heed
 
 
 def walked(space: Space, reach: JointReach, ways: Sequence[int], during: bool = False) -> FoundRun:
     """Return the run from the start through some sets of ``reach``, one operation for each after
-    the first. ``space`` makes the steps one by one. ``during`` is handed on.
+    the first. ``space`` makes the steps one by one. ``during`` is handed on. TooLarge if a run may
+    begin in many configurations, and they are too many.
     """
+    if reach.steps.failed:
+        if during:
+            raise TooLarge("an operation from many starts that passes something")
+        return ManyStarts(reach).run([MarkedSet(one, 0) for one in ways])
     here = space.whole(space.start())
     path: list[Address] = []
     for goals in ways[1:]:
