@@ -187,6 +187,9 @@ def test_the_shortest_run_is_played_on_the_drawing(rotms: Person) -> None:
     settled(rotms)
     assert run.isVisible()
     assert run.title.text() == "Shortest run to here"
+    lit_ones = [one for one in page(rotms).columns.buttons() if "here" in one.accessibleName()]
+    assert len(lit_ones) == 2
+    rotms.until(lambda: not any(one.visibleRegion().isEmpty() for one in lit_ones))
     path = [str(one.operation) for one in run.lit.steps[1:]]
     assert path == [
         "REGISTRATION/State000/LandmarksPlanned", "DIGITIZATION/State0/ConfirmAllDigitized"

@@ -8,7 +8,7 @@ compared.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.blueprint import editing
@@ -24,7 +24,7 @@ from smsl_studio.inspection.equivalence.equivalence import equivalence
 from smsl_studio.inspection.explorer.part import restricted, touching
 from smsl_studio.stop import heed
 
-MOST_LOOKED = 20_000_000
+MOST_LOOKED = 5_000_000
 """The largest number of operations that are looked at, over all rounds."""
 Row = Sequence[tuple[Hashable, int]]
 """For each operation of a state what it is, and the number of the state that it leads to."""
@@ -91,10 +91,11 @@ def _of_branch(
     names = list(branch.table)
     number = {name: at for at, name in enumerate(names)}
     fails = failing_states(branch)
-    rows = [
-        [(_what(edge), number[edge.target]) for edge in edges.out(branch.name, name)]
-        for name in names
-    ]
+    rows = []
+    for name in names:
+        heed()
+        out = edges.out(branch.name, name)
+        rows.append([(_what(edge), number[edge.target]) for edge in out])
 
     def apart(name: str) -> Hashable:
         """What tells a state from others before any step."""
@@ -128,21 +129,24 @@ def _classes(first: Sequence[Hashable], rows: Sequence[Row]) -> list[int]:
         looked += size
         if looked > MOST_LOOKED:
             raise PlanningError(f"more than {MOST_LOOKED:,} operations were looked at")
+        before = classes
         further = _numbered(
-            [
-                (classes[at], frozenset((what, classes[to]) for what, to in row))
-                for at, row in enumerate(rows)
-            ]
+            (before[at], frozenset((what, before[to]) for what, to in row))
+            for at, row in enumerate(rows)
         )
         if max(further, default=0) == max(classes, default=0):
             return classes
         classes = further
 
 
-def _numbered(values: Sequence[Hashable]) -> list[int]:
-    heed()
+def _numbered(values: Iterable[Hashable]) -> list[int]:
+    """Return a number for each value; equal values have equal numbers."""
     known: dict[Hashable, int] = {}
-    return [known.setdefault(value, len(known)) for value in values]
+    found = []
+    for value in values:
+        heed()
+        found.append(known.setdefault(value, len(known)))
+    return found
 
 
 def _groups(names: Sequence[str], classes: Sequence[int]) -> Iterator[tuple[str, ...]]:

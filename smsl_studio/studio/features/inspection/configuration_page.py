@@ -32,8 +32,8 @@ from smsl_studio.studio.features.inspection.typed_configuration import (
 LATE = 150
 """Milliseconds after which a step is shown although what follows it is not known yet."""
 END = "Nothing is permitted here."
-UPPER, LOWER = 230, 206
-"""Heights of the columns and of the run below them (pixels)."""
+UPPER, LOWER, HEAD = 230, 206, 62
+"""Heights of the columns and of the run below them, and of what is around its cards (pixels)."""
 
 
 class ConfigurationPage(QWidget):
@@ -224,8 +224,13 @@ class ConfigurationPage(QWidget):
         if self._entered and steps:
             # What is still looked for says where it stands, and must not end this run.
             self._held = self.explorer.is_outdated or bool(self.explorer.work)
+            hidden = self.run.isHidden()
             self.run.show()
             self.run.show_steps(self._session.blueprint, steps, title, bad)
+            if hidden:
+                # The run has as many rows as it needs, and the columns the rest.
+                low = HEAD + self.run.strip.height()
+                self.split.setSizes([max(self.split.height() - low, UPPER // 2), low])
 
     def _show_run(self, run: Counterexample) -> None:
         steps = steps_of(self._session.blueprint, run)
