@@ -185,17 +185,22 @@ def test_a_side_with_few_operations_is_bundled_if_the_other_is_crowded(
     assert bundled(dialog.after.canvas) == 18
 
 
+def open_dialogs(person: Person) -> list[ExportDialog]:
+    return [one for one in person.window.findChildren(ExportDialog) if one.isVisible()]
+
+
 def exported(person: Person, path: Path, words: str = "") -> str:
     held = Qt.KeyboardModifier
     person.press(Qt.Key.Key_E, [held.ControlModifier, held.ShiftModifier])
-    dialog = person.window.findChildren(ExportDialog)[-1]
+    person.qtbot.waitUntil(lambda: bool(open_dialogs(person)))
+    (dialog,) = open_dialogs(person)
     if words:
         dialog.what.setCurrentIndex(dialog.what.findText(words))
     person.qtbot.waitUntil(lambda: not dialog.bar.isVisible(), timeout=60_000)
     how = dialog.bundling.currentText()
     dialog.ask_file = lambda suggested: path  # type: ignore[method-assign]
     person.click(dialog.go)
-    person.qtbot.waitUntil(path.exists, timeout=60_000)
+    person.qtbot.waitUntil(lambda: not open_dialogs(person), timeout=60_000)
     person.come_back()
     return how
 

@@ -190,13 +190,16 @@ class Overlays:
     def _place_dense(self) -> None:
         """Put the legend of a dense drawing where it covers no state, best at the bottom left."""
         dense, canvas = self.dense, self._canvas
+        room = canvas.width() - 2 * EDGE
+        dense.fit(room)
         size, foot = dense.sizeHint(), canvas.height() - dense.height() - EDGE
         middle = (canvas.width() - size.width()) // 2
         below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
         places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
         free = (at for at in places if not self._taken(at, size, dense))
         clear = next((at for at in free if not self._on_states(at, size)), None)
-        dense.setVisible(clear is not None and not dense.empty)
+        fits = clear is not None and size.width() <= room
+        dense.setVisible(fits and not dense.empty)
         if clear is not None:
             dense.move(clear)
 

@@ -22,6 +22,8 @@ BACK = (
     "state: one leads from there. A click lists them."
 )
 MIXED = "They change several facts at once, or load a sub-SB."
+WIDEST = 10_000
+"""More room than the legend ever needs (pixels)."""
 ROOM = 24
 """The room at the sides of a button with words (pixels)."""
 
@@ -42,6 +44,8 @@ class DenseLegend(Card):
         super().__init__(parent, tokens)
         self._type = Type(text_font(13, 500))
         self._collapsed, self.empty = False, True
+        self._room, self._words = WIDEST, dict[IconButton, str]()
+        self._fitted: tuple[object, ...] = ()
         self.bundles = IconButton(self, tokens, "bundle", "Bundles")
         self.bundles.clicked.connect(self.bundle_wanted)
         self.back = IconButton(self, tokens, "house", "Back to start")
@@ -82,7 +86,7 @@ class DenseLegend(Card):
             "Draw operations between the same two states as one line")  # fmt: skip
         self._say(self.all, button, tip)
         self.setAccessibleName(plain_text(words))
-        self.resize(self.sizeHint())
+        self.fit(self._room)
         self.update()
 
     def show_mixed(self, count: int, dimmed: bool) -> None:
@@ -93,13 +97,31 @@ class DenseLegend(Card):
         self._say(self.mixed, words, tip)
         self.mixed.accent = dimmed
         self.mixed.setVisible(bool(count))
-        self.resize(self.sizeHint())
+        self.fit(self._room)
 
     def _say(self, button: IconButton, words: str, tip: str) -> None:
-        """Give a button its words and the room that they need."""
-        button.setText(words)
+        """Set the words of a button, and what it tells the pointer and assistive tools."""
+        self._words[button] = words
         button.setAccessibleName(plain_text(words))
         button.setToolTip(tip_text(tip))
+
+    def fit(self, room: int) -> None:
+        """Take at most this width (pixels), if that is possible without the words at the icons."""
+        self._room = room
+        key = room, *self._words.values(), self.mixed.isHidden(), self.back.isHidden()
+        if key == self._fitted:
+            return
+        self._fitted = key
+        for brief in (False, True):
+            for button, words in self._words.items():
+                self._write(button, words[_number(words) :] if brief else words)
+            if self.sizeHint().width() <= room:
+                break
+        self.resize(self.sizeHint())
+
+    def _write(self, button: IconButton, words: str) -> None:
+        """Write on a button, and give it the room that this needs."""
+        button.setText(words)
         icon = 0 if button is self.all else round(ICON + GAP / 2)
         button.setFixedSize(round(self._type.width(words)) + ROOM + icon, 30)
 
@@ -118,3 +140,8 @@ class DenseLegend(Card):
             if not button.isHidden():
                 painter.drawLine(button.x() - 4, 8, button.x() - 4, self.height() - 9)
         painter.end()
+
+
+def _number(words: str) -> int:
+    """Where the number in some words begins; 0 if they have none."""
+    return next((at for at, letter in enumerate(words) if letter.isdigit()), 0)
