@@ -36,7 +36,8 @@ def store_alone() -> Iterator[Path]:
     """
     folder = store_folder()
     try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        for one in (folder.parent, folder):
+            one.mkdir(mode=0o700, parents=True, exist_ok=True)
         with held([folder], PATIENCE) as alone:
             if not alone:
                 raise SaveError(
