@@ -251,3 +251,15 @@ def test_bounds_of_effort_on_the_command_line(shell: Shell, tmp_path: Path) -> N
     for wrong in ("0", "-1", "x", "1e3", "nan"):
         assert shell("check", str(file), "--seconds", wrong).status == 2
         assert shell("explore", str(file), "--memory", wrong).status == 2
+
+
+def test_the_text_says_that_a_part_was_enough(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("smsl_studio.inspection.proof.engines.Engines.engine", lambda *_: None)
+    ring = {f"S{n}": {"on": f"S{(n + 1) % 60}"} for n in range(60)}
+    file = tmp_path / "parts.json"
+    asked = [{"name": "p", "reachable": "A in S7"}]
+    file.write_text(json.dumps({"_properties": asked, "A": ring, "B": ring}))
+    said = shell("check", str(file)).out
+    assert "_properties/p: holds; not counted: a part of the SBs is enough\n" in said
