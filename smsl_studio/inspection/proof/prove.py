@@ -142,8 +142,15 @@ class _Prover:
 
     def _of_configurations(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
         at_once = self._at_once(one, meanings)
-        if at_once is not None:
+        if at_once is not None and at_once.answer.verdict != UNKNOWN:
             return at_once
+        found = self._one_by_one(one, meanings)
+        if at_once is not None and found.answer.verdict == UNKNOWN:
+            return at_once  # more was looked at in arrays
+        return found
+
+    def _one_by_one(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
+        """Answer from the configurations one by one."""
         near, *rest = self._cones.to_look_at(one)
         first = self._explored_answer(one, meanings, near)
         if first.answer.verdict == HOLDS or not rest:
@@ -197,10 +204,10 @@ class _Prover:
                 return None
         except (TooLarge, RecursionError):
             return None
-        if answer is None or (answer.verdict != HOLDS and answer.run is None):
+        if answer is None or (answer.verdict == FAILS and answer.run is None):
             # The shortest run lies in the cone, which is small enough to be looked at one by one.
             return None
-        count = space.count if space is whole else None
+        count = space.count if space is whole or answer.verdict == UNKNOWN else None
         return _Found(answer, space.bound or None, count, space.engine)
 
     def _is_lone(self, cone: Cone) -> bool:

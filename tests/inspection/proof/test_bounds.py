@@ -12,7 +12,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.exploration import explore
 from smsl_studio.front.proof import prove
-from smsl_studio.graph.joint import reach
+from smsl_studio.graph.joint import array_search, reach
+from smsl_studio.graph.joint.array_search import ArrayBound
 from smsl_studio.inspection.proof.arrays import ArraySpace
 from smsl_studio.inspection.proof.engines import Engines
 from smsl_studio.inspection.proof.prove import Scope
@@ -99,6 +100,24 @@ def test_arrays_answer_where_a_diagram_grows_too_large(monkeypatch: pytest.Monke
         for other in (diagrams[name], arrays[name]):
             assert (one.verdict, one.counterexample) == (other.verdict, other.counterexample)
             assert other.configurations in (None, one.configurations)
+
+
+def test_the_bound_of_arrays_is_told_where_nothing_else_answers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(reach, "LEAST_WORK", 10)
+    monkeypatch.setattr(reach, "SHARE", 10**9)
+    monkeypatch.setattr(array_search, "ArrayBound", lambda: ArrayBound(500, 10**6))
+    far = " and ".join(f"C{n} in S7" for n in range(4))
+    asked = [{"name": "far", "never": far}, {"name": "near", "never": "C0 in S2"}]
+    values = {**counters(), "_properties": asked}
+    found = proved(blueprint(values), lambda goals: None, Scope(limit=100, small=0, near=0))
+    one, near = found
+    assert (one.verdict, one.bound, one.engine) == (
+        "unknown", "500 configurations in arrays", "arrays"
+    )  # fmt: skip
+    assert 100 < (one.configurations or 0) <= 500
+    assert (near.verdict, near.counterexample is None) == ("fails", False)
 
 
 def test_engines_of_many_parts_are_forgotten() -> None:
