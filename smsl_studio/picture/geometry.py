@@ -220,8 +220,10 @@ class Geometry:
             work.bent[pair.a, pair.b] = reach
 
     def _clear(self, pair: Between) -> bool:
-        """Return whether the lines of a pair need no detour. A very large picture has none."""
-        return not self.picture.careful or self._clears.holds(pair, self._former)
+        """Return whether the lines of a pair need no detour. A very large or far picture has
+        none."""
+        none = self.style.far or not self.picture.careful
+        return none or self._clears.holds(pair, self._former)
 
     # All edges of a small picture
 
@@ -242,7 +244,7 @@ class Geometry:
             self._shapes |= work.keep(self._former.plain_pairs(self.box))
             self._pairs |= work.plain
             self._clears.known |= work.clear
-        elif self.picture.careful:
+        elif self.picture.careful and not self.style.far:
             self._clears.look([self._pair(a, b) for a, b in self.picture.pairs()])
         held = set(self._shapes)
         passing: list[Passing] = []

@@ -24,11 +24,15 @@ _LAST = len(_SHARES) - 1
 class LineStyle(NamedTuple):
     """The style of lines: scene units in one pixel of a mark, whether nodes are compact, and how
     many times as large as it is written the layout is drawn.
+
+    Lines of a ``far`` picture are straight, as its nodes are boxes or dots. Nodes that are compact
+    there overlap each other, so lines around them would lead far away.
     """
 
     unit: float = 1.0
     compact: bool = False
     scale: float = 1.0
+    far: bool = False
 
 
 class Strand(NamedTuple):

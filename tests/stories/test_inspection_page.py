@@ -150,6 +150,7 @@ def test_the_run_is_walked_on_the_drawing_in_base_and_sub(sit: Sit, tmp_path: Pa
     choose(person, "First")
     assert run.count.text() == "2 operations, shown at the start"
     assert window.canvas.marks.active == "State_0"
+    assert window.canvas.marks.next_states == {"State_1"}, "its name is shown, however far away"
     path = [one.operation for one in run.lit.steps[1:] if one.operation]
     for number, operation in enumerate(path, 1):
         person.click(run.step)
@@ -158,6 +159,7 @@ def test_the_run_is_walked_on_the_drawing_in_base_and_sub(sit: Sit, tmp_path: Pa
         assert operation in window.canvas.marks.trail
         assert run.count.text() == f"2 operations, shown at step {number}"
     assert not run.step.isEnabled()
+    assert not window.canvas.marks.next_states
     window.session.show_branch("DRILL")
     assert window.canvas.marks.active == "State_1", "every SB has its own active state"
     person.click(run.back)

@@ -63,7 +63,7 @@ def test_a_long_sentence_gives_way_before_what_stands_beside_it(sit: Sit) -> Non
         "Paced at real time",
         "Frozen copy, drawing unchanged",
     )
-    line.show_run(((*short, why), ("Process alive, 1.4 ms", "Recording", "Simulation only")))
+    line.show_run(((*short, why), ("Alive, 1.4 ms", "Recording", "Simulation only")))
     person.qtbot.waitUntil(lambda: line.run[5].width() > 100)
     for part in (*line.run[:5], *line.run_right):
         assert part.width() >= part.fontMetrics().horizontalAdvance(part.text()), part.text()

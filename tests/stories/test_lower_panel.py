@@ -61,6 +61,35 @@ def drag_edge(person: Person, by: int) -> None:
     QTest.mouseRelease(window, left, pos=edge + QPoint(0, by))
 
 
+@pytest.mark.parametrize(
+    ("height", "lower"), [(1080, 603), (900, 502), (800, 406), (720, 326), (600, 270)]
+)
+def test_beside_a_tall_page_the_drawing_keeps_its_room(sit: Sit, height: int, lower: int) -> None:
+    person = sit(SAMPLES / "registration-drilling.json", (1280, height))
+    docks, canvas = person.window.docks, person.window.canvas
+    person.ctrl(Qt.Key.Key_I)
+    person.until(lambda: docks.bottom.height() == lower)
+    assert canvas.height() >= 200
+    if height >= 800:
+        assert canvas.height() >= 270
+
+
+def test_the_height_of_a_tall_page_is_remembered_beside_the_other(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    window, docks = person.window, person.window.docks
+    person.ctrl(Qt.Key.Key_I)
+    person.until(lambda: docks.bottom.height() == 406)
+    drag_edge(person, 50)
+    assert window.close()
+    again = Window(person.windows)
+    again.show()
+    again.resize(1280, 800)
+    person.until(lambda: again.docks.bottom.height() == 196)
+    again.docks.show_tab("Inspection")
+    person.until(lambda: again.docks.bottom.height() == 356)
+    again.close()
+
+
 def test_a_height_that_a_person_has_chosen_stays_and_is_remembered(sit: Sit) -> None:
     person = sit(HFSM, (1280, 800))
     window, docks = person.window, person.window.docks

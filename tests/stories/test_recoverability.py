@@ -50,9 +50,10 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
         ],
     ]
     table, run = page(person).recovery, page(person).run
-    table.setFocus()
-    person.press(Key.Key_Down)
+    assert table.chosen is not None, "the first row is chosen by itself"
+    assert page(person).said.isVisible()
     assert "No way back" in page(person).said.text()
+    table.setFocus()
     person.press(Key.Key_Down)
     assert run.isVisible()
     assert run.title.text() == "Shortest way back"
@@ -76,6 +77,7 @@ def test_after_an_edit_the_ways_are_asked_again(sit: Sit) -> None:
     person.window.canvas.setFocus()
     person.press(Key.Key_Delete)
     assert rows(person) == [], "nothing old is shown as true"
+    assert page(person).said.text() == "Not known yet."
     person.until(lambda: page(person).look.rows is not None)
     assert rows(person)[0][:3] == [
         "REGISTRATION/State_1ee",
@@ -83,6 +85,7 @@ def test_after_an_edit_the_ways_are_asked_again(sit: Sit) -> None:
         "Registered is no more: the patient has moved (e)",
         "No way back",
     ]
+    assert page(person).said.text().startswith("REGISTRATION/State_1ee:"), "it is chosen"
 
 
 def test_without_failures_it_says_what_they_are(sit: Sit) -> None:

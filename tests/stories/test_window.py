@@ -158,7 +158,7 @@ def test_a_long_reason_leaves_the_standing_notice_whole(sit: Sit) -> None:
     person.ctrl(Key.Key_2)
     reason = "Nothing permitted leads from SB1/State_aaa to SB1/State_zzz. " * 3
     left = ("World hanoi", "Seed 0", "Simulated 3.2 s", "Paced at real time", "Frozen", reason)
-    status.show_run((left, ("Process alive, 0.8 ms", "Simulation only")))
+    status.show_run((left, ("Alive, 0.8 ms", "Simulation only")))
     person.until(lambda: status.ending.geometry().right() < status.width())
     assert status.ending.width() >= status.ending.sizeHint().width()
     assert window.width() == 1280

@@ -38,6 +38,7 @@ class Tabs(QWidget):
         self._pages = QStackedWidget()
         self._tools: dict[int, QWidget] = {}
         self._names: list[str] = []
+        self._bare = False
         self._top = QHBoxLayout()
         self._top.setContentsMargins(10, 0, 4, 0)
         self._top.setSpacing(0)
@@ -74,6 +75,19 @@ class Tabs(QWidget):
         self.bar.removeTab(at)
         self._pages.removeWidget(page)
         page.deleteLater()
+
+    def leave_out_tools(self, left_out: bool) -> None:
+        """Leave out the tools, where the tabs need all the room, or show them again."""
+        self._bare = left_out
+        self._show(self.bar.currentIndex())
+
+    def set_close(self, close: bool) -> None:
+        """Put the tabs close together, where there is little room, or in their usual places."""
+        if close == (self.bar.property("role") == "close"):
+            return
+        self.bar.setProperty("role", "close" if close else "")
+        self.bar.style().unpolish(self.bar)
+        self.bar.style().polish(self.bar)
 
     def add_button(self, button: QWidget) -> None:
         """Add a button at the right end that is visible with every panel."""
@@ -125,6 +139,8 @@ class Tabs(QWidget):
         if not count:
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
             badge.deleteLater()
+        # A bar that is hidden would not tell that it needs another width, and cut its last tab.
+        self.bar.updateGeometry()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Move the number back into its tab; Qt puts it into the gap between two tabs."""
@@ -139,6 +155,6 @@ class Tabs(QWidget):
     def _show(self, at: int) -> None:
         self._pages.setCurrentIndex(at)
         for place, tools in self._tools.items():
-            tools.setVisible(place == at)
+            tools.setVisible(place == at and not self._bare)
         if 0 <= at < len(self._names):
             self.changed.emit(self._names[at])

@@ -41,8 +41,11 @@ ADVICE = {
 SAID = ("stopped", "taken_over")
 """The phases whose sentence already names the phase."""
 TALLER = 1.2
-TOOLS, PADDING = 180, 16
-"""Pixels for the tools at the right, and for each SB's button beside its words."""
+TOOLS, FOLLOW, PADDING = 180, 50, 16
+"""Pixels for the tools at the right, of which the word of one takes so many; and for each SB's
+button beside its words."""
+NARROW = 280
+"""In a canvas narrower than this tools have no words (pixels)."""
 NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 RESULTS = "The drawing has moved on. These are the results of the version that ran"
@@ -311,6 +314,10 @@ class RunCanvas(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the labels of the SB buttons into the new width."""
         super().resizeEvent(event)
+        style = Qt.ToolButtonStyle
+        self._follow.setToolButtonStyle(
+            style.ToolButtonIconOnly if self._is_narrow else style.ToolButtonTextBesideIcon
+        )
         self._name_branches(self._blueprint())
         self._fit_steps()
 
@@ -325,7 +332,12 @@ class RunCanvas(QWidget):
     def _tools_wide(self) -> int:
         """The width of the tools at the right (pixels)."""
         more = 0 if self.to_drawing.isHidden() else self.to_drawing.sizeHint().width()
-        return TOOLS + more
+        return TOOLS + more - (FOLLOW if self._is_narrow else 0)
+
+    @property
+    def _is_narrow(self) -> bool:
+        """Whether the names of SBs need the room of words on tools."""
+        return self.width() < NARROW
 
     def _button(self, index: int) -> QToolButton:
         button = QToolButton()

@@ -25,7 +25,7 @@ def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
         left.append(capital(run.sentence))
     right = ("Recording", "Simulation only") if _is_recording(run) else ("Simulation only",)
     if run.latency is not None and status is not None:
-        return tuple(left), (f"Process alive, {max(run.latency * 1000, 0.1):.1f} ms", *right)
+        return tuple(left), (f"Alive, {max(run.latency * 1000, 0.1):.1f} ms", *right)
     return tuple(left), right
 
 

@@ -132,6 +132,7 @@ class Features(QObject):
         pane.reset_wanted.connect(lambda: supervise.ask_for("reset"))
         people.take_places(supervise.task_slot, supervise.add_levels)
         people.hear(supervise)
+        supervise.low_changed.connect(people.card.set_low)
         pane.moved.connect(self.draw.outline.set_run)
         pane.moved.connect(self._light_source)
         pane.run_exists.connect(self.run_exists)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF
 
-from smsl_studio.picture.levels import level_at, readable_zoom, unit_at
+from smsl_studio.picture.levels import Level, level_at, readable_zoom, unit_at
 from smsl_studio.studio.base.canvas.camera import fit_zoom
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
@@ -72,18 +72,25 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     """The frame of compact nodes.
 
     Labels and signs keep their size on the screen, so a second step corrects the zoom of the first.
+    Where they have no room, the frame is that of a far picture, which has no labels.
     """
     centres = _centres(sheet)
     most = FULL_FROM - 0.01 if sheet.spacing.roomy else 1.0
     zoom = fit_zoom(centres, FAR_MARKS, room, most)
-    for _ in range(2 if len(sheet.picture.operations) <= 120 else 1):
+    left = 2 if len(sheet.picture.operations) <= 120 else 1
+    while left:
+        left -= 1
         sheet.set_zoom(zoom)
-        whole = bounds_of(sheet)
+        whole, far = bounds_of(sheet), sheet.level < Level.COMPACT
+        least = FAR_MARKS if far else (0.0, 0.0)
         marks = (
-            (whole.width() - centres.width()) * zoom + MARGIN[0],
-            (whole.height() - centres.height()) * zoom + MARGIN[1],
+            max((whole.width() - centres.width()) * zoom + MARGIN[0], least[0]),
+            max((whole.height() - centres.height()) * zoom + MARGIN[1], least[1]),
         )
-        zoom = fit_zoom(centres, marks, room, most)
+        near = readable_zoom(sheet.spacing)
+        zoom = fit_zoom(centres, marks, room, min(most, near - 0.01) if far else most)
+        if not left and not far and level_at(zoom, sheet.spacing) < Level.COMPACT:
+            left = 1
     middle = centres.center() + (whole.center() - centres.center()) * (sheet.zoom / zoom)
     return middle, zoom
 
@@ -105,7 +112,10 @@ def about(sheet: Sheet) -> QRectF:
 
 
 def bounds_of(sheet: Sheet) -> QRectF:
-    """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units)."""
+    """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units).
+
+    A far picture has the lines and labels only of highlighted operations.
+    """
     half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)
     whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4 * unit, -4 * unit, 4 * unit, 4 * unit)
@@ -119,8 +129,9 @@ def bounds_of(sheet: Sheet) -> QRectF:
         below = y + half[sheet.picture.index[goal]][1]
         whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
     whole = whole.united(sheet.drawn.extent())
-    geometry = sheet.geometry
-    for edge in range(len(sheet.picture.operations)):
+    far = sheet.level < Level.COMPACT
+    for edge in sheet.looks.lit_edges if far else range(len(sheet.picture.operations)):
+        geometry = sheet.geometry
         # Hidden labels count too, because a run may highlight each of them.
         for rect in (geometry.shape(edge).bounds, geometry.label(edge)):
             if rect is not None:

@@ -31,6 +31,8 @@ from smsl_studio.studio.base.theme import Tokens
 EDGE = 14
 WIDE, TALL = 720, 420
 """In a view smaller than this (pixels) there is no mini-map."""
+LOWEST = 140
+"""In a view lower than this there are no tools over the drawing (pixels)."""
 SPOKEN = 6000
 """How long a sentence at the pointer stays (ms)."""
 
@@ -91,7 +93,6 @@ class Overlays:
         self.show_empty()
         # During a run the run's own header and buttons take the place of the breadcrumb.
         self.breadcrumb.setVisible(self._canvas.editing)
-        self.zoom.setVisible(self._canvas.editing)
         self.map.update()
         self.place()
 
@@ -150,7 +151,7 @@ class Overlays:
     def _explain(self) -> None:
         """Explain the short texts of compact nodes and labels while they are shown."""
         sheet = self._canvas.sheet
-        compact = sheet is not None and sheet.level is Level.COMPACT and self._canvas.editing
+        compact = sheet is not None and sheet.level is Level.COMPACT and self._has_tools
         self.key.show_picture(sheet.picture if sheet is not None else None, compact)
         self._place_key()
 
@@ -323,9 +324,15 @@ class Overlays:
             self.zoom.resize(self.zoom.sizeHint())
             self._place_zoom()
 
+    @property
+    def _has_tools(self) -> bool:
+        """Whether there is room over the drawing for tools, and somebody edits it."""
+        return self._canvas.editing and self._canvas.height() >= LOWEST
+
     def _place_zoom(self) -> None:
         """Put the zoom control at the bottom right, or at the top where it would cover a node."""
         canvas, zoom, map_ = self._canvas, self.zoom, self.map
+        zoom.setVisible(self._has_tools)
         right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
         several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
         roomy = canvas.width() >= WIDE and canvas.height() >= TALL

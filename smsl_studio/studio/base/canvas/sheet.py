@@ -7,7 +7,6 @@ nodes and from 100 % on, otherwise so many that signs keep their size on the scr
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import chain, repeat
@@ -35,6 +34,7 @@ from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
 from smsl_studio.studio.base.canvas.edge_reaches import EdgeReaches, Numbers
+from smsl_studio.studio.base.canvas.line_key import LineKey, line_key
 from smsl_studio.studio.base.canvas.opened import opened
 from smsl_studio.studio.base.paint import edge_paint, node_paint
 from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
@@ -73,7 +73,7 @@ class Sheet:
         self.version = 0
         """Increased whenever lines or labels change their place."""
         self._measure()
-        self._geometry: dict[tuple[bool, float], Geometry] = {}
+        self._geometry: dict[LineKey, Geometry] = {}
         self._former = former.routings if former is not None else {}
         self._reaches = EdgeReaches(picture)
         self._texts: dict[tuple[int, bool], EdgeText] = {}
@@ -109,7 +109,7 @@ class Sheet:
         """
         self.zoom, level = zoom, level_at(zoom, self.spacing)
         unit = unit_at(zoom, level)
-        known = (level is not Level.FULL, _in_steps(unit)) in self._geometry
+        known = line_key(level, unit) in self._geometry
         far = max(zoom / self._laid_at, self._laid_at / zoom) > MOST_HELD
         if known or far or not turning or not self.picture.small:
             self.level, self.unit, self._laid_at = level, unit, zoom
@@ -120,7 +120,7 @@ class Sheet:
         If both states of an edge move by the same way, its bends go along.
         """
         self.version += 1
-        present = self.compact, _in_steps(self.unit)
+        present = line_key(self.level, self.unit)
         self._geometry = {k: g for k, g in self._geometry.items() if k == present or not k[0]}
         for edge, layout in self.lines.items():
             ends = int(self.picture.source[edge]), int(self.picture.target[edge])
@@ -162,8 +162,8 @@ class Sheet:
         )
 
     @property
-    def routings(self) -> dict[tuple[bool, float], Routing]:
-        """The routing of a small picture, by (compact, unit)."""
+    def routings(self) -> dict[LineKey, Routing]:
+        """The routing of a small picture."""
         full = {key: one for key, one in self._former.items() if not key[0]}
         found = ((key, one.routing) for key, one in self._geometry.items())
         return full | {key: one for key, one in found if one is not None}
@@ -262,15 +262,14 @@ class Sheet:
     @property
     def geometry(self) -> Geometry:
         """Lines and labels for the present level and unit, computed when first needed."""
-        unit = _in_steps(self.unit)
-        key = (self.compact, unit)
+        key = compact, far, unit = line_key(self.level, self.unit)
         found = self._geometry.get(key)
         if found is None:
             self._forget_oldest()
             found = self._geometry[key] = Geometry(
                 self.picture,
                 self._boxes(unit),
-                LineStyle(unit, self.compact),
+                LineStyle(unit, compact, far=far),
                 lambda edge: self._label_size(edge, unit),
                 self.lines,
                 self._former.pop(key, None),
@@ -390,8 +389,3 @@ class Sheet:
     def edge_look(self, edge: int) -> edge_paint.EdgeLook:
         """The present look of the edge with this number."""
         return self.looks.edge(edge)
-
-
-def _in_steps(unit: float) -> float:
-    """The unit rounded to steps of 4 %, so that a zoom does not need new lines in every frame."""
-    return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)

@@ -16,6 +16,7 @@ class LitRun(QObject):
     """Lights the active state of each SB at a step: base and subs.
 
     The states before it have the marks of visited ones, and the operations so far those of a trail.
+    The states after it have those of next ones, so that their names can be read in a far picture.
     """
 
     moved = Signal(int)
@@ -55,9 +56,11 @@ class LitRun(QObject):
     def _light(self) -> None:
         marks, branch = self._canvas.marks, self._session.branch
         if not self.steps:
-            lit = replace(marks, active=None, visited=frozenset(), trail=(), running=None)
+            lit = replace(marks, active=None, visited=frozenset(), trail=(), running=None,
+                          next_states=frozenset())  # fmt: skip
         else:
             step, past = self.steps[self.at], self.steps[: self.at + 1]
+            later = {one.configuration.get(branch, "") for one in self.steps[self.at + 1 :]}
             during = step.during
             running = (during, None) if during is not None and during.branch == branch else None
             lit = replace(
@@ -66,6 +69,7 @@ class LitRun(QObject):
                 visited=frozenset(one.configuration.get(branch, "") for one in past[:-1]),
                 trail=tuple(edge for one in past for edge in one.edges if edge.branch == branch),
                 running=running,
+                next_states=frozenset(later - {step.configuration.get(branch, "")}),
             )
         if lit != marks:
             self._canvas.set_marks(lit)

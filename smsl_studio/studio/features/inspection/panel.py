@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QPushButton, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -32,6 +32,8 @@ from smsl_studio.studio.features.inspection.tab_line import (
     TabLine,
 )
 
+ANY = 16_777_215
+"""The greatest width that Qt allows (pixels)."""
 EMPTY = (
     "No hazard and no property is written.",
     "A hazard names facts that must never hold together. A property is a sentence about the whole "
@@ -43,6 +45,8 @@ NO_FAILURE = (
     "No failure value is declared, so nothing can fail. A value of a fact becomes a failure in the "
     "panel Facts; the failure states and the ways out of them stand here then."
 )
+CLOSE = 420
+"""Below this width the tabs need the room of the tools (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
 
@@ -195,6 +199,11 @@ class InspectionPanel(QWidget):
         if self._apart is not None:
             self._apart.enter()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out the tools where the tabs need their room."""
+        super().resizeEvent(event)
+        self.tools.setMaximumWidth(ANY if self.width() >= CLOSE else 0)
+
     def hideEvent(self, event: QHideEvent) -> None:
         """Light nothing on the drawing, because nobody looks at the run."""
         super().hideEvent(event)
@@ -244,7 +253,11 @@ class InspectionPanel(QWidget):
         self._show_tools()
 
     def _choose_first(self) -> None:
-        """Choose the first row that fails if none is chosen, so that its run is shown."""
+        """Choose the first row that fails if none is chosen, so that its run is shown; in the tab
+        of recoverability the first of all."""
+        if self._recovering and self.isVisible():
+            self.recovery.choose_first()
+            return
         claims = self.table.claims
         if self.isVisible() and self.table.chosen is None and not self.writing.open:
             fails = (one for one in claims.rows if claims.verdict(one) == FAILS)
@@ -286,6 +299,7 @@ class InspectionPanel(QWidget):
         self.setFocusProxy(places[self.tabs.currentIndex()])
         self._show_page(bool(self.table.claims.rows) or self.writing.open)
         self._look()
+        self._choose_first()
         self._show_row(self.table.chosen)
         if self._apart is not None and self.isVisible():
             self._apart.enter()
@@ -297,6 +311,7 @@ class InspectionPanel(QWidget):
 
     def _recovered(self) -> None:
         self.recovery.show_rows(self.look.rows or ())
+        self._choose_first()
         self._show_row(self.table.chosen)
 
     def _show_way(self) -> None:

@@ -61,6 +61,11 @@ class RecoveryTable(RowTable):
         self._share()
         self.row_chosen.emit(self.chosen)
 
+    def choose_first(self) -> None:
+        """Choose the first row if none is chosen."""
+        if self.chosen is None and self.rows:
+            self.setCurrentIndex(self._model.index(0, 0))
+
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Tell the chosen row."""
         super().currentChanged(current, previous)

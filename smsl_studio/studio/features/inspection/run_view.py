@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.front.views.claim_run import RunStep, script_of, steps_of
 from smsl_studio.inspection.proof.verdict import Counterexample
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
@@ -17,6 +19,8 @@ from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.run_cards import RunCards
 from smsl_studio.studio.features.inspection.run_strip import BranchNames, RunStrip
 
+NARROW = 560
+"""In a page narrower than this the buttons have no words (pixels)."""
 PACE = 800
 """Milliseconds that a step is shown while the run is walked."""
 BAD_END = ("hazard", "never", "before", "after", "way_back")
@@ -35,6 +39,7 @@ class RunView(QWidget):
         super().__init__(parent)
         self.lit, self._tokens = lit, tokens
         self._blueprint: Blueprint | None = None
+        self._narrow = False
         self._begins_at_start = True
         self.title = label("", "heading")
         self.count = Elided("")
@@ -176,9 +181,26 @@ class RunView(QWidget):
             self._timer.stop()
             self._dress()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In a narrow page the buttons have pictures without words, and the room of the title."""
+        super().resizeEvent(event)
+        narrow = self.width() < NARROW
+        if narrow != self._narrow:
+            self._narrow = narrow
+            self.title.setVisible(not narrow)
+            self._dress()
+
     def _dress(self) -> None:
         walking = self._timer.isActive()
-        self.walk.setText("Pause" if walking else "Walk")
-        self.walk.setIcon(icon("pause" if walking else "eye", self._tokens, 14))
-        self.back.setIcon(icon("step-back", self._tokens, 14))
-        self.step.setIcon(icon("step", self._tokens, 14))
+        faces = (
+            (self.walk, "Pause" if walking else "Walk", "pause" if walking else "eye"),
+            (self.back, "Back", "step-back"),
+            (self.step, "Step", "step"),
+            (self.save, "Save script…", "save" if self._narrow else ""),
+            (self.play, "Play it", "play" if self._narrow else ""),
+        )
+        for button, words, picture in faces:
+            button.setText("" if self._narrow else words)
+            button.setAccessibleName(plain_text(words))
+            on = self._tokens.onacc if button is self.play else None
+            button.setIcon(icon(picture, self._tokens, 14, on) if picture else QIcon())

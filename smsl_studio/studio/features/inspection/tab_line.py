@@ -13,6 +13,8 @@ from smsl_studio.studio.document.inspector import LIMIT
 SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
 NARROW = 1000
 """Below this width the sentence has no room for the limit beside it (pixels)."""
+SIDES = 20
+"""The room at the sides of the tabs (pixels)."""
 VERDICTS, RECOVERABILITY, CONFIGURATION, EQUIVALENCE = range(4)
 """The tabs."""
 NAMES = ("Verdicts", "Recoverability", "Configuration", "Equivalence")
@@ -44,6 +46,9 @@ class TabLine(QWidget):
         self.setLayout(line)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the limit out if the sentence needs its place."""
+        """Leave the limit out if the sentence needs its place. In a very narrow page the tabs can
+        be scrolled, or the last would be cut."""
         super().resizeEvent(event)
+        self.tabs.setUsesScrollButtons(self.width() < self.tabs.sizeHint().width() + SIDES)
+        self.tabs.setMaximumWidth(max(self.width() - SIDES, 1))
         self.limit.setVisible(self.width() >= NARROW)

@@ -14,6 +14,8 @@ from smsl_studio.studio.base.theme import CONTROL_DECISION
 from smsl_studio.studio.features.people.who import Who
 from smsl_studio.studio.running.persons import Persons
 
+ENTER = 2
+"""The place of the button for persons, below the choice and what is missing."""
 CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
 
 
@@ -51,7 +53,7 @@ class AnswerPart(QWidget):
         self.enter = QPushButton("Enter who works here…")
         self.enter.setToolTip("No person is entered yet: add the name, role and PIN of who answers")
         self.enter.clicked.connect(self.who.edit_wanted)
-        column = QVBoxLayout(self)
+        column = self._column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(8)
         for part in (
@@ -65,6 +67,13 @@ class AnswerPart(QWidget):
             column.addWidget(part)
         self.button.clicked.connect(self.decided)
         self.who.pin.returnPressed.connect(self._pin_typed)
+
+    def put_enter(self, place: QVBoxLayout | None) -> None:
+        """Put ``enter`` into another layout; None puts it back below the choice of persons."""
+        if place is None:
+            self._column.insertWidget(ENTER, self.enter)
+        else:
+            place.addWidget(self.enter)
 
     def show_card(self, card: CardView, chosen: OptionView | None, refusal: str) -> None:
         """Show this card's lower part; ``chosen`` is the selected option."""

@@ -51,6 +51,7 @@ class TaskCard(QWidget):
         self.tasks: tuple[Task, ...] = ()
         self._time = 0.0
         self._shown = ""
+        self._low = False
         self.outcomes = Outcomes()
         self._build(persons, tokens)
         self.answer.who.changed.connect(self._refresh)
@@ -110,6 +111,13 @@ class TaskCard(QWidget):
         """Forget the outcomes of the former run."""
         self.outcomes.clear()
 
+    def set_low(self, low: bool) -> None:
+        """In a low page the button to enter persons stands first: below the answers one would have
+        to scroll to it, and nobody can answer before."""
+        if low != self._low:
+            self._low = low
+            self.answer.put_enter(self._first if low else None)
+
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         for part in (self.head, self.answers, self._places, self.lines):
@@ -154,6 +162,8 @@ class TaskCard(QWidget):
         asked.addSpacing(4)
         asked.addWidget(self.answers)
         self._room = Room(inner)
+        self._first = QVBoxLayout()
+        self._first.setContentsMargins(PAD, 10, PAD, 0)
         below = QVBoxLayout()
         below.setContentsMargins(PAD, 6, PAD, 12)
         below.setSpacing(10)
@@ -163,6 +173,7 @@ class TaskCard(QWidget):
         column.setContentsMargins(1, 1, 1, 1)
         column.setSpacing(0)
         column.addWidget(self.head)
+        column.addLayout(self._first)
         column.addWidget(self._room, 1)
         column.addLayout(below)
         whole = QVBoxLayout(self)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge.choice import refusal_of_open
@@ -28,6 +28,7 @@ from smsl_studio.studio.base.words import capital, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.event_list import EventList
 from smsl_studio.studio.features.run.facts_place import FactsPlace
+from smsl_studio.studio.features.run.low_page import LowPage
 from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
 from smsl_studio.studio.features.run.transport import Transport
@@ -194,6 +195,7 @@ class RunPane(QWidget):
         """Show the facts beside the lists, or as one of them if there is little room."""
         super().resizeEvent(event)
         self.facts_place.fit(self.size())
+        self.low_page.fit(self.height())
 
     def play_script(self, text: str, name: str) -> None:
         """Start a run in the chosen world in which a script acts, with the name of its file."""
@@ -246,25 +248,17 @@ class RunPane(QWidget):
     # Building.
 
     def _build(self) -> None:
-        whole = split(
-            Qt.Orientation.Vertical,
-            (
-                split(
-                    Qt.Orientation.Horizontal,
-                    (self.canvas, self._right()),
-                    (628, 811),
-                    (44, 56),
-                ),
-                self.timeline,
-            ),
-            (626, 160),
-            (1, 0),
+        across, right = Qt.Orientation.Horizontal, self._right()
+        above = split(across, (self.canvas, right), (628, 811), (44, 56))
+        whole = split(Qt.Orientation.Vertical, (above, self.timeline), (626, 160), (1, 0))
+        self.low_page = LowPage(
+            self._lists, self.canvas, ((self.scene, right), (self.timeline, whole))
         )
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(whole)
 
-    def _right(self) -> QWidget:
+    def _right(self) -> QSplitter:
         self._facts_rate, self._facts_note = label("", "small"), label("", "small")
         self.monitor_button = tool(
             "Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens

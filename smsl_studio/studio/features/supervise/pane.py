@@ -54,6 +54,8 @@ class SupervisePane(QWidget):
 
     begin_wanted = Signal()
     """The person wants to start a run."""
+    low_changed = Signal(bool)
+    """bool: whether the page is so low now that its columns scroll."""
 
     def __init__(
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
@@ -295,6 +297,7 @@ class SupervisePane(QWidget):
         super().resizeEvent(event)
         narrow, low = self.width() < NARROW, self.height() < LOW_PAGE
         self._right.fit(narrow, low)
+        self.low_changed.emit(low)
         left = self.width() - self._right.minimumWidth()
         way = Qt.Orientation.Vertical if left < TWO else Qt.Orientation.Horizontal
         if self.below.orientation() != way:

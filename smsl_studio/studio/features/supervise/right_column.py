@@ -18,13 +18,13 @@ WIDE, NARROW = 330, 240
 class RightColumn(QWidget):
     """Task and hold card scroll if they need more room; Step in stays visible below.
 
-    In a low page all of it scrolls as one, and what is asked comes into view. ``task_slot`` is the
-    layout for the task card.
+    In a low page all of it scrolls as one, and what is asked comes into view. *Give back* does not
+    scroll there. ``task_slot`` is the layout for the task card.
     """
 
     def __init__(self, hold: HoldCard, step_in: StepIn) -> None:
         super().__init__()
-        self._step_in, self._low = step_in, False
+        self._step_in, self._low, self._pinned = step_in, False, False
         inner = QWidget()
         self._column = QVBoxLayout(inner)
         self._column.setContentsMargins(12, 12, 12, 0)
@@ -41,7 +41,7 @@ class RightColumn(QWidget):
         self._room, self._edge = Room(inner), rule()
         self._edge.hide()
         # The line shows that the part above can be scrolled.
-        self._room.verticalScrollBar().rangeChanged.connect(lambda _, most: self._ranged(most))
+        self._room.verticalScrollBar().rangeChanged.connect(lambda *_: self._ranged())
         whole.addWidget(self._room)
         whole.addWidget(self._edge)
         whole.addLayout(self._below)
@@ -50,6 +50,7 @@ class RightColumn(QWidget):
         around.setContentsMargins(0, 0, 0, 0)
         around.addWidget(panel)
         self.setMinimumWidth(WIDE)
+        step_in.turned.connect(lambda _: self._pin())
 
     def fit(self, narrow: bool, low: bool) -> None:
         """Need less width in a narrow page, and scroll as a whole in a low one."""
@@ -59,18 +60,33 @@ class RightColumn(QWidget):
             return
         self._low = low
         (self._column if low else self._below).addWidget(self._step_in)
-        edge = 12 if low else 0
-        self._column.setContentsMargins(12, 12, 12, edge)
-        self._below.setContentsMargins(12, 12 - edge, 12, 12 - edge)
+        self._column.setContentsMargins(12, 12, 12, 12 if low else 0)
+        self._pin()
         self._room.updateGeometry()
+
+    def _pin(self) -> None:
+        """Let *Give back* stand below what scrolls, so that it is in view as long as it is the way
+        on."""
+        pinned = self._low and self._step_in.taken
+        if pinned != self._pinned:
+            self._pinned = pinned
+            self._step_in.put_hand(self._below if pinned else None)
+        edge = 8 if pinned else 0 if self._low else 12
+        self._below.setContentsMargins(12, edge, 12, edge)
+        self._show_edge()
 
     def see_question(self) -> None:
         """Scroll so far that the open question is seen, as soon as it has its size."""
         QTimer.singleShot(0, self, self._see)
 
-    def _ranged(self, most: int) -> None:
-        self._edge.setVisible(most > 0 and not self._low)
+    def _ranged(self) -> None:
+        self._show_edge()
         self._see()
+
+    def _show_edge(self) -> None:
+        """Show the line below what can be scrolled, if something stands below it."""
+        scrolls = self._room.verticalScrollBar().maximum() > 0
+        self._edge.setVisible(scrolls and (self._pinned or not self._low))
 
     def _see(self) -> None:
         asking = self._step_in.asking

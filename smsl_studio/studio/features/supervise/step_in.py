@@ -21,6 +21,8 @@ from smsl_studio.studio.running.decisions import Decision
 OVER = ("", "opening", "idle", "done", "finished")
 LOCKED = "automation is locked out"
 NOBODY_MOVES = ("stopped", "taken_over")
+HAND = 2
+"""The place of the last button, below the heading and the other two."""
 
 
 class StepIn(QWidget):
@@ -28,11 +30,15 @@ class StepIn(QWidget):
 
     wanted = Signal(object)
     """Decision: ask for its confirmation."""
+    turned = Signal(bool)
+    """bool: whether a person has taken over now, so that ``hand`` gives back."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self.setAccessibleName("Step in")
         self.asking = ConfirmBox()
+        self.taken = False
+        """Whether a person has taken over."""
         self._status: DispatchStatus | None = None
         self._subject: Address | None = None
         self._on = label("", "second")
@@ -55,7 +61,7 @@ class StepIn(QWidget):
         both.setSpacing(8)
         both.addWidget(self.veto)
         both.addWidget(self.prune)
-        column = QVBoxLayout(self)
+        column = self._column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(8)
         column.addLayout(first)
@@ -83,6 +89,13 @@ class StepIn(QWidget):
         """In a narrow column the buttons leave out their keys, which their tooltips have."""
         for button in (self.veto, self.prune, self.hand):
             button.set_narrow(narrow)
+
+    def put_hand(self, place: QVBoxLayout | None) -> None:
+        """Put ``hand`` into another layout; None puts it back below the other buttons."""
+        if place is None:
+            self._column.insertWidget(HAND, self.hand)
+        else:
+            place.addWidget(self.hand)
 
     def show_status(
         self,
@@ -127,6 +140,9 @@ class StepIn(QWidget):
             said = decisions.detour_words(blueprint, self._status, subject)
         self._detour.setText(said)
         self._detour.setVisible(bool(said))
+        if taken != self.taken:
+            self.taken = taken
+            self.turned.emit(taken)
 
     def ask_veto(self) -> None:
         """Ask for confirmation of a veto; if it is not possible, show why."""

@@ -27,8 +27,19 @@ def usual_height(window: int) -> int:
     return LEAST + round((MOST - LEAST) * max(0.0, min(share, 1.0)))
 
 
-TALL = 0.558
-"""The share of the window that a tall panel has."""
+TALL, AT_LEAST = 0.558, 0.45
+"""The shares of the window that a tall panel has: at most, and also where the drawing has little
+room."""
+DRAWING = 394
+"""What the drawing and the bars of the window need beside a tall panel: 280 pixels for the drawing,
+so that its names can be read."""
+
+
+def tall_height(window: int) -> int:
+    """The height of a tall panel in a window of this height, if no person has chosen one
+    (pixels)."""
+    room = min(round(TALL * window), window - DRAWING)
+    return max(room, round(AT_LEAST * window), usual_height(window))
 
 
 class DockFold(QObject):
@@ -36,7 +47,7 @@ class DockFold(QObject):
     command that shows one of its panels.
 
     ``own`` is the height that a person has given the dock by dragging its edge (pixels); 0 if it
-    follows the height of the window.
+    follows the height of the window. ``own_tall`` is the same for tall panels.
     """
 
     changed = Signal()
@@ -45,8 +56,7 @@ class DockFold(QObject):
         super().__init__(window)
         self._window, self._dock, self._tabs = window, dock, tabs
         self.folded = self._tall = False
-        self._own_tall = 0
-        self.own = self._before = 0
+        self.own = self.own_tall = self._before = 0
         self.button = SmallButton(WORDS[False], PICTURES[False], tokens)
         self.button.clicked.connect(self.toggle)
         tabs.add_button(self.button)
@@ -84,7 +94,7 @@ class DockFold(QObject):
         """The height for the panel that is shown (pixels)."""
         window = self._window.height()
         if self._tall:
-            return self._own_tall or max(round(TALL * window), usual_height(window))
+            return self.own_tall or tall_height(window)
         return self.own or usual_height(window)
 
     def fit(self) -> None:
@@ -104,7 +114,7 @@ class DockFold(QObject):
         elif event.type() == QEvent.Type.MouseButtonRelease and not self.folded:
             height = self._dock.height()
             if height != self._before and self._tall:
-                self._own_tall = height
+                self.own_tall = height
             elif height != self._before:
                 self.own = height
         return super().eventFilter(watched, event)

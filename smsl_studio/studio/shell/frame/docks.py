@@ -28,6 +28,8 @@ from smsl_studio.studio.shell.frame.dock_fold import DockFold
 
 LEFT, PROPERTIES, SOURCE = 232, 304, 364
 NARROW = 1280
+CLOSE = 760
+"""In a window narrower than this the lower tabs stand close together (pixels)."""
 NARROWEST = 200
 LOW = 480
 FORM = 288
@@ -131,6 +133,7 @@ class Docks(QObject):
 
         Returns whether it is narrow.
         """
+        self.bottom_tabs.set_close(width < CLOSE)
         narrow = width < NARROW
         if narrow != self._narrow:
             self._narrow = narrow

@@ -16,8 +16,9 @@ from smsl_studio.studio.shell.frame.mode_bar import ModeBar
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 DRAW = "draw"
-FOLD, OWN = "panels/fold", "panels/lower"
-"""The settings that say whether the lower panel is folded, and the height that a person gave it."""
+FOLD, OWN, OWN_TALL = "panels/fold", "panels/lower", "panels/tall"
+"""The settings that say whether the lower panel is folded, and the heights that a person gave it:
+with a usual page and with a tall one, such as Inspection."""
 OWN_HEIGHT = re.compile("[1-9][0-9]{1,3}")
 """How a height stands in the settings (pixels)."""
 
@@ -80,8 +81,8 @@ class Modes:
 
     def restore(self) -> None:
         """Restore the places of the panels from the last window."""
-        fold, own = self._docks.fold, self._settings.text_of(OWN)
-        fold.own = int(own) if OWN_HEIGHT.fullmatch(own) else 0
+        fold = self._docks.fold
+        fold.own, fold.own_tall = self._height(OWN), self._height(OWN_TALL)
         fold.put(bool(self._settings.text_of(FOLD)))
         if not self._docks.restore(self._settings.bytes_of("panels/draw")):
             self._docks.set_first_sizes()
@@ -93,6 +94,12 @@ class Modes:
             fold = self._docks.fold
             self._settings.store_text(FOLD, "folded" if fold.folded else "")
             self._settings.store_text(OWN, str(fold.own or ""))
+            self._settings.store_text(OWN_TALL, str(fold.own_tall or ""))
+
+    def _height(self, setting: str) -> int:
+        """A remembered height (pixels); 0 if there is none."""
+        own = self._settings.text_of(setting)
+        return int(own) if OWN_HEIGHT.fullmatch(own) else 0
 
     def fit(self, size: QSize) -> None:
         """In a narrow window show a drawer and its button instead of the left dock.

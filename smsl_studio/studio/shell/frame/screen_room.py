@@ -8,8 +8,9 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.studio.base.screens import room
 
 SIZE, SMALLEST = QSize(1440, 900), QSize(900, 560)
-FRAME_MS = 200
-"""Milliseconds after which a desktop has drawn the frame around a new window."""
+FRAME_MS, TRIES = 200, 12
+"""Milliseconds after which a desktop has usually drawn the frame around a new window, and how often
+it is looked for: a busy one takes longer."""
 
 
 class ScreenRoom(QObject):
@@ -18,6 +19,7 @@ class ScreenRoom(QObject):
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window, self._shown = window, False
+        self._tries = TRIES
         self._first = QSize()
         """The size of the window before its frame was known."""
         self.limit()
@@ -28,7 +30,14 @@ class ScreenRoom(QObject):
         if not self._shown and handle is not None:
             self._shown = True
             handle.screenChanged.connect(self.limit)
-            QTimer.singleShot(FRAME_MS, self, self.fit)
+            QTimer.singleShot(FRAME_MS, self, self._look)
+
+    def _look(self) -> None:
+        """Fit the window, and again as long as its frame is not known."""
+        self.fit()
+        self._tries -= 1
+        if self._tries and self._window.frameGeometry() == self._window.geometry():
+            QTimer.singleShot(FRAME_MS, self, self._look)
 
     def limit(self) -> None:
         """Set the smallest size of the window, limited to its screen."""
@@ -57,6 +66,7 @@ class ScreenRoom(QObject):
         wanted = window.size().boundedTo(self._inner())
         if wanted != window.size():
             window.resize(wanted)
+            self._first = wanted
         corner = QPoint(
             _inside(
                 frame.left(), wanted.width() + self._frame().width(), screen.x(), screen.width()

@@ -19,9 +19,10 @@ from smsl_studio.studio.base.words import counted
 
 ENDING = "Not a medical device"
 LONG = 36
-"""A part wider than this may be shortened, so that the notice at the end is never cut (pixels)."""
-READABLE = 170
-"""A part that is shortened to less than this tells too little (pixels)."""
+"""A part wider than this has all of its text in a tooltip (pixels)."""
+READABLE = 120
+"""A part wider than this may be shortened to this, so that the notice at the end is never cut
+(pixels)."""
 GAP = 8
 """Pixels between two parts."""
 INSET = 6
@@ -52,13 +53,14 @@ class StatusLine(QStatusBar):
         self.nothing.setText("No file open")
         self.addWidget(self.nothing)
         self.counts = [_Segment() for _ in range(4)]
-        self.run = [_Segment() for _ in range(6)]
+        # Only sentences are shortened: a few letters of a short text tell nothing.
+        self.run = [_Segment(whole=at not in SENTENCES) for at in range(6)]
         for part in self.counts:
             self.addWidget(part)
         for at, part in enumerate(self.run):
             self.addWidget(part, SENTENCES.get(at, 0))
         self.form, self.place = _Segment(), _Segment()
-        self.run_right = [_Segment() for _ in range(3)]
+        self.run_right = [_Segment(whole=True) for _ in range(3)]
         self.ending = Label(ENDING)
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
@@ -139,6 +141,11 @@ class StatusLine(QStatusBar):
             painter.drawText(self._message_room(), left, self.shown_message)
         painter.end()
 
+    def minimumSizeHint(self) -> QSize:
+        """No width, so that its parts do not keep a window wide; they are left out in a narrow
+        one."""
+        return QSize(0, STATUS_LINE)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the message and the parts into the new width."""
         super().resizeEvent(event)
@@ -161,33 +168,43 @@ class StatusLine(QStatusBar):
         """Show the parts of the mode. A hint replaces the left side while it is shown."""
         free = not self.currentMessage()
         drawn = not self._running and not self._start
-        self.nothing.setVisible(free and self._start)
-        for part in self.counts:
-            part.setVisible(free and drawn)
-        for part in (self.form, self.place):
-            part.setVisible(drawn)
-        for part in self.run:
-            part.setVisible(free and self._running and bool(part.text()))
-        for part in self.run_right:
-            part.setVisible(self._running and bool(part.text()))
-        self._leave_out()
+        wanted = [*self.counts] if free and drawn else []
+        if free and self._running:
+            wanted += [part for part in self.run if part.text()]
+        if drawn:
+            wanted += [self.form, self.place]
+        if self._running:
+            wanted += [part for part in self.run_right if part.text()]
+        shown = self._fitting(wanted)
+        if free and self._start:
+            shown.append(self.nothing)
+        # Hidden first: with all of them at once none would have its width for a moment.
+        every = [self.nothing, *self._parts]
+        for part in sorted(every, key=lambda one: one in shown):
+            part.setVisible(part in shown)
+        layout = self.layout()
+        if layout is not None:
+            # At once, or the parts would be painted in their former places once more.
+            layout.activate()
+        self._fit_message()
 
-    def _leave_out(self) -> None:
-        """Hide the parts that have no room, in the order of ``_last``: a few letters tell nothing.
+    def _fitting(self, wanted: list[_Segment]) -> list[_Segment]:
+        """The parts that have room. Others are left out, in the order of ``_last``: a few letters
+        tell nothing.
 
         What is left out stands in the tooltip of the line.
         """
-        shown = [part for part in self._parts if not part.isHidden()]
-        room = self.width() - self.ending.sizeHint().width() - GAP
+        shown = list(wanted)
+        room = self.width() - self.ending.sizeHint().width() - 2 * GAP
         needed = sum(part.least + GAP for part in shown)
         left_out: list[str] = []
         for part in self._last:
             if needed > room and part in shown:
-                part.hide()
+                shown.remove(part)
                 needed -= part.least + GAP
                 left_out.append(part.text())
         self._left_out = "\n".join(reversed(left_out))
-        self._fit_message()
+        return shown
 
     @property
     def _parts(self) -> list[_Segment]:
@@ -208,9 +225,10 @@ class StatusLine(QStatusBar):
 class _Segment(QWidget):
     """One text, with a line after it."""
 
-    def __init__(self) -> None:
+    def __init__(self, whole: bool = False) -> None:
+        """``whole`` says that it is never shortened."""
         super().__init__()
-        self._label = _Saying()
+        self._label = _Saying(whole)
         layout = row(self._label, rule(vertical=True, length=16), spacing=0)
         self.setLayout(layout)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
@@ -222,7 +240,7 @@ class _Segment(QWidget):
     @property
     def least(self) -> int:
         """The width that it needs to be read, if need be with its end left out (pixels)."""
-        return min(self._label.width_of_text, READABLE) + 1
+        return self._label.minimumSizeHint().width() + 1
 
     def setText(self, text: str) -> None:
         """Set the text; a long text is also the tooltip."""
@@ -233,14 +251,15 @@ class _Segment(QWidget):
 class _Saying(Label):
     """A text that ends in an ellipsis if there is no room; the tooltip has all of it."""
 
-    @property
-    def width_of_text(self) -> int:
-        """The width at which nothing is left out (pixels)."""
-        return self.sizeHint().width()
+    def __init__(self, whole: bool) -> None:
+        super().__init__()
+        self._whole = whole
 
     def minimumSizeHint(self) -> QSize:
-        """At most ``LONG`` wide, because the text can be shortened."""
-        return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))
+        """At most ``READABLE`` wide, because a longer text can be shortened, unless it must be
+        whole."""
+        least = self.sizeHint()
+        return least if self._whole else least.boundedTo(QSize(READABLE, least.height()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the text, with an ellipsis if it is too long."""

@@ -6,8 +6,10 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.levels import Level, readable_zoom
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
+from smsl_studio.studio.base.canvas.frames import bounds_of, frame_of
 from smsl_studio.studio.base.canvas.sheet import KEPT_UNITS, Sheet
 from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.theme import LIGHT
@@ -57,3 +59,51 @@ def test_the_size_of_one_node_is_that_among_all(qapp: QApplication, zoom: float)
     assert every.shape == (27, 2)
     for state in range(27):
         assert shown.halves(state).tolist() == every[state].tolist()
+
+
+@pytest.mark.parametrize("zoom", [0.05, 0.1, 0.2, 0.23, 0.3])
+def test_lines_of_a_far_picture_are_straight_also_if_they_are_lit(
+    qapp: QApplication, zoom: float
+) -> None:
+    """They led around compact nodes, which are not painted there, far below the drawing."""
+    shown = sheet()
+    shown.set_zoom(zoom)
+    for edge in range(len(shown.picture.operations)):
+        ends = shown.at[[shown.picture.source[edge], shown.picture.target[edge]]]
+        low, high = ends.min(axis=0) - 30 * shown.unit, ends.max(axis=0) + 30 * shown.unit
+        points = shown.geometry.shape(edge).points
+        assert (points >= low).all()
+        assert (points <= high).all()
+
+
+def test_near_and_far_pictures_of_about_one_zoom_have_lines_of_their_own(
+    qapp: QApplication,
+) -> None:
+    shown = sheet()
+    near = readable_zoom(shown.spacing)
+    shown.set_zoom(near * 0.999)
+    far = shown.geometry
+    shown.set_zoom(near * 1.001)
+    assert shown.geometry is not far
+    assert far.style.far
+    assert not shown.geometry.style.far
+
+
+@pytest.mark.parametrize("room", [(342.0, 182.0), (540.0, 300.0), (964.0, 193.0), (964.0, 400.0)])
+@pytest.mark.parametrize("name", ["hanoi.json", "registration-drilling.json"])
+def test_a_far_picture_fills_its_frame(
+    qapp: QApplication, name: str, room: tuple[float, float]
+) -> None:
+    """Labels that a far picture does not show left most of the frame empty."""
+    blueprint = sample(name)
+    picture = Picture(blueprint, next(iter(blueprint.branches)))
+    shown = Sheet(picture, place_states(picture.branch), Ink(LIGHT), Marks())
+    middle, zoom = frame_of(shown, room)
+    shown.set_zoom(zoom)
+    if shown.level >= Level.COMPACT:
+        return
+    whole = bounds_of(shown)
+    shares = whole.width() * zoom / room[0], whole.height() * zoom / room[1]
+    assert max(shares) <= 1.0
+    assert max(shares) > 0.6 or zoom > 0.3
+    assert whole.contains(middle)

@@ -43,7 +43,8 @@ def least_covering(
 ) -> QPoint:
     """The place nearest to a point where a card covers the fewest states and notes.
 
-    It covers no other floating part, and nothing of ``spared`` if there is another place.
+    It covers nothing of ``spared`` and no other floating part if there is another place. In a view
+    with no such place it rather covers a floating part than one of ``spared``.
     """
     return _best(canvas, size, near, spared)[0]
 
@@ -56,8 +57,14 @@ def _best(
     drawn = _drawn_in_view(canvas)
     if not len(spots) or len(drawn) > CROWD:
         return near, 1.0
-    kept = _sides(spared)
-    hidden = _covered(drawn, spots, size) + (len(drawn) + 1) * _covered(kept, spots, size)
+    floats, kept = _sides(canvas.overlays.floats()), _sides(spared)
+    # One floating part weighs more than all states, and one of the spared more than both.
+    part = len(drawn) + 1
+    hidden = (
+        _covered(drawn, spots, size)
+        + part * _covered(floats, spots, size)
+        + part * (len(floats) + 1) * _covered(kept, spots, size)
+    )
     ways = np.abs(spots - (near.x(), near.y())).sum(axis=1)
     best = int(np.lexsort((ways, hidden))[0])
     x, y = spots[best].tolist()
@@ -65,14 +72,12 @@ def _best(
 
 
 def _spots(canvas: Canvas, size: QSize) -> Floats:
-    """The left upper corners of a card in the view where it covers no floating part, (n, 2), row
-    by row."""
+    """The left upper corners of a card that is whole in the view, (n, 2), row by row."""
     across = np.arange(EDGE, canvas.width() - EDGE - size.width() + 1, STEP, dtype=np.float64)
     down = np.arange(EDGE, canvas.height() - EDGE - size.height() + 1, STEP, dtype=np.float64)
     x, y = np.meshgrid(across, down)
-    spots = np.column_stack([x.ravel(), y.ravel()])
-    free: Floats = spots[_covered(_sides(canvas.overlays.floats()), spots, size) == 0.0]
-    return free
+    spots: Floats = np.column_stack([x.ravel(), y.ravel()])
+    return spots
 
 
 def selected_places(canvas: Canvas) -> list[QRect]:

@@ -28,6 +28,8 @@ from smsl_studio.studio.features.draw.canvas.card_places import (
 )
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
+RIM = 8
+"""Pixels between the card and what is selected above it in a low view."""
 
 
 class FixCard(Card):
@@ -65,6 +67,7 @@ class FixCard(Card):
         self.setFixedWidth(WIDTH)
         self.float_up()
         canvas.installEventFilter(self)
+        canvas.camera.arrived.connect(self._make_way)
         KeysBack(self)
         session.selection_changed.connect(lambda *_: self._selected())
         session.blueprint_changed.connect(self._follow)
@@ -161,10 +164,12 @@ class FixCard(Card):
         self.raise_()
 
     def _place(self) -> None:
-        """Move the card to the first corner where it covers no state and no note.
+        """Move the card to the first corner where it covers no state, no note and nothing that is
+        selected.
 
         If there is none, it goes to the place where it covers the fewest.
         """
+        chosen = selected_places(self._canvas)
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),
@@ -172,10 +177,32 @@ class FixCard(Card):
             QPoint(EDGE, high - FOOT),
             QPoint(wide, high - FOOT - 60),
         )
-        clear = (at for at in corners if is_clear(self._canvas, QRect(at, self.size())))
+        areas = [QRect(at, self.size()) for at in corners]
+        clear = (
+            area.topLeft()
+            for area in areas
+            if is_clear(self._canvas, area) and not any(map(area.intersects, chosen))
+        )
         at = next(clear, None)
-        self.move(at or least_covering(self._canvas, self.size(), corners[0],
-                                       selected_places(self._canvas)))  # fmt: skip
+        self.move(at or least_covering(self._canvas, self.size(), corners[0], chosen))
+        if at is None and any(map(self.geometry().intersects, chosen)):
+            self._rise()
+
+    def _rise(self) -> None:
+        """Stand at the foot of a low view, and scroll what is selected above the card."""
+        canvas = self._canvas
+        top = canvas.height() - self.height() - RIM
+        self.move(self.x(), max(top, RIM))
+        places = selected_places(canvas)
+        over = max(place.bottom() for place in places) - top + RIM
+        if 0 < over < min(place.top() for place in places):
+            canvas.camera.pan(0.0, -over)
+
+    def _make_way(self) -> None:
+        """The view has moved: do not lie on what is selected."""
+        places = selected_places(self._canvas)
+        if not self.isHidden() and any(map(self.geometry().intersects, places)):
+            self._place()
 
     def _apply(self) -> None:
         if self._shown is not None:

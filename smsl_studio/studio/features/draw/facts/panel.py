@@ -13,6 +13,7 @@ from PySide6.QtGui import (
     QKeySequence,
     QPainter,
     QPaintEvent,
+    QResizeEvent,
     QShowEvent,
 )
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
@@ -52,6 +53,9 @@ from smsl_studio.studio.features.draw.panels.frame import Panel
 
 HINT = "One sensor or one sub-SB reads a fact. Click a cell to change it."
 NONE = "No facts yet."
+LOW = 190
+"""In a panel lower than this the facts have the room of the words below them; the button at the tab
+adds a fact, too (pixels)."""
 NEW_VALUE = AskedValue("Its value in them", "Value of the new fact in all states", "0")
 
 
@@ -142,6 +146,11 @@ class Facts(Panel):
         super().showEvent(event)
         self._show()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out what stands below the facts if the panel is low."""
+        super().resizeEvent(event)
+        self._make_room(self.card.isVisible())
+
     def propose_addition(self) -> None:
         """Tell how many states one more fact changes. Without states it is added at once."""
         branch = self._branch
@@ -186,8 +195,9 @@ class Facts(Panel):
         self.card.close_card()
         lines = fact_lines(branch) if branch is not None else ()
         self.view.show_lines(lines)
-        for widget in (self.words, self.view, self.hint, self.add):
-            widget.setVisible(bool(lines))
+        self.words.setVisible(bool(lines))
+        self.view.setVisible(bool(lines))
+        self._make_room(False)
         for widget in (self.none, self.first):
             widget.setVisible(not lines)
         self.none.setText(_none(branch))
@@ -199,8 +209,9 @@ class Facts(Panel):
         self._mark()
 
     def _make_room(self, card: bool) -> None:
-        """Give the room below the facts to the card while it is there."""
-        some = bool(self.view.facts.lines)
+        """Give the room below the facts to the card while it is there, and to them if they have
+        little."""
+        some = bool(self.view.facts.lines) and self.height() >= LOW
         for widget in (self.add, self.hint):
             widget.setVisible(some and not card)
 

@@ -1,0 +1,56 @@
+"""LowPage: in a very low run page the world and the timeline are tabs, so that nothing lies below
+the edge of the window."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QSplitter, QWidget
+
+from smsl_studio.studio.base.panels import empty_panel
+from smsl_studio.studio.base.tabs import Tabs
+
+LOWEST = 345
+"""A run page lower than this is a drawing beside tabs (pixels)."""
+NARROW = 200
+"""The least width of the drawing beside all the tabs (pixels)."""
+WORLD, TIMELINE = "World", "Timeline"
+
+
+class LowPage:
+    """Moves the world and the timeline from their splitters into the tabs of the lists, and back.
+
+    ``homes`` are the world and the timeline, each with the splitter in which it stands in a higher
+    page. ``drawing`` is beside the tabs.
+    """
+
+    def __init__(
+        self, lists: Tabs, drawing: QWidget, homes: tuple[tuple[QWidget, QSplitter], ...]
+    ) -> None:
+        self._lists, self._drawing, self.tabbed = lists, drawing, False
+        self._homes = tuple(
+            (name, part, splitter, splitter.indexOf(part))
+            for name, (part, splitter) in zip((WORLD, TIMELINE), homes, strict=True)
+        )
+        self._wide = drawing.minimumWidth()
+        self._sizes: list[list[int]] = []
+
+    def fit(self, height: int) -> None:
+        """Choose the arrangement for a run page of this height (pixels)."""
+        tabbed = height < LOWEST
+        if tabbed == self.tabbed:
+            return
+        self.tabbed = tabbed
+        self._lists.set_close(tabbed)
+        self._lists.leave_out_tools(tabbed)
+        self._drawing.setMinimumWidth(NARROW if tabbed else self._wide)
+        if tabbed:
+            self._sizes = [splitter.sizes() for _, _, splitter, _ in self._homes]
+            for name, part, _, _ in self._homes:
+                page, column = empty_panel()
+                column.addWidget(part)
+                self._lists.add(name, page)
+            return
+        for (name, part, splitter, at), sizes in zip(self._homes, self._sizes, strict=True):
+            splitter.insertWidget(at, part)
+            part.show()
+            self._lists.remove(name)
+            splitter.setSizes(sizes)

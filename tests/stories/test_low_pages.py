@@ -1,0 +1,198 @@
+"""Windows of small screens with large letters: what is the way on is in view, and nothing lies over
+something else."""
+
+from __future__ import annotations
+
+from functools import partial
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.features.run.low_page import TIMELINE, WORLD
+from smsl_studio.studio.shell.frame import screen_room
+from tests.stories.at_supervise import AtSupervise
+from tests.stories.at_tasks import AtTasks
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+from tests.stories.test_run_small import paused
+
+Key = Qt.Key
+PEOPLE, HFSM, HANOI = (
+    SAMPLES / f"{name}.json" for name in ("registration-people", "hfsm", "hanoi")
+)
+LARGE = 1440, 900
+LOW, LOWEST = (853, 466), (634, 336)
+"""The windows that fill a screen of 1280 x 720 at scale 1.5 and 2."""
+
+
+@pytest.fixture(autouse=True)
+def any_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here a window may be smaller than this screen asks for."""
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+
+
+def shrink(person: Person, size: tuple[int, int]) -> None:
+    """Make the window as small as on a screen that has no room for more."""
+    person.window.resize(*size)
+    person.until(lambda: (person.window.width(), person.window.height()) == size)
+
+
+def at(sit: Sit, file: Path, size: tuple[int, int]) -> Person:
+    """Somebody at a window of this size."""
+    person = sit(file, LARGE)
+    shrink(person, size)
+    return person
+
+
+def is_whole(part: QWidget) -> bool:
+    """Whether all of a part is seen."""
+    return part.isVisible() and part.visibleRegion().boundingRect().size() == part.size()
+
+
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_give_back_is_in_view_as_long_as_a_person_has_taken_over(
+    sit: Sit, size: tuple[int, int]
+) -> None:
+    person = at(sit, PEOPLE, size)
+    supervise = AtSupervise(person)
+    step_in = supervise.pane.step_in
+    person.press(Key.Key_F5)
+    person.until(step_in.hand.isEnabled)
+    person.press(Key.Key_T)
+    person.until(lambda: "Take over" in supervise.asked)
+    person.press(Key.Key_Return)
+    supervise.until_phase("Taken over")
+    person.until(lambda: is_whole(step_in.hand))
+    assert step_in.hand.text().startswith("Give back")
+    person.click(step_in.hand)
+    person.until(lambda: "Give back" in supervise.asked)
+    person.until(lambda: is_whole(step_in.asking.do))
+    person.press(Key.Key_Escape)
+    person.window.resize(*LARGE)
+    person.until(lambda: step_in.isAncestorOf(step_in.hand) and is_whole(step_in.hand))
+    assert step_in.hand.y() > step_in.veto.y(), "its place is below the other two"
+
+
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_where_nobody_is_entered_the_button_for_that_is_in_view(
+    sit: Sit, size: tuple[int, int]
+) -> None:
+    person = at(sit, PEOPLE, size)
+    room = AtTasks(person)
+    room.start()
+    person.until(lambda: room.card.card is not None)
+    enter = room.card.answer.enter
+    person.until(lambda: is_whole(enter))
+    person.click(enter)
+    person.until(lambda: bool(person.window.findChildren(PersonsDialog)))
+    person.window.findChildren(PersonsDialog)[0].close()
+    person.come_back()
+    person.window.resize(*LARGE)
+    person.until(lambda: room.card.answer.isAncestorOf(enter) and is_whole(enter))
+    assert enter.y() > room.card.answer.who.y()
+
+
+def test_in_the_lowest_run_page_the_timeline_and_the_world_are_tabs_that_are_whole(
+    sit: Sit,
+) -> None:
+    person = sit(HFSM, LARGE)
+    pane, body = paused(person).pane, person.window.body
+    shrink(person, LOWEST)
+    lists = pane.facts_place.lists
+    person.until(lambda: lists.names[-2:] == (WORLD, TIMELINE))
+    for name, part in ((TIMELINE, pane.timeline), (WORLD, pane.scene), ("Facts", pane.facts)):
+        lists.show_page(name)
+        person.until(partial(is_whole, part))
+    last = lists.bar.tabRect(lists.bar.count() - 1)
+    assert lists.bar.rect().contains(last), "no tab is beside the window"
+    assert is_whole(lists.bar)
+    assert body.verticalScrollBar().maximum() == 0, "nothing lies below the edge"
+    assert body.horizontalScrollBar().maximum() == 0
+    person.window.resize(*LARGE)
+    person.until(lambda: lists.names == ("Possible now", "Events"))
+    person.until(lambda: is_whole(pane.timeline) and is_whole(pane.scene))
+    assert top(pane, pane.timeline) > top(pane, pane.canvas)
+    assert top(pane, pane.scene) < top(pane, lists)
+
+
+def top(pane: QWidget, part: QWidget) -> int:
+    return part.mapTo(pane, QPoint(0, 0)).y()
+
+
+def chosen(person: Person) -> QRect:
+    """The place of the selected element in the view."""
+    canvas = person.window.canvas
+    rect = canvas.rect_of(person.window.session.selection[0])
+    assert rect is not None
+    return canvas.mapFromScene(rect).boundingRect()
+
+
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_the_card_of_a_finding_does_not_lie_on_what_it_is_about(
+    sit: Sit, size: tuple[int, int]
+) -> None:
+    person = at(sit, HANOI, size)
+    canvas, card = person.window.canvas, person.window.fix_card
+    person.until_inspected()
+    checked = 0
+    for zoom in (0.4, 0.8, 1.2):
+        canvas.zoom_to(zoom)
+        for _ in range(3):
+            person.press(Key.Key_F3)
+            if not any(one.operation for one in person.window.session.selection):
+                continue
+            person.until(card.isVisible)
+            person.until(lambda: not chosen(person).intersects(card.geometry()))
+            person.until(lambda: canvas.viewport().rect().contains(chosen(person)))
+            assert canvas.rect().contains(card.geometry())
+            checked += 1
+    assert checked == 6, "two findings, each at three zooms"
+
+
+def test_in_the_lowest_window_the_page_inspection_has_whole_tabs_and_buttons(sit: Sit) -> None:
+    person = at(sit, SAMPLES / "registration-drilling.json", LOWEST)
+    panel, tabs = person.window.features.inspection.panel, person.window.docks.bottom_tabs
+    person.ctrl(Key.Key_I)
+    run = panel.run
+    person.until(lambda: run.isVisible() and not run.walk.visibleRegion().isEmpty())
+    buttons = run.walk, run.back, run.step, run.save, run.play
+    person.until(lambda: all(one.width() >= one.sizeHint().width() for one in buttons))
+    for button in buttons:
+        assert button.accessibleName()
+        assert run.rect().contains(button.geometry())
+    bar = tabs.bar
+    assert bar.rect().contains(bar.tabRect(0))
+    assert bar.tabRect(bar.count() - 1).right() - 3 <= bar.rect().right(), "but its margin"
+    canvas = person.window.canvas
+    assert canvas.height() < 140, "the drawing is low"
+    assert canvas.overlays.zoom.isHidden(), "so nothing floats over it"
+    shrink(person, LARGE)
+    person.until(lambda: not canvas.overlays.zoom.isHidden())
+    person.until(lambda: run.save.text() == "Save script…")
+
+
+def test_in_a_low_panel_the_facts_have_the_room(sit: Sit) -> None:
+    person = sit(HANOI, LARGE)
+    panel = person.window.facts
+    shrink(person, LOWEST)
+    person.ctrl(Key.Key_T)
+    person.until(panel.isVisible)
+    for height in (336, 400, 466, 560, 700, 900):
+        shrink(person, (1000, height))
+        if not panel.isVisible():
+            person.ctrl(Key.Key_T)
+        person.until(lambda: panel.isVisible() and nothing_overlaps(panel))
+        assert panel.add.isVisible() == panel.hint.isVisible()
+    assert panel.add.isVisible(), "in a high window it is there"
+
+
+def nothing_overlaps(panel: QWidget) -> bool:
+    """Whether each part of a panel has its own place, in the panel."""
+    parts = [getattr(panel, name) for name in ("words", "view", "add", "hint")]
+    places = [part.geometry() for part in parts if part.isVisible()]
+    apart = not any(one.intersects(other) for one, other in combinations(places, 2))
+    return apart and all(panel.rect().contains(place) for place in places)
