@@ -26,7 +26,7 @@ from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.readable import readable_of
+from smsl_studio.picture.readable import readable_of, stub_at
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 from smsl_studio.picture.strands import Strand
 
@@ -392,7 +392,8 @@ class Geometry:
         lines = [e for e in at_state if picture.source[e] != picture.target[e]] * self.small
         pieces = labels.LinePieces({e: self.shape(e) for e in lines})
         by_hand = {e: self._drawn[e].label for e in own if e in self._drawn}
-        found = loops.placed(dict(zip(own, sizes, strict=True)), box, places, pieces, by_hand)
+        mark = stub_at(picture, state, box, self.style.unit)
+        found = loops.placed(dict(zip(own, sizes, strict=True)), box, places, pieces, by_hand, mark)
         for edge, (shape, rect) in found.items():
             self._shapes[edge], self._labels[edge] = shape, rect
         if former is not None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
-from smsl_studio.picture.labels import LabelPlaces, LinePieces, Rect
+from smsl_studio.picture.labels import LabelPlaces, LinePieces, Rect, meet
 from smsl_studio.picture.labels import by_hand as moved
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 
@@ -58,9 +58,10 @@ def best_corner(
     sizes: list[tuple[float, float]],
     places: LabelPlaces,
     lines: LinePieces,
+    mark: Rect | None = None,
 ) -> Corner:
     """Return the corner at which a node's loops and their labels cover least. ``sizes`` has the
-    size of each label, ``lines`` the other lines of the node.
+    size of each label, ``lines`` the other lines of the node, ``mark`` is that below the node.
     """
     unit = places.unit
     best: tuple[float, Corner] | None = None
@@ -71,6 +72,7 @@ def best_corner(
         around = (corner.x - reach, corner.y - reach, corner.x + reach, corner.y + reach)
         cost = order * 0.7 + sum(2.0 * n for n in lines.covered(-1, [around]))
         cost += sum(6.0 for rect in rects if not places.is_free(rect))
+        cost += 6.0 if mark is not None and meet(around, mark) else 0.0
         cost += sum(float(n) for n in lines.covered(-1, rects))
         if best is None or cost < best[0]:
             best = cost, corner
@@ -84,14 +86,16 @@ def placed(
     places: LabelPlaces,
     lines: LinePieces,
     by_hand: Mapping[int, LabelPlace | None],
+    mark: Rect | None = None,
 ) -> dict[int, tuple[EdgeShape, Rect | None]]:
     """Return the lines of a node's loops, and the places of their labels, which are taken then.
 
     ``sizes`` has the size of each loop's label, ``lines`` the other lines of the node, ``by_hand``
-    the labels that somebody has moved. A label without a free place has None.
+    the labels that somebody has moved, ``mark`` is a mark below the node. A label without a free
+    place has None.
     """
     wanted, found = list(sizes.values()), dict[int, tuple[EdgeShape, Rect | None]]()
-    corner = best_corner(box, wanted, places, lines)
+    corner = best_corner(box, wanted, places, lines, mark)
     stacked = label_boxes(corner, wanted, places.unit)
     for rank, (edge, beside) in enumerate(zip(sizes, stacked, strict=True)):
         shape, at = arc(corner, box, rank, places.unit), by_hand.get(edge)

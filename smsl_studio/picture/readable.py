@@ -20,3 +20,8 @@ def readable_of(
     drawn = DrawnParts(picture.branch, picture.index)
     found = drawn.readable(boxes, style.unit, style.scale)
     return [*found, *(stub_rect(box(state), style.unit) for state in picture.stubs)]
+
+
+def stub_at(picture: Picture, state: int, box: NodeBox, unit: float) -> Rect | None:
+    """Return the rectangle of the mark of a state from which operations lead back by the lane."""
+    return stub_rect(box, unit) if state in picture.stubs else None

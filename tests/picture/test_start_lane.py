@@ -16,8 +16,9 @@ from smsl_studio.errors import StudioError
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.labels import meet
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.returns import AWAY, LEAST
+from smsl_studio.picture.returns import AWAY, LEAST, stub_rect
 from smsl_studio.picture.svg import draw_blueprint
 from smsl_studio.smsl.json_form import parse_json
 from tests.picture.test_former import assert_alike, edited, geometry_of
@@ -176,3 +177,17 @@ def test_a_line_drawn_by_hand_is_not_in_the_lane() -> None:
     picture = Picture(bent, "SB").collapse()
     assert edge not in picture.bundles.first
     assert len(picture.bundles.members[picture.bundles.lane]) == 4
+
+
+@pytest.mark.parametrize("seed", [5, 13])
+def test_no_loop_lies_on_the_mark_of_a_way_back(seed: int) -> None:
+    table = table_of(random.Random(seed))
+    for state, row in table.items():
+        row |= {"Op_Stay": state, "Op_Wait": state}
+    picture = Picture(blueprint_of(table), "SB").collapse()
+    figure = Figure(picture, place_states(picture.branch))
+    assert picture.stubs
+    for edge, (state, target) in enumerate(zip(picture.source, picture.target, strict=True)):
+        if state == target and state in picture.stubs:
+            mark = stub_rect(figure.geometry.box(int(state)), 1.0)
+            assert not meet(figure.geometry.shape(edge).bounds, mark)
