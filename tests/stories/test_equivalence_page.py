@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +13,7 @@ from PySide6.QtCore import Qt
 
 from smsl_studio.inspection.equivalence import equivalence
 from smsl_studio.stop import heed
+from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.features.draw.shape.shape_preview import ShapePreview
 from smsl_studio.studio.features.inspection import look_line
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
@@ -125,6 +128,33 @@ def test_an_edit_takes_the_answer_away_and_it_is_asked_again(sit: Sit, tmp_path:
     assert page(person).look.answer is None
     person.window.files.open(SAMPLES / "hfsm.json")
     assert page(person).verdict.text() == ""
+
+
+def test_a_commit_of_git_is_compared(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for who in ("AUTHOR", "COMMITTER"):
+        monkeypatch.setenv(f"GIT_{who}_NAME", "Ada")
+        monkeypatch.setenv(f"GIT_{who}_EMAIL", "ada@example.org")
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+
+    def git(*arguments: str) -> None:
+        subprocess.run(["git", *arguments], cwd=tmp_path, check=True, capture_output=True)
+
+    file = tmp_path / "twins.json"
+    file.write_text(json.dumps(TWINS))
+    git("init", "-q")
+    git("add", "twins.json")
+    git("commit", "-q", "-m", "Draw it")
+    person = at_equivalence(sit, file)
+    person.click(page(person).revision)
+    person.until(lambda: person.window.findChild(RevisionDialog) is not None)
+    asking = person.window.findChild(RevisionDialog)
+    assert asking is not None
+    person.click(asking.compare)
+    answered(person)
+    assert page(person).verdict.text().startswith("Same behaviour as twins.json at ")
 
 
 def test_a_comparison_that_lasts_is_called_off(

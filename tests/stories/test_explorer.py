@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.blueprint import editing
 from smsl_studio.stop import heed
 from smsl_studio.studio.features.inspection.explorer import BROKEN, NOTHING, STOPPED
 from smsl_studio.studio.features.inspection.state_pick import StatePick
@@ -27,7 +28,7 @@ from tests.stories.at_explorer import (
     write,
 )
 from tests.stories.conftest import Sit
-from tests.stories.person import SAMPLES, Person
+from tests.stories.person import SAMPLES, Person, address
 
 Key = Qt.Key
 ROTMS = SAMPLES / "registration-digitization.json"
@@ -102,7 +103,9 @@ def test_the_seven_sequences_that_broke_the_first_system(rotms: Person) -> None:
     assert len(explorer.configuration) == 2, "each SB has an active state before and after"
 
 
-def test_each_branch_has_a_column_and_its_state_is_lit(rotms: Person) -> None:
+def test_each_branch_has_a_column_and_its_state_is_lit_while_the_tab_is_shown(
+    rotms: Person,
+) -> None:
     names = [one.accessibleName() for one in page(rotms).columns.buttons()]
     assert names == [
         "REGISTRATION State000, it stands here",
@@ -121,8 +124,19 @@ def test_each_branch_has_a_column_and_its_state_is_lit(rotms: Person) -> None:
     assert lit(rotms) == "State1"
     assert page(rotms).count.text() == "2 operations since it began"
 
+    tabs = rotms.window.features.inspection.panel.tabs
+    rotms.click(tabs, tabs.tabRect(0).center())
+    assert lit(rotms) is None
+    rotms.click(tabs, tabs.tabRect(2).center())
+    assert lit(rotms) == "State1"
+    rotms.window.show_tab("Findings")
+    assert lit(rotms) is None
+    rotms.window.show_tab("Inspection")
+    assert lit(rotms) == "State1"
+    stands(rotms, "110", "1")
 
-def test_back_by_button_and_by_alt_left_from_anywhere_in_the_tab(rotms: Person) -> None:
+
+def test_back_by_button_and_alt_left_and_keys_alone_walk(rotms: Person) -> None:
     assert not page(rotms).back.isEnabled()
     step(rotms, WORDS["plan"])
     step(rotms, "DigitizeAllLandmarks")
@@ -141,8 +155,6 @@ def test_back_by_button_and_by_alt_left_from_anywhere_in_the_tab(rotms: Person) 
     stands(rotms, "000", "0")
     assert not rotms.window.session.edited
 
-
-def test_keys_alone_walk_and_the_focus_stays_in_the_list(rotms: Person) -> None:
     page(rotms).steps.setFocus()
     rotms.press(Key.Key_Tab)
     first = QApplication.focusWidget()
@@ -271,12 +283,6 @@ def test_an_edit_keeps_the_place_if_it_is_still_there(rotms: Person) -> None:
     step(rotms, WORDS["plan"])
     assert any("ClearLandmarks" in one for one in permitted(rotms))
 
-
-def test_a_renamed_state_is_followed(rotms: Person) -> None:
-    step(rotms, WORDS["plan"])
-    from smsl_studio.blueprint import editing
-    from tests.stories.person import address
-
     rotms.window.session.edit(
         "Rename",
         lambda bp: editing.rename(bp, address("REGISTRATION/State100"), "State200"),
@@ -285,7 +291,9 @@ def test_a_renamed_state_is_followed(rotms: Person) -> None:
     stands(rotms, "200", "0")
 
 
-def test_an_empty_drawing_and_a_file_without_a_start(sit: Sit, tmp_path: Path) -> None:
+def test_an_empty_drawing_a_file_without_a_start_and_a_text_that_cannot_be_read(
+    sit: Sit, tmp_path: Path
+) -> None:
     file = tmp_path / "lost.json"
     table = {"State_0": {"go": "State_1"}, "State_1": {}}
     file.write_text(json.dumps({"SB": {"HEADER": {"INITIAL": "Nowhere"}, **table}}))
@@ -303,17 +311,15 @@ def test_an_empty_drawing_and_a_file_without_a_start(sit: Sit, tmp_path: Path) -
     settled(person)
     stands(person, "000", "0")
 
-
-def test_a_text_that_cannot_be_read(rotms: Person) -> None:
-    session = rotms.window.session
+    session = person.window.session
     text = next(iter(session.texts.values()))
     session.write("Type", text.replace("{", "[", 1))
-    settled(rotms)
-    assert page(rotms).said.text() == BROKEN
-    assert permitted(rotms) == []
-    rotms.window.session.history.undo()
-    settled(rotms)
-    stands(rotms, "000", "0")
+    settled(person)
+    assert page(person).said.text() == BROKEN
+    assert permitted(person) == []
+    person.window.session.history.undo()
+    settled(person)
+    stands(person, "000", "0")
 
 
 def test_a_long_search_is_called_off(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -354,17 +360,3 @@ def test_one_of_many_states_is_chosen_from_a_list(sit: Sit) -> None:
     person.click(dialog.go)
     settled(person)
     assert here(person)[name].endswith("ccb")
-
-
-def test_the_light_goes_with_the_tab_and_comes_back(rotms: Person) -> None:
-    step(rotms, WORDS["plan"])
-    tabs = rotms.window.features.inspection.panel.tabs
-    rotms.click(tabs, tabs.tabRect(0).center())
-    assert lit(rotms) is None
-    rotms.click(tabs, tabs.tabRect(2).center())
-    assert lit(rotms) == "State100"
-    rotms.window.show_tab("Findings")
-    assert lit(rotms) is None
-    rotms.window.show_tab("Inspection")
-    assert lit(rotms) == "State100"
-    stands(rotms, "100", "0")
