@@ -55,6 +55,7 @@ BENCHES = (
     "shapes",
     "spin",
     "tampers",
+    "forged",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -91,7 +91,7 @@ SCENES = {
     "verifying": Scene(
         ("replay", "{}/line.jsonl", "--verify"),
         REPLAY,
-        "smsl_studio.cli.replay:verify",
+        "smsl_studio.front.logs:verify_log",
         0.2,
     ),
     "account": Scene(

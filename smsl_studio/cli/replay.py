@@ -10,20 +10,20 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format
-from smsl_studio.cli.blueprint_argument import STDIN
+from smsl_studio.cli.blueprint_argument import STDIN, read_argument
 from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.errors import Place, ReadError
-from smsl_studio.front.logs import check_page
+from smsl_studio.errors import Place, ReadError, UsageError
+from smsl_studio.front.logs import check_page, verify_stream
 from smsl_studio.legible import json_text, one_line
 from smsl_studio.runlog.grammar.log_reader import (
     LogReader,
     LogVerdict,
     open_log,
     read_records,
-    verify,
 )
 from smsl_studio.runlog.log import FORMER
 from smsl_studio.smsl.files import save_document
@@ -32,6 +32,7 @@ BEFORE = (
     f"a log of version {FORMER}: its goals were told without a fresh check, "
     "and it does not say what its states want of their facts"
 )
+WITHOUT = "the story was not told again, because no --blueprint FILE is named"
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -43,6 +44,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="check the chain over the raw bytes, and the head, instead of telling the events",
     )
+    parser.add_argument(
+        "--blueprint",
+        metavar="FILE",
+        help="with --verify: the blueprint that was run; the story is told again from it",
+    )
     instead.add_argument(
         "-o", "--output", metavar="OUT.html", help="write an account of the run instead"
     )
@@ -53,9 +59,16 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Print the events of a log, verify it, or write its account. 1: the log is not sound."""
     if options.output is not None:
         check_page(options.output)
+    blueprint = None
+    if options.blueprint is not None:
+        if not options.verify:
+            raise UsageError("--blueprint is for --verify alone", advice="Add --verify.")
+        if options.blueprint == "-" == options.log:
+            raise UsageError("log and blueprint cannot both be standard input")
+        blueprint = read_argument(options.blueprint)
     with _log(options.log) as (stream, file):
         if options.verify:
-            return _verify(stream, file, options.format, out)
+            return _verify(stream, file, blueprint, options.format, out)
         if options.output is not None:
             return _account(stream, file, options.output, options.format, out)
         return _tell(stream, file, options.format, out)
@@ -70,17 +83,26 @@ def _tell(stream: BinaryIO, file: str, form: str, out: Output) -> int:
     return 0
 
 
-def _verify(stream: BinaryIO, file: str, form: str, out: Output) -> int:
-    verdict = verify(stream, file, COMMANDS)
+def _verify(
+    stream: BinaryIO, file: str, blueprint: Blueprint | None, form: str, out: Output
+) -> int:
+    verdict = verify_stream(stream, file, blueprint)
     if form == "json":
-        out.json(_as_json(verdict, file))
+        told_from = {} if blueprint is None else {"blueprint": blueprint.file}
+        out.json({**_as_json(verdict, file), **told_from})
     elif verdict.doubt is not None:
         out.line(one_line(str(verdict.doubt)))
     else:
         assert verdict.head is not None
         many = f"{verdict.events} event{'' if verdict.events == 1 else 's'}"
         former = f" ({BEFORE})" if verdict.version == FORMER else ""
-        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}"))
+        told = f", told again from {blueprint.file}" if blueprint is not None else ""
+        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}{told}"))
+    if verdict.order is not None:
+        odd = verdict.order
+        note(f"{odd.place}: the blueprint permits this, and it is odd: {odd.sentence}")
+    if blueprint is None and verdict.doubt is None:
+        note(WITHOUT)
     return 0 if verdict.doubt is None else 1
 
 

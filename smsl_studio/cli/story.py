@@ -6,7 +6,7 @@ from typing import Any
 
 from smsl_studio.runlog.events import EdgeSwept, Event, RunFinished, SweepFinished
 
-_LEFT_OUT = ("event", "t")
+_LEFT_OUT = ("event", "t", "sensed")
 _PLACES = ("start", "configuration", "candidates")
 """The fields that map an SB to a state. They are written ``SB/State``; other fields ``name
 value``."""

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from smsl_studio.front.bundles import bundle
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
@@ -55,6 +56,7 @@ __all__ = [
     "account",
     "allow_plugin",
     "approve",
+    "bundle",
     "convert",
     "converted",
     "diff",
@@ -138,6 +140,8 @@ VERBS = {
     "approve": Verb("sign what the check says about a blueprint", ("approve",)),
     "verify": Verb("say whether a blueprint is approved, and why not", ("verify_approval",)),
     "store": Verb("revoke records and blueprints by their digests", ("revoke_digest",)),
+    "bundle": Verb("write evidence about runs that can be checked without this program",
+                   ("bundle",)),
     "worlds": Verb("list the worlds there are", ("worlds",)),
     "plugins": Verb("list the plugins there are; allow or forbid one",
                     ("plugins", "allow_plugin", "forbid_plugin")),
@@ -171,6 +175,7 @@ _HOMES = {
     "worlds_for": "suitable_worlds",
     "sweep": "sweeps",
     "try_edge": "single_edge",
+    "bundle": "bundles",
     "account": "logs",
     "ApprovalRequest": "signatures",
     "approve": "signatures",

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import os
+import re
+from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
+from typing import BinaryIO
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import Place, UsageError
 from smsl_studio.runlog.grammar.log_reader import (
+    IMPOSSIBLE,
+    Doubt,
     LoggedRun,
     LogVerdict,
     open_log,
     read_records,
 )
-from smsl_studio.runlog.grammar.log_reader import verify as verify_stream
+from smsl_studio.runlog.grammar.log_reader import verify as verify_log
 from smsl_studio.smsl.files import save_document
 
 Name = str | os.PathLike[str]
@@ -33,16 +40,39 @@ def replay(log: Name) -> LoggedRun:
         return read_records(stream, os.fspath(log), COMMANDS)
 
 
-def verify(log: Name) -> LogVerdict:
+def verify(log: Name, blueprint: Blueprint | None = None) -> LogVerdict:
     """Check that a log is complete and unchanged, and that its events are possible in a run.
 
-    ``doubt`` is None for a sound log. Else it is the first wrong line, with place and sentence.
+    With ``blueprint``, the one that was run, the story is told again from it, as ``verify.py`` in a
+    bundle does. ``doubt`` is None for a sound log. Else it is the first wrong line, with place and
+    sentence.
 
     >>> verify("run.jsonl").doubt is None
     True
     """
     with open_log(Path(log)) as stream:
-        return verify_stream(stream, os.fspath(log), COMMANDS)
+        return verify_stream(stream, os.fspath(log), blueprint)
+
+
+def verify_stream(stream: BinaryIO, file: str, blueprint: Blueprint | None = None) -> LogVerdict:
+    """Check the log in a stream, as ``verify`` does. ``file`` is its name in messages."""
+    if blueprint is None:
+        return verify_log(stream, file, COMMANDS)
+    from smsl_studio.front.verifier import told_again
+
+    raw = stream.read()
+    verdict = verify_log(BytesIO(raw), file, COMMANDS)
+    why = told_again(raw, blueprint)
+    if not why and verdict.doubt is not None and verdict.doubt.sentence.startswith(IMPOSSIBLE):
+        return replace(verdict, doubt=None, order=verdict.doubt)
+    if not why:
+        return verdict
+    line = _LINE.match(why)
+    place = Place(file, int(line[1]) if line else 1, 1)
+    return replace(verdict, doubt=Doubt(place, why[line.end() :] if line else why))
+
+
+_LINE = re.compile(r"line (\d+): ", re.ASCII)
 
 
 def account(log: Name, output: Name) -> LoggedRun:

@@ -82,6 +82,10 @@ class RunStarted(Event):
     """SHA-256 of the blueprint's behaviour. It identifies the blueprint."""
     met: tuple[str, ...] = ()
     """The typed conditions of its approval that were asked and are met."""
+    sensed: tuple[str, ...] = ()
+    """The facts (``SB/digit``) that have a source: a sensor, or people who tell them. All others
+    are believed. A log without such a list is older than it.
+    """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -85,6 +85,7 @@ def start_events(
         goals=tuple(map(str, goals)),
         behaviour=run.blueprint.behaviour,
         met=run.met,
+        sensed=tuple(fact_text(*key) for key in run.senses.sensed),
     )
     missing = [LeftOut(t=run.time, address=one, sentence=words) for one, words in run.left_out]
     return (started, *missing, *changes, *_checked(run))

@@ -85,6 +85,11 @@ class Senses:
         return tick, self._take(tick.samples)
 
     @property
+    def sensed(self) -> tuple[FactKey, ...]:
+        """The facts that have a source, in order of SB and digit: a sensor or people."""
+        return tuple(sorted(key for key, one in self.scene.readings.items() if one.sensed))
+
+    @property
     def sources(self) -> tuple[SourceState, ...]:
         """The current state of every source of every fact."""
         return self._monitor.sources(self.time, self._live)

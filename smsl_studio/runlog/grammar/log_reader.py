@@ -39,6 +39,8 @@ _LOOKED_AT = 100
 _DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
 _NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
+IMPOSSIBLE = "the story is impossible: "
+"""The first words of a doubt about the order of events."""
 _UNWRITTEN = "the line has content that no run writes"
 
 
@@ -198,7 +200,7 @@ class LogReader:
     def _judge(self, why: str) -> None:
         """Note why a line is impossible, if the grammar says so."""
         if why:
-            self._doubts(f"the story is impossible: {why}")
+            self._doubts(f"{IMPOSSIBLE}{why}")
 
     def _doubts(self, sentence: str) -> None:
         if self.doubt is None:
@@ -227,12 +229,16 @@ class LoggedRun:
 class LogVerdict:
     """Whether a log is unchanged: the number of its events, its head, the reason if it is not
     verified, and the version of its format (0 without a header).
+
+    ``order`` is set where the story was told again from its blueprint and holds, and yet its events
+    stand in an unusual order.
     """
 
     events: int
     head: LogHead | None
     doubt: Doubt | None
     version: int = 0
+    order: Doubt | None = None
 
 
 def open_log(path: Path) -> BinaryIO:

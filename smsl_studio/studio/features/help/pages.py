@@ -15,7 +15,7 @@ GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("The window", ("window.md", "access.md", "gestures.md", "pictures.md")),
     ("Blueprints", ("language.md", "inspection.md", "drilling.md", "approval.md")),
     ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "failures.md",
-              "record.md")),
+              "record.md", "evidence.md")),
     ("Commands and plugins", ("command-line.md", "plugins.md")),
     ("How it is built", ("architecture.md", "decisions/README.md", "decisions/canvas.md",
                          "decisions/child.md", "decisions/operations.md", "decisions/splice.md",

@@ -1,0 +1,128 @@
+"""Bundles of evidence: a blueprint, its logs and records, and a program that checks them alone."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePath
+from zipfile import ZIP_STORED, ZipFile, ZipInfo
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import UsageError
+from smsl_studio.front.signed_files import UNSIGNED, SignedPaths, bytes_of, signed_files
+from smsl_studio.front.verifier import content_texts, verifier_file
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.files import save_document
+
+Name = str | os.PathLike[str]
+_DAY = (1980, 1, 1, 0, 0, 0)
+"""The time of every file in a bundle, so that equal input gives equal bytes."""
+_README = """\
+This is evidence about runs of a blueprint. It can be checked without the program that wrote it:
+
+    python verify.py
+
+Call it in this folder. It needs Python 3.11, and the package `cryptography` where something is
+signed. Exit status 0: the evidence is consistent. 1: it is not, and each line says why.
+
+blueprint/    the files of the blueprint, as they are. The log names the SHA-256 of each.
+content/      what their digests are made of, as canonical JSON: a folder for each file. The SHA-256
+              of behaviour.json, meaning.json and closure.json are the three digests.
+              brought.json has the State Branches of imported files.
+logs/         the logs of runs, byte for byte
+records/      what people have signed about the blueprint, if anybody has
+policy.toml   whose signatures are needed, with register.json, the register of persons that it names
+keys.json     the public halves of keys that have signed, where no register says whose they are
+verify.py     the checks. It is short, and a list in it says what it does not check.
+report.html   is absent: this version of the program does not write it.
+"""
+
+
+def bundle(
+    blueprint: Blueprint,
+    output: Name,
+    logs: Iterable[Name] = (),
+    record: Name | None = None,
+    policy: Name | None = None,
+) -> None:
+    """Write a bundle of evidence: a ``.zip`` with the blueprint, logs of its runs, its record and
+    policy, and the program ``verify.py`` that checks them alone.
+
+    Without ``record`` the record beside the blueprint's file is taken, if there is one. Equal input
+    gives equal bytes. UsageError if ``output`` is no name of a bundle. ReadError if a log, the
+    record or the policy cannot be read. SaveError if the bundle cannot be written.
+
+    >>> bundle(read("hfsm.json"), "evidence.zip", logs=["run.jsonl"])
+    """
+    paths = [os.fspath(log) for log in logs]
+    signed = SignedPaths(*(one if one is None else os.fspath(one) for one in (record, policy)))
+    raw = bundled(blueprint, output, paths, signed)
+    inputs = [*(one.file for one in blueprint.documents), *paths, *signed.given]
+    save_document(raw, output, made_of=inputs)
+
+
+def bundled(
+    blueprint: Blueprint, output: Name, logs: Sequence[str] = (), signed: SignedPaths = UNSIGNED
+) -> bytes:
+    """Return the bytes that ``bundle`` writes. It raises the same errors, except SaveError."""
+    if PurePath(output).suffix.lower() != ".zip":
+        raise UsageError(
+            f"{os.fspath(output)!r} is no name of a bundle", advice="Let it end in .zip."
+        )
+    files = dict(_blueprint_files(blueprint))
+    files.update(_log_files(logs))
+    files.update(signed_files(blueprint, signed))
+    files["verify.py"] = verifier_file().read_bytes()
+    files["README.txt"] = _README.encode("ascii")
+    return _zipped(files)
+
+
+def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
+    """Yield the files of a blueprint and their content, under names below their common folder."""
+    paths = [_path(document) for document in blueprint.documents]
+    folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
+    for path, document in zip(paths, blueprint.documents, strict=True):
+        name = _plain(PurePath(os.path.relpath(path, folder)).as_posix())
+        yield f"blueprint/{name}", document.encoded()
+        own = document is blueprint.document
+        one = blueprint if own else read_blueprint(document, opened=blueprint.documents)
+        for part, text in content_texts(one).items():
+            yield f"content/{name}/{part}.json", text
+
+
+def _path(document: Document) -> str:
+    """Return the real path of a document's file. Standard input has none, so it gets a name."""
+    is_file = os.path.lexists(document.file)
+    return os.path.realpath(document.file if is_file else f"blueprint.{document.form}")
+
+
+def _plain(name: str) -> str:
+    """Return a name that every zip can hold: half a surrogate pair becomes an escape."""
+    return name.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _log_files(logs: Sequence[str]) -> Iterator[tuple[str, bytes]]:
+    """Yield the logs, each under a name of its own."""
+    taken: set[str] = set()
+    for log in logs:
+        stem, number = PurePath(log).stem or "log", 1
+        name = f"{stem}.jsonl"
+        while name.casefold() in taken:
+            number += 1
+            name = f"{stem}-{number}.jsonl"
+        taken.add(name.casefold())
+        yield f"logs/{_plain(name)}", bytes_of(log, "run log")
+
+
+def _zipped(files: Mapping[str, bytes]) -> bytes:
+    """Return a zip of files. They are not compressed, because compressed bytes differ between
+    versions of the library that makes them."""
+    whole = io.BytesIO()
+    with ZipFile(whole, "w", ZIP_STORED) as archive:
+        for name in sorted(files):
+            entry = ZipInfo(name, _DAY)
+            entry.create_system, entry.external_attr = 3, 0o100644 << 16
+            archive.writestr(entry, files[name])
+    return whole.getvalue()

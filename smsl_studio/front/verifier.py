@@ -1,0 +1,74 @@
+"""The checks of ``verify.py``, the file that every bundle of evidence holds.
+
+It stands once, in ``resources``. A bundle has a copy of its bytes, and Studio runs this same file.
+So Studio and a bare Python never disagree about a log.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.digests import content_of
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.seal.canonical import canonical
+from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.shipped import resources_dir
+
+Texts = dict[str, bytes]
+
+
+def verifier_file() -> Path:
+    """Return the path of ``verify.py``."""
+    return resources_dir() / "verify.py"
+
+
+def content_texts(blueprint: Blueprint) -> Texts:
+    """Return the canonical texts that the digests of a blueprint's file are made of.
+
+    ``behaviour`` has its SBs, ``brought`` those of its imports, ``meaning`` its annotations.
+    ``closure`` names the digests of these three, and has the annotations of the imports. The
+    SHA-256 of ``behaviour``, ``meaning`` and ``closure`` are the three digests.
+    """
+    content = content_of(blueprint)
+    brought, *said = content["imported"]
+    texts = {
+        "behaviour": canonical(content["behaviour"]),
+        "brought": canonical(brought),
+        "meaning": canonical(content["meaning"]),
+    }
+    closure = {
+        "behaviour": sha256_hex(texts["behaviour"]),
+        "imported": [sha256_hex(texts["brought"]), *said],
+        "meaning": sha256_hex(texts["meaning"]),
+        "missing": content["missing"],
+    }
+    return {**texts, "closure": canonical(closure)}
+
+
+def told_again(raw: bytes, blueprint: Blueprint) -> str:
+    """Tell the run of a log again, from a blueprint. Return why the log is not believed, or the
+    empty text. ``raw`` are the bytes of the log.
+    """
+    checks = _checks()
+    texts = content_texts(blueprint)
+    try:
+        checks.tell([checks.content([texts[part] for part in checks.PARTS])], raw)
+    except checks.Wrong as error:
+        return str(error)
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:
+        return f"it is not as a run writes it ({type(error).__name__})"
+    return ""
+
+
+@cache
+def _checks() -> Any:
+    """Load ``verify.py`` as a module. It only defines functions."""
+    spec = spec_from_file_location("smsl_studio_verify", verifier_file())
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

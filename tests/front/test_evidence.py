@@ -1,0 +1,214 @@
+"""Evidence: true runs are believed, forged ones are not, by ``verify.py`` and by Studio alike."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+import zipfile
+from collections import Counter
+from pathlib import Path
+from random import Random
+
+import pytest
+
+import smsl_studio as smsl
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.front.bundles import bundled
+from smsl_studio.front.verifier import content_texts, told_again, verifier_file
+from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.shipped import samples_dir
+from tests.front.forged_runs import FORGERIES, Forgery, forged
+from tests.front.plain_judge import why_impossible
+from tests.front.told_runs import ToldRun, told_runs
+from tests.runlog.impossible import OPERATORS, Story, impossible
+
+TRUE = range(48)
+"""Of 10,000, which ``benches/forged.py`` has."""
+EACH = 20
+"""Of 10,000 of each kind."""
+ENDS = {"goal_reached", "no_route", "held", "refused", "stopped"}
+ORDER_ALONE = {
+    "another_function",
+    "bypass_of_nothing",
+    "command_without_an_effect",
+    "costs_that_nobody_set",
+    "ends_as_nothing_ends",
+    "failed_for_another_reason",
+    "header_of_other_digits",
+    "holds_in_no_way",
+    "left_out_later",
+    "part_of_a_step_not_checked",
+    "paused_twice",
+    "refusal_taken_back",
+    "route_at_another_cost",
+    "route_from_elsewhere",
+    "route_of_nothing",
+    "task_without_a_question",
+    "unknown_command",
+}
+"""Operators whose stories only the general rules always refuse: what they change moves nothing."""
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory: pytest.TempPathFactory) -> list[ToldRun]:
+    return told_runs(TRUE, tmp_path_factory.mktemp("told"))
+
+
+def test_the_checks_are_short_and_need_no_other_package() -> None:
+    text = verifier_file().read_text("utf-8")
+    lines = text.splitlines()
+    assert len(lines) <= 300
+    assert max(map(len, lines)) <= 100
+    assert len(text.encode()) <= 24_000
+    names = {
+        alias.name.partition(".")[0]
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Import)
+        for alias in node.names
+    }
+    assert names <= sys.stdlib_module_names
+
+
+def test_what_is_not_checked_is_said_and_is_little() -> None:
+    tree = ast.parse(verifier_file().read_text("utf-8"))
+    (said,) = [
+        ast.literal_eval(node.value)
+        for node in tree.body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "NOT_CHECKED"
+    ]
+    assert [one.partition(":")[0] for one in said] == ["reception over MQTT", "costs of routes"]
+
+
+def test_true_runs_of_every_end_are_believed(runs: list[ToldRun]) -> None:
+    refused = [(n, told_again(*run)) for n, run in enumerate(runs) if told_again(*run)]
+    assert refused == []
+    assert {Story.of(run.raw).end["reason"] for run in runs} >= ENDS
+    doubted = [why_impossible(Story.of(run.raw), run.blueprint) for run in runs]
+    assert not any(doubted), "the plain judge believes them too"
+
+
+@pytest.mark.parametrize("forgery", FORGERIES, ids=lambda one: one.__name__)
+def test_a_forged_run_that_is_impossible_is_refused(forgery: Forgery, runs: list[ToldRun]) -> None:
+    seen = Counter[str]()
+    for number, run in enumerate(runs):
+        changed = forged(Story.of(run.raw), forgery, Random(f"{number} {forgery.__name__}"))
+        if changed is None or seen.total() >= EACH:
+            continue
+        why = why_impossible(changed, run.blueprint)
+        refusal = told_again(changed.raw(), run.blueprint)
+        assert refusal or not why, (number, why)
+        seen["refused" if refusal else "possible"] += 1
+    assert seen["refused"]
+
+
+@pytest.mark.parametrize("operator", OPERATORS, ids=lambda one: one.__name__)
+def test_an_impossible_story_is_refused_here_too(operator: object, runs: list[ToldRun]) -> None:
+    name = getattr(operator, "__name__", "")
+    refused = 0
+    for number, run in enumerate(runs):
+        changed = impossible(Story.of(run.raw), operator, Random(f"{number} {name}"))  # type: ignore[arg-type]
+        if changed is None or refused >= 3:
+            continue
+        if name not in ORDER_ALONE:
+            assert told_again(changed.raw(), run.blueprint), (number, name)
+        refused += 1
+
+
+def test_content_is_what_the_digests_are_made_of() -> None:
+    for file in sorted(samples_dir().glob("*.json")):
+        blueprint = smsl.read(file)
+        texts = content_texts(blueprint)
+        known = digests(blueprint).as_json()
+        assert {name: sha256_hex(texts[name]) for name in known} == known
+
+
+def test_a_blueprint_with_imports_is_told_again(tmp_path: Path) -> None:
+    base, sub = _imported(tmp_path)
+    smsl.run(smsl.read(base), log=tmp_path / "run.jsonl")
+    raw = (tmp_path / "run.jsonl").read_bytes()
+    assert told_again(raw, smsl.read(base)) == ""
+    assert told_again(raw, smsl.read(sub)) == "its blueprint is not here"
+    folder = _unpacked(tmp_path, bundled(smsl.read(base), "out.zip", [str(tmp_path / "run.jsonl")]))
+    assert _checked(folder)[0] == 0
+    assert sorted(path.name for path in (folder / "content").glob("*")) == ["base.json", "sub.json"]
+
+
+def test_equal_input_gives_equal_bytes(tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "registration.json")
+    smsl.run(blueprint, log=tmp_path / "run.jsonl")
+    logs = [str(tmp_path / "run.jsonl")]
+    assert bundled(blueprint, "one.zip", logs) == bundled(blueprint, "two.zip", logs)
+
+
+def test_a_bundle_is_checked_by_a_bare_python(tmp_path: Path) -> None:
+    file = samples_dir() / "registration.json"
+    blueprint = smsl.read(file)
+    smsl.run(blueprint, log=tmp_path / "run.jsonl")
+    folder = _unpacked(tmp_path, bundled(blueprint, "out.zip", [str(tmp_path / "run.jsonl")]))
+    assert (folder / "blueprint/registration.json").read_bytes() == file.read_bytes()
+    assert (folder / "logs/run.jsonl").read_bytes() == (tmp_path / "run.jsonl").read_bytes()
+    assert (folder / "verify.py").read_bytes() == verifier_file().read_bytes()
+    assert "report.html" in (folder / "README.txt").read_text()
+    status, said = _checked(folder)
+    assert status == 0
+    assert "No record: nobody has approved this blueprint." in said
+    (folder / "blueprint/registration.json").write_bytes(file.read_bytes() + b" ")
+    status, said = _checked(folder)
+    assert status == 1
+    assert "logs/run.jsonl: its blueprint is not here" in said
+
+
+def test_a_bundle_without_a_log_says_so(tmp_path: Path) -> None:
+    folder = _unpacked(tmp_path, bundled(smsl.read(samples_dir() / "hfsm.json"), "out.zip"))
+    status, said = _checked(folder)
+    assert status == 0
+    assert "No log" in said
+
+
+HOSTILE = (
+    b"", b"\0", b"{", b"[]", b"null", b"[" * 100_000, b'{"a":' * 50_000, b"1" * 9_999,
+    b'{"log":"smsl-run","version":3,"digests":{}}', b'{"a":NaN}', b"\xff\xfe\n\n\n", b'"x"\n' * 9,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("content", HOSTILE, ids=range(len(HOSTILE)))
+def test_no_file_makes_it_fail(content: bytes, tmp_path: Path) -> None:
+    """It says why, in a line, whatever a file holds."""
+    blueprint = smsl.read(samples_dir() / "hfsm.json")
+    smsl.run(blueprint, log=tmp_path / "run.jsonl")
+    raw = bundled(blueprint, "out.zip", [str(tmp_path / "run.jsonl")])
+    parts = [f"content/hfsm.json/{name}.json" for name in ("behaviour", "meaning", "closure")]
+    for number, name in enumerate(["logs/run.jsonl", *parts]):
+        folder = _unpacked(tmp_path / str(number), raw)
+        (folder / name).write_bytes(content)
+        status, said = _checked(folder)
+        assert status == 1, (name, said)
+        assert "Traceback" not in said
+
+
+def _imported(folder: Path) -> tuple[Path, Path]:
+    base, sub = folder / "base.json", folder / "sub.json"
+    base.write_text(
+        '{"_imports": ["sub.json"], "BASE": {"HEADER": {"INITIAL": "State_00", "ACTIVATING": '
+        '"State_11", "NUM_FACTS": 2, "SUB_SBS": {"SUB": 1}}, "State_00": {"up": "State_01"}, '
+        '"State_01": {"go": "State_11"}, "State_11": {}}}'
+    )
+    sub.write_text('{"SUB": {"State_0": {"turn": "State_1"}, "State_1": {"back": "State_0"}}}')
+    return base, sub
+
+
+def _unpacked(folder: Path, raw: bytes) -> Path:
+    folder.mkdir(exist_ok=True)
+    (folder / "out.zip").write_bytes(raw)
+    with zipfile.ZipFile(folder / "out.zip") as archive:
+        archive.extractall(folder / "evidence")
+    return folder / "evidence"
+
+
+def _checked(folder: Path) -> tuple[int, str]:
+    """Call it as people do: a bare Python in the folder, with no package of this environment."""
+    done = subprocess.run(
+        [sys.executable, "-S", "-I", "verify.py"], cwd=folder, capture_output=True, check=False
+    )
+    return done.returncode, (done.stdout + done.stderr).decode()
