@@ -94,3 +94,19 @@ def test_it_makes_room_for_a_field_that_opens_below_it(sit: Sit) -> None:
     assert not toast.isVisible() or not shown.intersects(
         QRect(field.mapToGlobal(QPoint()), field.size())
     )
+
+
+def test_a_message_is_not_below_the_drawer(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1000, 640))
+    drawer, toast = person.window.docks.drawer, person.window.toast
+    person.ctrl(Key.Key_B)
+    person.until(drawer.isVisible)
+    person.window.outline.delete_branch()
+    assert toast.words.startswith("Deleted State Branch")
+    assert drawer.isVisible()
+    place = QRect(toast.mapToGlobal(QPoint()), toast.size())
+    assert not toast.isVisible() or not place.intersects(
+        QRect(drawer.mapToGlobal(QPoint()), drawer.size())
+    )
+    told = toast.isVisible() or person.window.status_line.currentMessage() == toast.words
+    assert told

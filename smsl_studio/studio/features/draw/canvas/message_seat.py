@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRect, QSize
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QFrame, QWidget
 
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.overlays.card import Card
@@ -51,9 +51,17 @@ class MessageSeat:
         return is_clear(canvas, area)
 
     def _spared(self) -> list[QRect]:
-        """What is selected, the open fields and cards, and where the pointer is."""
+        """What is selected, the open fields and cards, a drawer over the canvas, and where the
+        pointer is."""
         canvas = self._canvas
         cards = [c.geometry() for c in canvas.findChildren(Card) if c.isVisible()]
         at = canvas.mapFromGlobal(QCursor.pos())
         pointer = QRect(at, at).adjusted(-NEAR_POINTER, -NEAR_POINTER, NEAR_POINTER, NEAR_POINTER)
-        return [*selected_places(canvas), *cards, pointer]
+        return [*selected_places(canvas), *cards, *self._drawers(), pointer]
+
+    def _drawers(self) -> list[QRect]:
+        """The panels that lie over the canvas now, in pixels of the canvas."""
+        window, direct = self._canvas.window(), Qt.FindChildOption.FindDirectChildrenOnly
+        found = [one for one in window.findChildren(QFrame, options=direct) if one.isVisible()]
+        floats = [one for one in found if one.property("role") == "float"]
+        return [QRect(self._canvas.mapFrom(window, one.pos()), one.size()) for one in floats]
