@@ -76,6 +76,7 @@ def sit(
     yield open_on
     for window in windows:
         assert isinstance(window, Window)
+        window.settle()
         window.session.history.setClean()
         pane = window.features.run.part.made
         if pane is not None:

@@ -68,6 +68,11 @@ class PassingCard(Card):
         self._closing = False
         self.float_up()
 
+    def settle(self) -> None:
+        """Take over what was typed into the card, because the person leaves it or saves. A card
+        without a text has nothing to take over.
+        """
+
     def close_field(self) -> None:
         """Close the card; a second call does nothing.
 

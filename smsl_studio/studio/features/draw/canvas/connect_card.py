@@ -97,6 +97,11 @@ class ConnectCard(PassingCard):
             self.close_field()
         return not reason
 
+    def settle(self) -> None:
+        """Add the operation if something was typed. A card without an own word stays as it is."""
+        if self._touched:
+            self.commit()
+
     def pick_target(self, state: str) -> bool:
         """Lead to this state, which was clicked. False if the target is fixed.
 

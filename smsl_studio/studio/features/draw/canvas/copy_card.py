@@ -98,6 +98,11 @@ class CopyCard(PassingCard):
         else:
             self.close_field()
 
+    def settle(self) -> None:
+        """Make the copy if something was chosen or typed."""
+        if not self.untouched:
+            self.commit()
+
     @property
     def complaint(self) -> str:
         """What is wrong with the name; empty if nothing is."""

@@ -51,6 +51,7 @@ class DrawnEditor(QObject):
         self._refusals: list[StudioError] = []
         session.refused.connect(self._refusals.append)
         session.blueprint_changed.connect(lambda *_: self._follow())
+        session.opened.connect(self._close)
         session.branch_changed.connect(lambda _: self._leave())
         session.selection_changed.connect(self._selected)
         canvas.selection_wanted.connect(lambda _: self.choose(None))
@@ -110,17 +111,17 @@ class DrawnEditor(QObject):
         else:
             place = near(at) if at is not None else place_in_view(canvas)
             corner = QPointF(*place)
-        author = self.author()
+        author, session = self.author(), self._session
 
         def commit(text: str) -> str:
             """Add the note and select it. Returns why that was refused, or the empty text."""
-            if not text.strip():
+            if not text.strip() or branch not in session.blueprint.branches:
                 return ""
             by = {"author": author} if author else {}
             words = {"text": text.rstrip(), **by, "date": self.today(), **hung, "at": place}
-            key = next(free_keys(self.drawn.notes))
-            reason = self._put_note("Add a note", key, words)
-            if not reason:
+            key = next(free_keys(session.blueprint[branch].drawn.notes))
+            reason = self._put_note("Add a note", key, words, branch=branch)
+            if not reason and session.branch == branch:
                 self.show(DrawnKey("note", key))
             return reason
 
@@ -182,15 +183,16 @@ class DrawnEditor(QObject):
         self._open(self._title_field(title, commit), bar.center(), centred=True)
 
     def _note_commit(self, key: str, before: str) -> Callable[[str], str]:
+        branch = self._session.branch
+
         def commit(text: str) -> str:
             """Change the note, or delete it if it has no words any more."""
             if text.rstrip() == before.rstrip():
                 return ""
             if not text.strip():
-                self.choose(DrawnKey("note", key))
-                self.delete()
-                return ""
-            return self._put_note("Edit a note", key, {"text": text.rstrip()})
+                gone = {key: None}
+                return self._edit("Delete a note", lambda bp: editing.put_notes(bp, branch, gone))
+            return self._put_note("Edit a note", key, {"text": text.rstrip()}, branch=branch)
 
         return commit
 
@@ -268,11 +270,13 @@ class DrawnEditor(QObject):
         branch, chosen = self._session.branch, self._session.selection
         return [a.state for a in chosen if a.branch == branch and a.state and not a.operation]
 
-    def _put_note(self, words: str, key: str, note: dict[str, object], run: int = -1) -> str:
-        branch = self._session.branch
-        change = {key: note}
-        reason = self._edit(words, lambda bp: editing.put_notes(bp, branch, change), run)
-        if not reason:
+    def _put_note(
+        self, words: str, key: str, note: dict[str, object], run: int = -1, branch: str = ""
+    ) -> str:
+        """Add or change a note of an SB, of the shown one without ``branch``, and select it."""
+        at, change = branch or self._session.branch, {key: note}
+        reason = self._edit(words, lambda bp: editing.put_notes(bp, at, change), run)
+        if not reason and at == self._session.branch:
             self.choose(DrawnKey("note", key))
         return reason
 
@@ -285,14 +289,18 @@ class DrawnEditor(QObject):
         return str(refusal.sentence).capitalize() if refusal is not None else "That is refused."
 
     def _follow(self) -> None:
-        """After an edit or undo: what is gone is selected no more."""
-        self._close()
+        """After an edit or undo: what is gone is selected no more. A note that is being written
+        stays open, because the edit may come from another program.
+        """
+        if not isinstance(self.field, NoteField):
+            self._close()
         sheet = self._canvas.sheet
         if self.chosen is not None and (sheet is None or sheet.drawn.number(self.chosen) < 0):
             self.choose(None)
 
     def _leave(self) -> None:
-        """Another SB is shown."""
+        """Another SB is shown. What was typed is kept in the SB that was shown before."""
+        self._settle()
         self._close()
         self.choose(None)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QMimeData, Signal
+from PySide6.QtCore import QMimeData, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
@@ -20,12 +20,13 @@ TOO_LONG = f"A note has room for {LONGEST:,} characters. Put longer texts into a
 
 class NoteBox(QPlainTextEdit):
     """The text of a note. Enter begins a line; Ctrl+Enter and Esc emit ``done``, Shift+Esc emits
-    ``left``."""
+    ``left``. It never holds a text that is too long for a note, so the text can always be kept.
+    """
 
     done = Signal()
     left = Signal()
     refused = Signal()
-    """A text is too long to be pasted."""
+    """There is no room for what was typed or pasted."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -41,15 +42,31 @@ class NoteBox(QPlainTextEdit):
             self.left.emit()
         elif keeps(event):
             self.done.emit()
+        elif not self._has_room(_typed(event)):
+            self.refused.emit()
         else:
             super().keyPressEvent(event)
 
     def insertFromMimeData(self, source: QMimeData) -> None:
         """Paste a text, unless it is too long. Qt would lay out every line of it first."""
-        if len(source.text()) > LONGEST:
-            self.refused.emit()
-        else:
+        if self._has_room(source.text()):
             super().insertFromMimeData(source)
+        else:
+            self.refused.emit()
+
+    def _has_room(self, text: str) -> bool:
+        """Whether the note has room for a text in place of the selected part."""
+        if len(text) > LONGEST:
+            return False
+        kept = self.document().characterCount() - 1 - len(self.textCursor().selectedText())
+        return kept + len(text) <= LONGEST
+
+
+def _typed(event: QKeyEvent) -> str:
+    """The text that a key adds; empty for keys that move the caret or delete."""
+    if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        return "\n"
+    return event.text() if event.text().isprintable() else ""
 
 
 class NoteField(TextCard):
@@ -70,7 +87,7 @@ class NoteField(TextCard):
         self.field.selectAll()
         self.field.setFixedSize(WIDE, HIGH)
         self.hold(self.field)
-        self.column.addWidget(label("Esc keeps it, Shift+Esc does not", "hint"))
+        self.column.addWidget(label("Esc keeps the text, Shift+Esc drops it", "hint"))
         self.field.done.connect(self.settle)
         self.field.left.connect(self.close_field)
         self.field.refused.connect(lambda: self.complain(TOO_LONG))
