@@ -1,8 +1,18 @@
-"""Names of states that are words, such as ``Idle``, where nothing says that they are facts."""
+"""Names of states that are words, such as ``Idle``, although facts are read from their letters."""
 
 from __future__ import annotations
 
+from collections import Counter
+from itertools import chain
+
+from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import StateBranch
+
+MANY_LETTERS = 4
+"""The number of facts from which a word is taken for a word. ``up`` and ``on`` may be facts."""
+
+Facts = dict[str, tuple[str, ...]]
+"""The values of facts by state."""
 
 
 def is_plain_word(branch: StateBranch, name: str) -> bool:
@@ -13,3 +23,61 @@ def is_plain_word(branch: StateBranch, name: str) -> bool:
     shape = branch.shape
     said = shape.width != 1 or shape.written is not None or branch.subs or branch.notes.facts
     return not said and name.replace(" ", "").isalpha() and not name.startswith("State")
+
+
+def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
+    """Return the states whose names are words, and whose letters are read as facts.
+
+    Where nothing speaks of facts, these are the plain words with four letters and more. Elsewhere a
+    word shows itself by a letter that is a value of no other state: ``Patient ready`` beside
+    ``State_01`` and ``State_11``. The others may be meant, such as ``abcd`` beside ``bacd``.
+    """
+    shape = branch.shape
+    if not shape.width or shape.opaque:
+        return ()
+    plain = [name for name in branch.table if is_plain_word(branch, name)]
+    if plain:
+        return tuple(plain) if branch.num_facts >= MANY_LETTERS else ()
+    words = [name for name in branch.table if _may_be_word(branch, name)]
+    others = branch.table.keys() - set(words)
+    seen = Counter(chain.from_iterable(enumerate(branch.facts(name)) for name in others or words))
+    once = 0 if others else 1
+    stems = {name: name.removesuffix(fact_string(name, shape.written)) for name in words}
+    common = len(set(stems.values())) == 1 and not others
+    found = []
+    for name in words:
+        new = sum(seen[at] <= once for at in enumerate(branch.facts(name)))
+        if stems[name]:
+            meant = common or (others and not new)
+        else:
+            meant = branch.num_facts < MANY_LETTERS or new * 2 <= branch.num_facts
+        if not meant:
+            found.append(name)
+    return tuple(found)
+
+
+def carried(branch: StateBranch) -> Facts:
+    """Return the facts of the states whose names carry them: no word, and of the usual length.
+
+    It is empty for an SB whose facts stand in ``_states``.
+    """
+    shape = branch.shape
+    if not shape.opaque:
+        words = set(read_by_letters(branch)) if shape.width else branch.table.keys()
+        return {name: branch.facts(name) for name in branch.table if name not in words}
+    texts = {name: fact_string(name, shape.written) for name in branch.table}
+    fitting = {name: text for name, text in texts.items()
+               if name not in shape.misfits and text != name}  # fmt: skip
+    number = shape.written or len(next(iter(fitting.values()), ""))
+    wide = len(next(iter(fitting.values()), "")) // max(number, 1)
+    return {name: tuple(text[at : at + wide] for at in range(0, len(text), wide))
+            for name, text in fitting.items() if wide and len(text) == wide * number}  # fmt: skip
+
+
+def _may_be_word(branch: StateBranch, name: str) -> bool:
+    """Whether a name has letters only where it is cut, and one before the cut if there is any."""
+    if branch.shape.width != 1 or name.startswith("State") or "_" in name:
+        return False
+    text = fact_string(name, branch.shape.written)
+    before = name.removesuffix(text)[-1:]
+    return text.isalpha() and (not before or before.isalpha())

@@ -113,6 +113,7 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "table": lambda: chance.choice(["_facts", "_states", "_operations"]),
         "fact_rows": lambda: chance.choice(["", "a\t0 = no\nb", f"name\tunit\n{odd}\tmm"]),
         "note": lambda: chance.choice(notes),
+        "given": lambda: {at.state: chance.choice([["0"], ["0", "1"], ["", "a"], [odd]])},
         "changes": lambda: {(at.branch, key): chance.choice(notes) or {}},
         "levels": lambda: {str(at): level, "supervision": level},
         "properties": lambda: [{"name": "p", "never": "A/0 = 1"}] * chance.randrange(3),

@@ -52,6 +52,9 @@ PLANTED = [
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R05", "I", "SB/Idle", "the name is read as 4 facts of one letter each", """{"SB": {
   ^"Idle": {"a": "Done"}, "Done": {"b": "Idle"}}}"""),
+    ("R05", "W", "SB/Patient ready", "the name is read as the facts a, d and y", """{"SB": {
+  "HEADER": {"NUM_FACTS": 3}, "State_000": {"a": "State_010"},
+  "State_010": {"b": "Patient ready"}, ^"Patient ready": {"c": "State_000"}}}"""),
     ("R07", "E", "SB", "SUB_SBS is a text, not a map", """{"SB": {
   "HEADER": {^"SUB_SBS": "B"},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),

@@ -1,11 +1,15 @@
-"""Facts for a new state in ``_states``, if all other states have their facts there."""
+"""Facts in ``_states``: those that a person gives, and those of a new state beside such states."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from itertools import islice, product
 
-from smsl_studio.blueprint.editing.draft import Draft
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.draft import Draft, branch_of, existing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import carried
+from smsl_studio.errors import EditRefused
 
 _TRIES = 4096
 
@@ -23,6 +27,40 @@ def give_facts(before: Blueprint, after: Blueprint) -> Blueprint:
         if former.shape.width == 0 and not former.shape.opaque:
             after = _with_facts(former, after, branch)
     return after
+
+
+def give_values(blueprint: Blueprint, branch: str, given: Mapping[str, Sequence[str]]) -> Blueprint:
+    """Give states of an SB their facts in ``_states``, whatever their names are.
+
+    Facts in ``_states`` count if every state has some. So the states whose names carry facts get
+    the same facts there. EditRefused if a value is empty, or if another state has another number of
+    facts.
+    """
+    found = branch_of(blueprint, branch)
+    for state in given:
+        existing(blueprint, Address(branch, state))
+    wanted = {state: tuple(values) for state, values in given.items()}
+    if all(found.facts(state) == values for state, values in wanted.items()):
+        return blueprint
+    for values in wanted.values():
+        if not values or not all(value.strip() and value.isprintable() for value in values):
+            raise EditRefused("a value needs a visible character", advice="Type each value.")
+    there = {name: note.facts for name, note in found.notes.states.items() if note.facts}
+    others = {**carried(found), **(there if found.shape.width == 0 else {})}
+    counts = {len(facts) for state, facts in others.items() if state not in wanted}
+    number = {len(values) for values in wanted.values()}
+    if not found.shape.opaque and (len(counts | number) > 1):
+        count = min(counts or number)
+        raise EditRefused(
+            f"the other states of {branch} have another number of facts",
+            advice=f"Give {count} {'value' if count == 1 else 'values'}, with commas between.",
+        )
+    same = {state: facts for state, facts in others.items() if counts == number}
+    draft = Draft(blueprint)
+    table = draft.table(branch, "_states")
+    for state, facts in {**same, **wanted}.items():
+        table[state] = {**(table.get(state) or {}), "facts": list(facts)}
+    return draft.done()
 
 
 def _with_facts(former: StateBranch, after: Blueprint, branch: StateBranch) -> Blueprint:

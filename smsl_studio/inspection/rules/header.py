@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.plain_words import is_plain_word
+from smsl_studio.blueprint.plain_words import MANY_LETTERS, carried, read_by_letters
 from smsl_studio.blueprint.reading import HEADER, KNOWN
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
+from smsl_studio.inspection.rules.given_values import values_fix
 from smsl_studio.inspection.rules.words import NearNames, counted, listed, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
@@ -160,22 +162,26 @@ def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _letters(branch: StateBranch) -> Iterator[Remark]:
-    """Report names that are words and happen to have one length, so that they are cut up."""
-    words = [name for name in branch.table if is_plain_word(branch, name)]
-    if words and branch.num_facts >= MANY_LETTERS:
-        yield Remark(
-            "R05",
-            NOTE,
-            Address(branch.name, words[0]),
-            f"the name is read as {branch.num_facts} facts of one letter each",
-            advice="name the states by their facts, such as State_0, or give each its facts in "
-            "_states",
-            others=[Address(branch.name, name) for name in words[1:]],
-        )
-
-
-MANY_LETTERS = 4
-"""The number of facts from which a word is taken for a word. ``up`` and ``on`` may be facts."""
+    """Report names that are words of a length that fits, so that they are cut up. Beside names that
+    carry facts it is a warning, because a letter is then a value that no other state has."""
+    words = read_by_letters(branch)
+    if not words:
+        return
+    facts, mixed = branch.facts(words[0]), bool(carried(branch))
+    letters = listed(islice(facts, MANY_LETTERS))
+    yield Remark(
+        "R05",
+        WARNING if mixed else NOTE,
+        Address(branch.name, words[0]),
+        f"the name is read as the facts {letters}"
+        if mixed and len(facts) <= MANY_LETTERS
+        else f"the name is read as {len(facts)} facts of one letter each",
+        advice="give it its fact values, or name it by them"
+        if mixed
+        else "name the states by their facts, such as State_0, or give each its fact values",
+        fix=values_fix(branch),
+        others=[Address(branch.name, name) for name in words[1:]],
+    )
 
 
 def _opaque(branch: StateBranch) -> Remark:
@@ -186,6 +192,7 @@ def _opaque(branch: StateBranch) -> Remark:
         "the names of the states do not carry facts of one length, such as "
         f"{some(branch.shape.misfits)}; each state has one fact, its own name",
         advice="name the states by their facts, or give each its facts in _states",
+        fix=values_fix(branch),
     )
 
 
@@ -219,7 +226,8 @@ def _odd_lengths(branch: StateBranch, written: int) -> Iterator[Remark]:
             ERROR,
             addresses[0],
             f"carries {counted(length, 'character')} of facts, where the others carry {common}",
-            f"name it by its {counted(written, 'fact')}",
+            f"name it by its {counted(written, 'fact')}, or give it fact values",
+            fix=values_fix(branch),
             others=addresses[1:],
         )
 

@@ -10,12 +10,14 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import read_by_letters
 from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.effects import effects_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
+from smsl_studio.inspection.rules.given_values import values_fix
 from smsl_studio.inspection.rules.words import NearNames, fact_words, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
@@ -109,17 +111,27 @@ def _digit(spots: _Entries, sub: str, digit: int) -> Iterator[Remark]:
             f"{sub} expands digit {digit}, but {branch.name} has "
             + ("only digit 0" if count == 1 else f"the digits 0 to {count - 1}"),
             "digits are counted from 0, from the left",
-            fix=_detach(branch, sub),
+            fix=_named_or_detached(branch, sub),
         )
     elif digit < len(branch.alphabet) and len(branch.alphabet[digit]) > 2:
-        values = branch.alphabet[digit]
+        values, words = branch.alphabet[digit], read_by_letters(branch)
         yield spots.remark(
             sub,
             f"digit {digit} takes {len(values)} values ({some(values)}), "
             f"and a fact that {sub} expands is only on or off",
-            "let the sub-SB expand a fact with two values",
-            fix=_detach(branch, sub),
+            "give the states whose names are words their fact values"
+            if words
+            else "let the sub-SB expand a fact with two values",
+            fix=_named_or_detached(branch, sub),
         )
+
+
+def _named_or_detached(branch: StateBranch, sub: str) -> Fix:
+    """The fix that gives values to states with words for names, if there are any: what the sub-SB
+    expands may be right then. Else the fix detaches the sub-SB."""
+    unread = branch.shape.opaque or read_by_letters(branch)
+    named = values_fix(branch) if unread else None
+    return named or _detach(branch, sub)
 
 
 def _detach(branch: StateBranch, sub: str) -> Fix:

@@ -7,8 +7,26 @@ from smsl_studio.blueprint.model import Blueprint
 
 def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, str]:
     """The notice about a step and its severity (``W`` or none); empty if there is no notice."""
-    kept = goal_kept(before, after)
-    return (kept, "") if kept else (goal_moved(before, after), "W")
+    said = " ".join(filter(None, (goal_kept(before, after), values_given(before, after))))
+    return (said, "") if said else (goal_moved(before, after), "W")
+
+
+def values_given(before: Blueprint, after: Blueprint) -> str:
+    """The sentence if new states got fact values that nobody typed, because all others have theirs
+    in ``_states``. Empty if there are none.
+    """
+    for name, branch in after.branches.items():
+        old = before.branches.get(name)
+        if before.file != after.file or old is None or old is branch or not old.table:
+            continue
+        given = [shape.width == 0 and not shape.opaque for shape in (old.shape, branch.shape)]
+        new = [state for state in branch.table if state not in old.table]
+        if not all(given) or not new or any(state not in branch.table for state in old.table):
+            continue
+        values = " ".join(branch.facts(new[0]))
+        others = f", and {len(new) - 1} more got some too" if new[1:] else ""
+        return f"{new[0]} got the free fact values {values}{others}. Properties changes them."
+    return ""
 
 
 def goal_kept(before: Blueprint, after: Blueprint) -> str:

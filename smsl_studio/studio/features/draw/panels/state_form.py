@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
@@ -13,6 +14,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import StateNote
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import read_by_letters
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.chips import Chips
 from smsl_studio.studio.base.controls import label, row
@@ -62,8 +64,9 @@ class StateForm(NoteForm):
         self._facts.setLayout(labelled("Facts", self.chips))
         self.column.addWidget(self._facts)
         self.values = self.add("facts", ListLine(
-            "Fact values", "The value of each fact, digit 0 first, with commas between; "
-            "for names that carry none", "such as 0, 1, 1", once=False)).field  # fmt: skip
+            "Fact values", "The value of each fact, digit 0 first, with commas between. "
+            "Typed values count instead of those in the name", "such as 0, 1, 1",
+            once=False)).field  # fmt: skip
         self.safe = self.add(
             "safe", SwitchLine("Safe state", "Whether the procedure may rest in this state")
         ).field
@@ -109,8 +112,7 @@ class StateForm(NoteForm):
         self._facts.setVisible(len(named) == 1)
         if len(named) == 1:
             self.chips.show_states(blueprint[named.pop()], [at.state for at in states])
-        shapes = [blueprint[name].shape for name in {at.branch for at in states}]
-        self._lines["facts"].setVisible(any(shape.opaque or shape.width == 0 for shape in shapes))
+        self._lines["facts"].say(_source_of_facts(blueprint[one.branch], one.state) if one else "")
         fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
         self.kept.show_values(fields)
         if one is None:
@@ -133,6 +135,22 @@ class StateForm(NoteForm):
         """The state or the number of states, in the words of an undo step."""
         states = self._states
         return states[0].state if len(states) == 1 else counted(len(states), "state")
+
+    def give(self, word: str, value: Any) -> bool:
+        """Write the value of a key. Fact values come into force by ``editing.give_values``."""
+        if word != "facts" or value is None:
+            return super().give(word, value)
+        line, wanted = self._lines[word], list(value)
+
+        def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint in which the states have these facts."""
+            for name in dict.fromkeys(at.branch for at in self._states):
+                given = {at.state: wanted for at in self._states if at.branch == name}
+                blueprint = editing.give_values(blueprint, name, given)
+            return blueprint
+
+        step = f"Set fact values of {self.who()} to {line.said(wanted)}"
+        return self.edit(step, change, line.refuse)
 
     def _rename(self, new: Any) -> None:
         address, name = self._states[0], str(new or "")
@@ -159,8 +177,26 @@ def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]
         misfits = odd[at.branch].get(at.state, {})
         written = written_words(branch, "_states", at.state) - set(misfits)
         note = branch.state_note(at.state) or PLAIN
-        found.append(NoteEntry(at.branch, at.state, note, PLAIN, written, misfits=misfits))
+        shape = branch.shape
+        named = branch.facts(at.state) if shape.width else ()
+        standard = replace(PLAIN, facts=named) if named else PLAIN
+        found.append(NoteEntry(at.branch, at.state, note, standard, written, misfits=misfits))
     return found
+
+
+def _source_of_facts(branch: StateBranch, state: str) -> str:
+    """Where the fact values of a state come from, in a sentence."""
+    shape, note = branch.shape, branch.state_note(state)
+    given = note is not None and bool(note.facts)
+    if shape.width == 0 and not shape.opaque:
+        return "Given here."
+    if given:
+        return "They count when every state has values."
+    if shape.opaque:
+        return "None: the name is its only fact."
+    if state in read_by_letters(branch):
+        return "The letters of the name. Type its values."
+    return "From the name."
 
 
 def _operation_row(branch: StateBranch, state: str, name: str) -> ListRow:
