@@ -91,18 +91,25 @@ def test_a_letter_begins_a_new_text_in_the_chosen_cell(sit: Sit) -> None:
     assert note(person).name != "disk 1"
 
 
-def test_tab_names_one_fact_after_the_other(sit: Sit) -> None:
+def test_tab_goes_through_the_cells_of_a_fact_and_on_to_the_next_fact(sit: Sit) -> None:
     person = sit(HFSM)
     click_cell(person, 0, "name")
     view = facts(person).view
-    for digit, name in enumerate(("Plan", "Clamp", "Door")):
-        assert view.looks.edited == (digit, ("name", ""))
-        QTest.keyClicks(view.field, name)
+    visited = []
+    for text in ("Plan", "mm", "no", "yes"):
+        assert view.looks.edited is not None
+        visited.append(view.looks.edited)
+        QTest.keyClicks(view.field, text)
         QTest.keyClick(view.field, Key.Key_Tab)
-    assert view.looks.edited is None
-    click_cell(person, 2, "name")
-    QTest.keyClick(view.field, Key.Key_Tab, SHIFT)
+    assert visited == [(0, ("name", "")), (0, ("unit", "")), (0, ("meaning", "0")),
+                       (0, ("meaning", "1"))]  # fmt: skip
+    while view.looks.edited is not None and view.looks.edited[0] == 0:
+        QTest.keyClick(view.field, Key.Key_Tab)
     assert view.looks.edited == (1, ("name", ""))
+    QTest.keyClicks(view.field, "Clamp")
+    click_cell(person, 2, "name")
+    QTest.keyClicks(view.field, "Door")
+    click_cell(person, 1, "name")
     QTest.keyClicks(view.field, "Gate")
     QTest.keyClick(view.field, Key.Key_Return)
     branch = person.blueprint["SB1"]

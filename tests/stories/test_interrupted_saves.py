@@ -145,7 +145,7 @@ def test_what_another_program_writes_in_mid_save_is_asked_about(
     told: list[str] = []
     answer(person, words, told)
     saved = person.window.files.save()
-    assert told == ["outer.json was changed by another program since it was read."]
+    assert told == ["outer.json was changed outside this window since it was read."]
     assert saved is (words == "Save over it")
     assert ("State_9" in outer.read_text()) is saved
     assert saved or texts(outer) == [theirs, INNER]

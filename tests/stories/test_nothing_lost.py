@@ -194,11 +194,11 @@ def test_a_file_that_changed_since_the_kill_is_asked_about(sit: Sit, outer: Path
     assert "changed on the disk since" in words_of(offer)
     (row,) = offer.rows.values()
     person.click(row.recover)
-    person.until(lambda: bar(person) == "outer.json was changed by another program.")
+    person.until(lambda: bar(person) == "outer.json was changed outside this window.")
     told: list[str] = []
     answer(person, "Cancel", told)
     assert not person.window.files.save()
-    assert "changed by another program" in told[0]
+    assert "changed outside this window" in told[0]
     assert outer.read_text() == theirs
     person.click(person.window.safety.bar.theirs)
     assert person.window.session.texts[str(outer)] == theirs
@@ -215,7 +215,7 @@ def test_an_imported_file_that_changed_since_the_kill_is_asked_about(sit: Sit, o
     person = sit()
     (row,) = offer_to(person).rows.values()
     person.click(row.recover)
-    person.until(lambda: bar(person) == "inner.json was changed by another program.")
+    person.until(lambda: bar(person) == "inner.json was changed outside this window.")
 
 
 def test_a_text_that_cannot_be_shown_beside_a_broken_one_is_put_aside(

@@ -56,7 +56,7 @@ def test_a_file_without_unsaved_changes_follows_the_disk(
         assert callable(write)
         write(path, path.read_text().replace("State111", name).replace("State999", name))
         person.until(lambda name=name: name in person.blueprint["SB1"].table)  # type: ignore[misc]
-    assert "was changed by another program" in person.window.toast.words
+    assert "was changed outside this window" in person.window.toast.words
     assert person.window.menu_row.title == "hfsm.json"
     assert person.window.session.branch == "SB2"
     assert person.selected() == ["SB2/State0"]
@@ -72,7 +72,7 @@ def test_with_unsaved_changes_the_person_is_asked_and_takes_theirs(
     edit(person)
     theirs = other(path)
     replaced(path, theirs)
-    person.until(lambda: bar(person) == "hfsm.json was changed by another program.")
+    person.until(lambda: bar(person) == "hfsm.json was changed outside this window.")
     assert "State_mine" in person.blueprint["SB1"].table
     person.click(person.window.safety.bar.theirs)
     assert person.window.session.texts[str(path)] == theirs
@@ -132,7 +132,7 @@ def test_saving_over_an_unseen_change_asks_first(sit: Sit, tmp_path: Path) -> No
     QTimer.singleShot(50, person.window, lambda: answer("Save over it"))
     assert person.window.files.save()
     assert "State_mine" in path.read_text()
-    assert asked[0] == "hfsm.json was changed by another program since it was read."
+    assert asked[0] == "hfsm.json was changed outside this window since it was read."
 
 
 def test_who_comes_back_to_the_window_sees_what_has_changed(sit: Sit, tmp_path: Path) -> None:

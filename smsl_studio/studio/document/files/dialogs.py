@@ -96,8 +96,8 @@ class Dialogs:
     def may_overwrite(self, names: str) -> bool:
         """Ask whether changes of another program may be overwritten."""
         return self._agrees(
-            "Changed by another program",
-            f"{names} was changed by another program since it was read.",
+            "Changed outside this window",
+            f"{names} was changed outside this window since it was read.",
             "Saving replaces what is there now with your text.",
             "Save over it",
         )

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.project import real_path
 from smsl_studio.blueprint.revision import revised
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.traits import losses
 from smsl_studio.smsl.unfinished import clear_up
 from smsl_studio.studio.base.settings import Settings
@@ -332,6 +333,9 @@ class Files(QObject):
         self._settings.remember(path)
         self._say_how_yaml_is_written()
         self._saved([path.name, *map(self.display, others)])
+        if path.suffix.lower() not in SUFFIXES:
+            kind, known = form_words(path, found.document), series(list(SUFFIXES))
+            self.said.emit(f"Saved {path.name} as {kind}. Names with {known} say the form.")
         return True
 
     def _written(self, pairs: Pairs, chosen: Path | None = None) -> bool:

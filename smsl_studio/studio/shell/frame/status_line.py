@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from pathlib import PurePath
+from weakref import WeakSet
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QSizePolicy, QStatusBar, QStyle, QStyleOption, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QMenu,
+    QSizePolicy,
+    QStatusBar,
+    QStyle,
+    QStyleOption,
+    QWidget,
+)
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -65,6 +74,8 @@ class StatusLine(QStatusBar):
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
+        self._tip, self._followed = "", WeakSet[QMenu]()
+        self.messageChanged.connect(self._follow_menu)
         self.messageChanged.connect(lambda *_: self._show_parts())
         self.messageChanged.connect(lambda *_: self._fit_message())
         self._show_parts()
@@ -151,6 +162,22 @@ class StatusLine(QStatusBar):
         super().resizeEvent(event)
         self._show_parts()
         self._fit_message()
+
+    def _follow_menu(self, message: str) -> None:
+        """Let the tip of a menu's row go with the menu. Qt leaves it if a row was chosen."""
+        menu = QApplication.activePopupWidget()
+        row_ = menu.activeAction() if isinstance(menu, QMenu) else None
+        if not isinstance(menu, QMenu) or row_ is None or row_.statusTip() != message:
+            return
+        self._tip = message
+        if menu not in self._followed:
+            self._followed.add(menu)
+            menu.aboutToHide.connect(self._drop_tip)
+
+    def _drop_tip(self) -> None:
+        if self._tip and self.currentMessage() == self._tip:
+            self.clearMessage()
+        self._tip = ""
 
     def _message_room(self) -> QRect:
         """The place of the message: as far as the parts at the right."""

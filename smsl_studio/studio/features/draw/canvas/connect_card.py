@@ -29,6 +29,8 @@ class ConnectCard(PassingCard):
     """
 
     target_picked = Signal(str)
+    target_named = Signal(str)
+    """The target has another name now: it was typed, suggested or clicked."""
     gone_on = Signal()
 
     def __init__(
@@ -81,6 +83,7 @@ class ConnectCard(PassingCard):
         self.target.tabbed.connect(self._go_on)
         self.target.tabbed_back.connect(self.operation.setFocus)
         self.target.textEdited.connect(self._target_typed)
+        self.target.textChanged.connect(self.target_named)
         self.choices.chosen.connect(self._choose)
 
     def commit(self) -> bool:

@@ -72,6 +72,14 @@ class NewOperation:
             card.suggest(suggestions.name_for(source.state, state))
             self._canvas.show_pending(source, Address(branch, state), at)
 
+        def preview(state: str) -> None:
+            """Show the line to the state that is named, or to a new one."""
+            there = state.strip() in self._session.blueprint[branch].table
+            known = Address(branch, state.strip()) if there else None
+            point = at if known is not None else QPointF(*place)
+            self._canvas.show_pending(source, known, point)
+
+        card.target_named.connect(preview)
         card.target_picked.connect(lead_to)
         card.gone_on.connect(self._canvas.quick_add_wanted)
         if pattern:

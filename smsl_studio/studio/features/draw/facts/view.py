@@ -152,12 +152,10 @@ class FactView(QListView):
     def _go(self, row: int, step: int) -> None:
         """Edit the next cell that takes text (``step`` is 1), or the one before (-1).
 
-        After the last cell of a line comes the first cell of the next line. After a name comes the
-        name of the next fact, because people name all facts one after the other.
+        After the last cell of a line comes the first cell of the next line.
         """
-        kinds = ("name",) if self._cell[0] == "name" else TYPED
         keys = [(at, c.key) for at in range(max(row - 1, 0), min(row + 2, len(self.facts.lines)))
-                for c in self._cells(at) if c.kind in kinds]  # fmt: skip
+                for c in self._cells(at) if c.kind in TYPED]  # fmt: skip
         here = (row, self._cell)
         at = keys.index(here) + step if here in keys else -1
         if 0 <= at < len(keys):
@@ -245,8 +243,12 @@ class FactView(QListView):
             return -1, None
         inside = (at - self.visualRect(index).topLeft()).toPointF()
         cells = self._cells(index.row())
-        hit = (cell for cell in cells if cell.rect.adjusted(-2, -2, 2, 2).contains(inside))
-        return index.row(), next(hit, None)
+        # What is small is hit by a press beside it too, before the wide cells around it.
+        small = [cell for cell in cells if cell.kind not in TYPED]
+        wide = [cell for cell in cells if cell.kind in TYPED]
+        hit = (cell for cell in small if cell.rect.adjusted(-4, -4, 3, 4).contains(inside))
+        near = (cell for cell in wide if cell.rect.adjusted(-2, -2, 2, 2).contains(inside))
+        return index.row(), next(hit, None) or next(near, None)
 
     def _act(self, row: int, cell: Cell, rename: bool = False) -> None:
         if cell.kind in TYPED:

@@ -57,5 +57,5 @@ class ChangeBar(QFrame):
         self.setVisible(bool(names))
         if names:
             more = f" (and {len(names) - 1} more)" if len(names) > 1 else ""
-            self.said.setText(f"{names[0]} was changed by another program{more}.")
+            self.said.setText(f"{names[0]} was changed outside this window{more}.")
             self.setAccessibleName(plain_text(self.said.text()))

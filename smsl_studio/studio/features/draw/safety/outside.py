@@ -209,8 +209,8 @@ class OutsideChanges(QObject):
             return
         self._doubted.pop(file, None)
         name = self._files.display(file)
-        self._take(look, f"{name} was changed by another program", reading)
-        self.said.emit(f"{name} was changed by another program. The window shows its new text.")
+        self._take(look, f"{name} was changed outside this window", reading)
+        self.said.emit(f"{name} was changed outside this window. The window shows its new text.")
 
     def _held(self, file: str) -> bool:
         """Whether another file is broken, so that no step can be made for this one."""
