@@ -194,7 +194,8 @@ CASES: tuple[Case, ...] = (
      "S/C is checked; no operation that has begun leads there"),
     # commits
     ((*OPEN, starts(), ends(), checks()), commits("S/A/Op", "S/A/Op", S="B"),
-     "a commit is not a list of different operations"),
+     "S/A/Op has begun 1 times, and commits 2 times"),
+    ((*OPEN, starts(), ends(), checks()), commits(S="B"), "a commit has no operations"),
     ((*OPEN, starts(), ends(), checks()), commits("R/X/Op", S="B"),
      "R/X/Op commits; it has not begun"),
     ((*OPEN, starts(), starts("R/X/Op", "Y"), ends(), checks()), commits("S/A/Op", "R/X/Op", S="B"),

@@ -10,7 +10,14 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMessageBox
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QFileSystemModel,
+    QLineEdit,
+    QMenu,
+    QMessageBox,
+)
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
@@ -108,20 +115,30 @@ def test_open_edit_save_changes_only_what_was_edited(sit: Sit, tmp_path: Path) -
     assert path.read_bytes() == before
 
 
+def is_ready(dialog: QFileDialog, folder: Path) -> bool:
+    """Whether a file dialog has the keyboard and has read a folder that is not empty."""
+    model = dialog.findChild(QFileSystemModel)
+    listed = model is not None and model.rowCount(model.index(str(folder))) > 0
+    return listed and dialog.isActiveWindow()
+
+
 def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path))
     target = tmp_path / "other"
 
     def type_name() -> None:
         dialog = QApplication.activeModalWidget()
-        assert isinstance(dialog, QFileDialog)
+        if not isinstance(dialog, QFileDialog) or not is_ready(dialog, tmp_path):
+            # Until then the dialog takes the file that it chose itself, not a typed name.
+            QTimer.singleShot(20, person.window, type_name)
+            return
         field = dialog.findChild(QLineEdit, "fileNameEdit")
         assert field is not None
         field.setText(str(target))
         field.setFocus()
         QTest.keyClick(field, Key.Key_Return)
 
-    QTimer.singleShot(100, person.window, type_name)
+    QTimer.singleShot(20, person.window, type_name)
     person.press(
         Key.Key_S, [Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier]
     )

@@ -56,6 +56,7 @@ class Begun:
     person: bool = False
     must_end: bool = False
     since: float = 0.0
+    times: int = 1
 
     @property
     def is_carried(self) -> bool:

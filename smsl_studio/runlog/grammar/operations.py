@@ -4,7 +4,7 @@ sentence for each fault.
 
 from __future__ import annotations
 
-from collections import ChainMap
+from collections import ChainMap, Counter
 from collections.abc import Iterator, Mapping
 from math import isclose
 
@@ -185,13 +185,15 @@ def _leads_to(memory: Memory, branch: str, state: str) -> bool:
 
 def committed(memory: Memory, event: run.Committed) -> Iterator[str]:
     """Check that the operations have begun, ended well and were checked directly before."""
-    if not event.operations or len(set(event.operations)) < len(event.operations):
-        yield "a commit is not a list of different operations"
+    if not event.operations:
+        yield "a commit has no operations"
         return
-    for address in event.operations:
+    for address, times in Counter(event.operations).items():
         one = memory.begun.get(address)
         if one is None:
             yield f"{address} commits; it has not begun"
+        elif one.times != times:
+            yield f"{address} has begun {one.times} times, and commits {times} times"
         elif one.outcome != ("returned" if one.is_carried else ""):
             yield f"{address} commits; its function has {one.outcome or 'not ended'}"
     if memory.failing or memory.acting:

@@ -85,6 +85,8 @@ def _operation_started(memory: Memory, event: run.OperationStarted) -> None:
     branch, source, _ = parts(event.address)
     known = memory.known.function(*parts(event.address))
     one = Begun(branch, source, event.target, event.function, must_end=bool(known), since=event.t)
+    if event.address in memory.begun:
+        one.times += memory.begun[event.address].times
     memory.rests = False
     memory.chosen |= memory.asked == event.address
     memory.begun[event.address] = memory.newest[branch] = one
@@ -103,7 +105,7 @@ def _operation_ended(memory: Memory, event: run.OperationEnded) -> None:
 
 
 def _committed(memory: Memory, event: run.Committed) -> None:
-    for address in event.operations:
+    for address in dict.fromkeys(event.operations):
         one = memory.begun.pop(address)
         if memory.newest.get(one.branch) is one:
             del memory.newest[one.branch]
