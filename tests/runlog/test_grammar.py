@@ -19,6 +19,7 @@ from smsl_studio.errors import ReadError
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.runlog.decoder import EVENTS as KNOWN
 from smsl_studio.runlog.events import (
+    Committed,
     EdgeSwept,
     Event,
     GoalReached,
@@ -32,6 +33,7 @@ from smsl_studio.runlog.grammar.automaton import TABLE, Grammar
 from smsl_studio.runlog.grammar.log_reader import LogVerdict, read_log, verify
 from smsl_studio.runlog.grammar.memory import Begun
 from smsl_studio.runlog.grammar.operations import WITHOUT_FAILURE
+from tests.dispatch.generated import blueprint_values
 from tests.plugin_folder import blueprint_of
 from tests.runlog.impossible import OPERATORS, Operator, Story, impossible
 from tests.runlog.logs import EVENTS, OTHER, chained
@@ -237,6 +239,16 @@ def test_an_asked_step_that_is_paused_between_two_commits_verifies(tmp_path: Pat
     assert told.doubt is None
     assert [one.event for one in told.events].count("paused") == 2
     assert told.events[-1].event == "run_finished"
+
+
+def test_a_joint_step_may_do_an_operation_twice_and_commits_it_twice(tmp_path: Path) -> None:
+    made, path = blueprint_of(blueprint_values(87)), tmp_path / "twice.jsonl"
+    line = {"at": 0.0, "do": "prune", "address": "B/S111/o1", "reason": "another way"}
+    smsl.run(made, script=script_of(json.dumps(line).encode(), "script", made), seed=87, log=path)
+    told = read_log(path, COMMANDS)
+    commits = [one.operations for one in told.events if isinstance(one, Committed)]
+    assert any(len(set(one)) < len(one) for one in commits)
+    assert told.doubt is None
 
 
 def test_the_words_of_a_route_are_those_of_the_planner() -> None:
