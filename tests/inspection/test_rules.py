@@ -202,6 +202,10 @@ PLANTED = [
   "SB": {"State_00": {"a": "State_10", "c": "State_01"}, "State_01": {^"b": "State_11"},
   "State_10": {"d": "State_00", "a2": "State_20"}, "State_20": {"d2": "State_10"},
   "State_11": {"e": "State_10"}}}"""),
+    ("R28", "W", "SB/State_01/b", "nothing leads back from State_11, although all", """{
+  "SB": {"State_00": {"a": "State_10", "c": "State_01", "f": "State_20"},
+  "State_01": {^"b": "State_11"}, "State_10": {"d": "State_00", "a2": "State_20"},
+  "State_20": {"d": "State_00", "d2": "State_10"}, "State_11": {"d": "State_00"}}}"""),
     ("R29", "W", "SB", "Input should be greater than or equal to 0", """{"SB": {
   "_operations": {^"a": {"cost": -1}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
@@ -282,6 +286,17 @@ def test_a_fix_takes_the_finding_away_and_brings_no_new_error() -> None:
         fixed_rules.add(finding.rule)
     expected = "R01 R02 R03 R04 R05 R07 R08 R10 R17 R20 R21 R23 R28"
     assert fixed_rules == set(expected.split())
+
+
+def test_a_reverse_that_leads_astray_is_led_back_and_not_doubled() -> None:
+    text = next(text for rule, *_, text in PLANTED if rule == "R28" and '{"d": "State_00"}' in text)
+    blueprint, _, _ = planted(text)
+    (finding,) = inspect(blueprint, ["R28"])
+    assert finding.advice.endswith("and leads to State_00 here; did you mean State_01?")
+    assert finding.fix is not None
+    mended = finding.fix.apply(blueprint)
+    assert mended["SB"].table["State_11"] == {"d": "State_01"}
+    assert not list(inspect(mended, ["R28"]))
 
 
 def test_every_rule_has_a_planted_fault() -> None:

@@ -84,10 +84,20 @@ def _remark(
 
 
 def _reverse(branch: StateBranch, effects: EdgeEffects, edge: Operation) -> tuple[str, Fix]:
-    """Return the advice and the fix: the operation that does this elsewhere, or a new name."""
+    """Return the advice and the fix.
+
+    If the state has the operation that does this elsewhere, that one leads to a wrong state. Else
+    the operation is missing there, or one of a new name.
+    """
     there = branch.table[edge.target]
     holders = effects.holders.get(effect(branch, edge.target, edge.source), ())
-    known = [name for name in holders if name not in there]
+    astray = next((name for name in holders if name in there), "")
+    if astray:
+        where = Address(branch.name, edge.target, astray)
+        lead = edit("retarget", address=(where,), target=edge.source)
+        words = f"{astray} of {edge.target} does this elsewhere, and leads to {there[astray]} here"
+        return f"{words}; did you mean {edge.source}?", Fix(f"Lead it to {edge.source}", lead)
+    known = list(holders)
     name = known[0] if known else FreeNames(branch.operation_names).take(f"{edge.name}_back")
     add = edit(
         "add_operation", branch=branch.name, state=edge.target, name=name, target=edge.source
