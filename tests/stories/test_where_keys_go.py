@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
 
@@ -48,6 +49,24 @@ def test_the_canvas_and_the_outline_show_which_of_them_has_the_keys(sit: Sit) ->
     assert person.window.grab().toImage().pixelColor(edge) == person.window.tokens.acc
     person.window.canvas.setFocus()
     assert person.window.grab().toImage().pixelColor(edge) != person.window.tokens.acc
+
+
+@pytest.mark.parametrize("address", ["SB1/State100", "SB1/State100/Operation100A"])
+def test_the_menu_key_opens_the_menu_of_what_is_selected(sit: Sit, address: str) -> None:
+    person = sit(HFSM)
+    canvas = person.window.canvas
+    person.window.session.select([person.blueprint.resolve(address)])
+    corner = QPoint(3, 3)
+    asked = QContextMenuEvent(
+        QContextMenuEvent.Reason.Keyboard, corner, canvas.viewport().mapToGlobal(corner)
+    )
+    QApplication.sendEvent(canvas.viewport(), asked)
+    menu = QApplication.activePopupWidget()
+    assert menu is not None
+    try:
+        assert menu.accessibleName() == f"Menu of {address.rpartition('/')[2]}"
+    finally:
+        menu.close()
 
 
 def test_arrows_in_the_outline_take_the_canvas_along(sit: Sit) -> None:

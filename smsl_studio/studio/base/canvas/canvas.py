@@ -337,11 +337,21 @@ class Canvas(BranchView):
         return self.viewport().event(QHelpEvent(event.type(), event.pos(), at))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Emit ``context_wanted`` with the element under the pointer, or ``drawn_menu_wanted``."""
+        """Emit ``context_wanted`` with the element under the pointer, or ``drawn_menu_wanted``.
+
+        The menu key means what is selected, wherever the pointer is.
+        """
+        by_key = event.reason() is QContextMenuEvent.Reason.Keyboard
         at = self.mapToScene(event.pos())
         drawn = self.drawn_at(at) if self.editing else None
-        if event.reason() is QContextMenuEvent.Reason.Keyboard and self.editing:
+        if by_key and self.editing:
             drawn = self.drawn.chosen
+        chosen = self.marks.selection[-1:] if by_key and drawn is None else ()
+        for address in chosen:
+            self.reveal(address, smooth=False)
+            self.context_wanted.emit(address, self.place_of(address).center())
+            event.accept()
+            return
         if drawn is not None:
             self.drawn_wanted.emit(drawn)
             self.drawn_menu_wanted.emit(drawn, event.globalPos())
