@@ -62,6 +62,14 @@ def test_every_state_and_operation_has_its_row(sit: Sit) -> None:
     assert all(finding.rule in warned[0][5] for finding in told)
 
 
+def test_a_row_tells_whose_task_an_operation_is(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-people.json")
+    person.window.session.show_branch("HEAD")
+    rows = {row[2]: row[4] for row in cells(at_table(person))}
+    fix = next(words for name, words in rows.items() if name.startswith("Op_FixHead"))
+    assert "Done by human (nurse)." in fix
+
+
 def test_cells_select_and_enter_leads_on(sit: Sit) -> None:
     person = sit(SAMPLES / "hfsm.json")
     table = at_table(person)

@@ -43,7 +43,8 @@ def operation_details(picture: Picture, edge: int) -> str:
 
 def _annotated(note: OperationNote) -> list[str]:
     said = [f"Risk {note.risk}"] if note.risk else []
-    said += [f"Done by {note.actor}"] if note.actor else []
+    roles = f" ({', '.join(note.roles)})" if note.roles else ""
+    said += [f"Done by {note.actor}{roles}"] if note.actor else []
     said += [f"Confirmed by {', '.join(note.confirm)}"] if note.confirm else []
     said += [f"Takes {note.duration:g} s"] if note.duration is not None else []
     said += [f"Time limit {note.timeout:g} s"] if note.timeout is not None else []

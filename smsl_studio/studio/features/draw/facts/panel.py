@@ -369,7 +369,8 @@ class Facts(Panel):
 def _none(branch: StateBranch | None) -> str:
     if branch is not None and branch.table and branch.header.num_facts is not None:
         odd = next(iter(branch.shape.misfits), "")
-        return f"The names of the states cannot be cut into facts: {odd} does not fit."
+        if odd:
+            return f"The names of the states cannot be cut into facts: {odd} does not fit."
     return NONE
 
 
