@@ -48,23 +48,6 @@ def test_a_target_that_is_there_is_shown_as_it_is(person: Person) -> None:
     person.press(Key.Key_Escape)
 
 
-def test_an_undo_selects_what_was_selected(person: Person) -> None:
-    person.select("SB1/State110")
-    person.press(Key.Key_Delete)
-    assert person.selected() == []
-    person.ctrl(Key.Key_Z)
-    assert person.selected() == ["SB1/State110"]
-    person.press(Key.Key_Delete)
-    assert "State110" not in person.blueprint["SB1"].table
-    person.ctrl(Key.Key_Z)
-    person.window.session.select(())
-    person.select("SB1/State100")
-    person.press(Key.Key_Right)
-    person.window.session.select(())
-    person.ctrl(Key.Key_Z)
-    assert person.selected() == ["SB1/State100"]
-
-
 def test_the_tip_of_a_menu_goes_with_the_menu(person: Person) -> None:
     line = person.window.status_line
     menu = next(one for one in person.window.menu_row.menus.findChildren(QMenu)

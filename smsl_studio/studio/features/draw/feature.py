@@ -30,7 +30,6 @@ from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
 from smsl_studio.studio.document.journal.entry import JournalEntry
 from smsl_studio.studio.document.notices import step_notice
-from smsl_studio.studio.document.selection_memory import SelectionMemory
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
@@ -113,7 +112,6 @@ class DrawFeature(Feature):
             session, self.canvas, parts.toast.say, StateCopy(self.editor)
         )
         self.notes = DrawnEditor(session, self.canvas)
-        self.memory = SelectionMemory(session)
         self.clipping.drawn = DrawnCopies(session, self.canvas, self.notes)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.using = LibraryVerbs(self.editor)
