@@ -136,7 +136,7 @@ def on_state_checked(s, e):
 	s.failing = e.result != "true"
 	if not s.failing: safe(s, here(s)); s.checked[name] = s.pend[name] = state
 	if name in s.newest and not s.failing: s.newest[name].done |= s.newest[name].target == state
-def on_route_planned(s, e): s.plan, s.chosen, s.asked = e.operations, 0, no(s.last.event == e.event)
+def on_route_planned(s, e): *s.plan, = e.operations; s.chosen = s.asked = no(s.last.event==e.event)
 def on_operation_started(s, e):
 	a, op, now = e.address, edge(s, e.address), here(s); seen = terms(s, now, op.name, way(s))
 	s.chosen, on = s.chosen or s.asked == a, s.plan[:1] == [a]
@@ -172,7 +172,7 @@ def on_operation_risky(s, e):
 	no(s.last.event != e.event and not (s.failing and under_way(s, e.address))); s.begun = []
 def on_operation_pruned(s, e): s.shut = {*s.shut, e.address}
 def on_operation_restored(s, e): s.shut, s.vetoed = {*s.shut} - {e.address}, {}
-def on_mismatch(s, e): no(not e.facts); end_step(s); s.candidates = e.candidates
+def on_mismatch(s, e): no(not [*e.facts]); end_step(s); s.candidates = e.candidates
 def on_relocalised(s, e):  # there, adopted, accepted, or one sub
 	there, c, was = e.configuration, s.cause, s.last
 	moved = [name for name in there if there[name] != s.conf.get(name)]; no(s.acting or was.event ==

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import io
 import subprocess
 import sys
 import zipfile
@@ -15,6 +16,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.front.bundles import bundled
+from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.verifier import content_texts, told_again, verifier_file
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import samples_dir
@@ -100,6 +102,21 @@ def test_a_forged_run_that_is_impossible_is_refused(forgery: Forgery, runs: list
         assert refusal or not why, (number, why)
         seen["refused" if refusal else "possible"] += 1
     assert seen["refused"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "member"),
+    [("route_planned", "operations"), ("mismatch", "facts"), ("committed", "operations")],
+)
+def test_a_list_that_is_no_list_is_refused_by_both(
+    kind: str, member: str, runs: list[ToldRun]
+) -> None:
+    told = ((Story.of(run.raw), run) for run in runs)
+    story, run = next((story, run) for story, run in told if story.at(kind))
+    story.events[story.at(kind)[0]][member] = None
+    raw = story.raw()
+    assert told_again(raw, run.blueprint)
+    assert verify_stream(io.BytesIO(raw), "log", run.blueprint).doubt is not None
 
 
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda one: one.__name__)
