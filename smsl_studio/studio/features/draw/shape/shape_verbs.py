@@ -10,7 +10,6 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QDialog, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import EditRefused
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.overlays.work_card import WorkCard
@@ -21,10 +20,11 @@ if TYPE_CHECKING:
     from smsl_studio.generate.shapes.same_states import SameStates
     from smsl_studio.studio.features.draw.shape.shape_edit import ShapeEdit, ShapeRefusal
 
-NONE = EditRefused(
-    "no states could be a sub-SB that saves states or facts",
-    advice="Select states and extract them if they belong together anyway.",
+NONE = (
+    "No states could be a sub-SB that saves states or facts. "
+    "Select states and extract them if they belong together anyway"
 )
+"""The answer of *Identify* where nothing can be saved."""
 
 
 class ShapeVerbs(QObject):
@@ -165,7 +165,7 @@ class ShapeVerbs(QObject):
 
     def _identified(self, found: Identification) -> None:
         if not found.cuts:
-            self._session.refused.emit(NONE)
+            self.said.emit(NONE)
             return
         from smsl_studio.studio.features.draw.shape.identify_dialog import IdentifyDialog
 
