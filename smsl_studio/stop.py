@@ -32,9 +32,10 @@ GRACE = 0.1
 """The wall time (s) that graceful work has to heed a signal before it is broken off."""
 
 LONG = 0.05
-"""The wall time (s) that a collection of garbage may last, because no signal comes through it."""
+"""The longest collection of garbage that is accepted, in seconds of wall time. A signal has to wait
+until a collection ends."""
 OLDEST = 2
-"""The generation of objects whose collection looks at all objects."""
+"""The number of the garbage collector's generation in which a collection looks at all objects."""
 
 LONGEST = 40
 """The number of further checks that wait for an answer while the machine gives the other process no
@@ -193,11 +194,11 @@ def let_garbage_be() -> None:
 
 
 def look_for_garbage() -> None:
-    """Switch the collection on again, for objects that are made from now on. Nothing happens if it
-    was not switched off.
+    """Switch the garbage collection on again, for objects that are made from now on.
 
-    Work that stores millions of objects would make it long, so objects that a long collection has
-    looked at are spared from then on (``spare_the_old``).
+    Nothing happens if it is on already. Work that stores millions of objects would make each
+    collection long. So once a collection was long, later ones skip the objects that exist now (see
+    ``spare_the_old``).
     """
     if not gc.isenabled():
         gc.freeze()
@@ -207,8 +208,10 @@ def look_for_garbage() -> None:
 
 
 def spare_the_old(phase: str, info: Mapping[str, int]) -> None:
-    """Let no collection look again at the objects that are left after one of more than ``LONG``
-    seconds. So the next one is short. Python calls it at both ends of each collection.
+    """After a collection longer than ``LONG``, let later ones skip the objects that are left.
+
+    So the next collection is short. Python calls this function at the beginning and at the end of
+    each collection, and ``phase`` says which.
     """
     if info["generation"] < OLDEST:
         return
@@ -219,7 +222,7 @@ def spare_the_old(phase: str, info: Mapping[str, int]) -> None:
 
 
 class _Collection:
-    """The collection that goes on: the wall time (s) of its beginning."""
+    """The present collection of garbage: when it began, in seconds of wall time."""
 
     began = 0.0
 
@@ -230,19 +233,20 @@ _collection = _Collection()
 # bounds that a caller sets ----------------------------------------------------------------------
 
 _OFTEN = 0.02
-"""Memory is looked at this often (s)."""
+"""The seconds between two measurements of memory."""
 
 _STATM = Path("/proc/self/statm")
 
 
 class BoundMet(Exception):  # noqa: N818 -- an answer, not an error of ours
-    """A bound was met, which the text names."""
+    """The work has met a bound. The text of the error names the bound."""
 
 
 class EffortBounds(NamedTuple):
-    """The most seconds of wall time, and the most MB of memory of this process. None: no bound.
+    """How much one piece of work may take. None means that there is no bound.
 
-    ``until`` is the moment at which the seconds are over, if they have begun.
+    ``seconds`` is wall time. ``megabytes`` (MB) is the memory of this whole process. ``until`` is
+    the moment at which the time ends (see ``monotonic``); it is None until the time begins.
     """
 
     seconds: float | None = None
@@ -250,7 +254,10 @@ class EffortBounds(NamedTuple):
     until: float | None = None
 
     def begun(self) -> EffortBounds:
-        """Return the same bounds. Their seconds begin now, if they have not begun."""
+        """Return the same bounds with their time running.
+
+        Time that already runs is not begun again.
+        """
         if self.seconds is None or self.until is not None:
             return self
         return self._replace(until=monotonic() + self.seconds)
@@ -261,7 +268,7 @@ UNBOUNDED = EffortBounds()
 
 @contextmanager
 def bounded(bounds: EffortBounds) -> Iterator[None]:
-    """Inside the block, ``heed`` raises BoundMet once a bound is met, and at each later call."""
+    """Let every call of ``heed`` inside the block raise BoundMet as soon as a bound is met."""
     if bounds == UNBOUNDED:
         yield
         return
@@ -269,7 +276,12 @@ def bounded(bounds: EffortBounds) -> Iterator[None]:
     before, looked = _thread.listener or _nobody, 0.0
 
     def heed_all() -> None:
-        """Ask the listener before, then the clock, and now and then the memory."""
+        """Check whether the work must end.
+
+        Call the listener that was set outside of the block. Then compare the clock with the bound
+        of time. Every ``_OFTEN`` seconds compare the memory with its bound, because a measurement
+        is slow.
+        """
         nonlocal looked
         before()
         now = monotonic()
@@ -285,8 +297,10 @@ def bounded(bounds: EffortBounds) -> Iterator[None]:
 
 
 def megabytes() -> float:
-    """Return the memory that this process has now. Where the system does not say it, the most that
-    it had."""
+    """Return the memory that this process uses now, in MB.
+
+    Some systems do not tell this. There it is the largest amount that the process has used so far.
+    """
     try:
         pages = int(_STATM.read_text("ascii").split()[1])
     except OSError:

@@ -27,9 +27,10 @@ def inspect_against(
 def inspect_against_content(
     blueprint: Blueprint, content: Mapping[str, Any], name: str
 ) -> tuple[Finding, ...]:
-    """Return what has changed since a record whose content this is. ``name`` names the record.
+    """Return what has changed since a record was signed.
 
-    What the content does not have, such as the layout, is no change. ReadError if the content is
+    ``content`` is the content of the blueprint in the record, and ``name`` the name of the record.
+    What the content leaves out, such as the layout, is not compared. ReadError if the content is
     not that of a blueprint.
     """
     now = content_of(blueprint)

@@ -1,4 +1,4 @@
-"""Shortest runs that are found in arrays, in names."""
+"""Finds shortest runs with arrays, and returns them with the names of states and operations."""
 
 from __future__ import annotations
 
@@ -25,19 +25,20 @@ from smsl_studio.graph.joint.ranks import ranked
 from smsl_studio.stop import heed
 
 PLAIN_BITS = 26
-"""The largest number of bits of a code that is a number by itself: a byte for each is kept."""
+"""Codes of at most so many bits are their own numbers. One byte is kept for each number (64 MB)."""
 
 MOST_RANKS = 1 << PLAIN_BITS
-"""The largest number of configurations that are numbered by their ranks."""
+"""The largest number of configurations that get numbers by rank (see ``ranks``)."""
 
 
 def shortest_run(
     steps: JointSteps, goals: SearchGoals, reached: tuple[Diagram, int] | None = None
 ) -> FoundRun | None:
-    """Return the first of the shortest runs from the start, None if there is none.
+    """Return the shortest run from the start to a goal, or None if there is none.
 
-    ``reached`` is the set of all configurations that can be reached, if it is known. TooLarge if a
-    bound is met.
+    Of several shortest runs it is the first one by its addresses. ``reached`` may have a diagram
+    and in it the set of all configurations that can be reached; it saves memory. TooLarge if a
+    limit is met.
     """
     most = ArrayBound().configurations
     if reached is not None and reached[0].count(reached[1]) > most:
@@ -50,9 +51,10 @@ def shortest_run(
 
 
 class ArrayReach:
-    """All configurations that can be reached, in arrays. TooLarge if its tables would be too large.
+    """All configurations that can be reached, stored in arrays, to answer several questions.
 
-    ``bound`` is the bound that was met; it is empty if there are all. ``count`` is their number.
+    ``count`` is their number. ``bound`` says which limit ended the search; it is empty if the
+    search is complete. TooLarge if the tables would be too large.
     """
 
     def __init__(self, steps: JointSteps, bound: ArrayBound | None = None) -> None:
@@ -64,8 +66,10 @@ class ArrayReach:
         self.count = sum(map(len, self._search.layers))
 
     def nearest(self, goals: SearchGoals) -> FoundRun | None:
-        """Return the first of the shortest runs among all that were looked at, None if there is
-        none. TooLarge if the conditions take too much.
+        """Return the shortest run to a goal among the stored configurations, or None.
+
+        Of several shortest runs it is the first one by its addresses. TooLarge if the conditions
+        need too much memory.
         """
         tables = BitTables(self._layout, (), goals.boxes)
         ends = _ends(tables, goals)
@@ -102,7 +106,7 @@ def _ends(tables: BitTables, goals: SearchGoals) -> ConditionBits:
 def _numbered(
     steps: JointSteps, reached: tuple[Diagram, int] | None
 ) -> tuple[CodeLayout, Numbering]:
-    """Return how configurations are written, and how they are numbered."""
+    """Return the layout of the codes, and how to number them."""
     layout = CodeLayout(steps.numbers.sizes, steps.levels)
     if layout.bits <= PLAIN_BITS:
         return layout, PlainNumbers(layout)
@@ -115,7 +119,7 @@ def _numbered(
 
 
 def _in_names(numbers: StateNumbers, layout: CodeLayout, way: FoundWay) -> FoundRun:
-    """Return a run in names."""
+    """Return a found way with the names of its states and operations."""
     codes = np.array(way.codes, layout.kind)
     of = {one: layout.states(codes, numbers.at[one]) for one in {o.branch for o in way.operations}}
     path = []

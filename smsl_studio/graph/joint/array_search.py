@@ -1,7 +1,8 @@
-"""A search through configurations in arrays, breadth first, layer by layer.
+"""Searches configurations in arrays, breadth first, to find shortest runs.
 
-A layer is in the order of the runs that lead to its configurations, compared by their addresses; so
-of all shortest runs the first is found.
+A layer has all configurations at the same distance from the start. Each of them has one run that
+leads to it. The layer is sorted by the addresses of these runs. So of all shortest runs the search
+finds the first one by its addresses.
 """
 
 from __future__ import annotations
@@ -17,18 +18,18 @@ from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.stop import BoundMet, heed
 
 AT_ONCE = 8_192
-"""So many configurations are worked on together."""
+"""The number of configurations that the search handles with one call of numpy."""
 
 _DIGIT = 255
 _MARKS = np.arange(1, _DIGIT + 1, dtype=np.uint8)
 
 
 class Numbering(Protocol):
-    """Numbers the configurations that can be reached, below ``size``."""
+    """Gives each configuration a number from 0 to ``size`` - 1, to mark it as seen in an array."""
 
     @property
     def size(self) -> int:
-        """One more than the largest number."""
+        """The length of an array with one cell for each number."""
         ...
 
     def of(self, codes: Array) -> Array:
@@ -36,22 +37,27 @@ class Numbering(Protocol):
         ...
 
     def made_room(self, count: int) -> bool:
-        """Have numbers for ``count`` configurations. Return whether all must be numbered anew."""
+        """Make room for ``count`` configurations in total.
+
+        Return True if the old numbers are no longer valid. Then the caller must ask for the number
+        of each configuration again.
+        """
         ...
 
 
 class ArrayBound(NamedTuple):
-    """How much a search may take: configurations that are kept, and steps that are looked at."""
+    """The limits of a search: the configurations that it stores, and the steps that it tries."""
 
     configurations: int = 40_000_000
     steps: int = 600_000_000
 
 
 class ConditionBits(NamedTuple):
-    """The bits of a table that say where a search ends and where it goes on.
+    """The conditions of a search, as masks of bits (see ``BitTables``).
 
-    ``hits`` are wanted, out of one of ``passing`` a step passes what is wanted. Steps begin where
-    one of ``may`` is set, if it is given.
+    The search ends at a configuration that has a bit of ``hits``. It may also end at one that has a
+    bit of ``passing``: one step from there passes through a wanted configuration. If ``may`` is
+    given, only configurations that have one of its bits are left by a step.
     """
 
     hits: Array
@@ -62,7 +68,8 @@ class ConditionBits(NamedTuple):
 class FoundWay(NamedTuple):
     """A shortest run: the operation of each step, and the codes of all configurations on it.
 
-    With ``during`` the last one is none that is wanted, but a step out of it passes one.
+    ``during`` is True if the last configuration is not wanted itself, but one step from there
+    passes through a wanted one.
     """
 
     operations: list[OneOperation]
@@ -71,7 +78,7 @@ class FoundWay(NamedTuple):
 
 
 class ArraySearch:
-    """Searches all configurations that can be reached from the code ``start``."""
+    """Searches the configurations that can be reached from the code ``start``."""
 
     def __init__(
         self, tables: BitTables, numbering: Numbering, start: int, bound: ArrayBound | None = None
@@ -81,17 +88,18 @@ class ArraySearch:
         self._operations = tables.operation_mask
         begun = np.array([start], tables.layout.kind)
         self.layers = [begun]
-        """The configurations by their distance from the start. Those of the last layer may not have
-        been looked at."""
+        """Item n has the configurations that are n steps from the start. The steps out of the last
+        item may not have been tried yet."""
         self._origins = [np.zeros(1, np.int32)]
         self._next: list[Array] = []
         self._mark_all()
         self.count, self._steps = 1, 0
 
     def nearest(self, ends: ConditionBits) -> FoundWay | None:
-        """Return the shortest run to a hit, None if there is none. TooLarge if a bound is met.
+        """Return the shortest run to a hit, or None if there is none.
 
-        If one of ``passing`` is nearer by more than a step, the run to it is returned.
+        If a configuration with a bit of ``passing`` is nearer by more than one step, return the run
+        to that one. TooLarge or BoundMet if a limit is reached.
         """
         met = -1
         while len(self.layers[-1]):
@@ -105,9 +113,10 @@ class ArraySearch:
         return None if met < 0 else self.way(len(self.layers) - 2, met, True)
 
     def everything(self) -> str:
-        """Look at all that can be reached. Return the bound that was met; empty if none was.
+        """Search everything that can be reached. Return the limit that ended the search, in words.
 
-        Then ``layers`` has the nearest configurations alone, layer by layer.
+        The text is empty if the search is complete. After a limit, ``layers`` has only the
+        configurations near the start.
         """
         nothing = ConditionBits(self.tables.mask(()))
         try:
@@ -126,8 +135,11 @@ class ArraySearch:
                 self._seen[self._numbering.of(layer[begin : begin + AT_ONCE])] = 1
 
     def _further(self, ends: ConditionBits) -> tuple[int, int]:
-        """Add the next layer. Return where in the last one the first hit is, without adding one,
-        and else the first that passes; -1 if there is none.
+        """Search the last layer, and add the layer after it.
+
+        Return two places in the last layer: that of the first hit, and that of the first
+        configuration with a bit of ``passing``. A place is -1 if there is no such configuration. If
+        there is a hit, no layer is added, and the second place is -1.
         """
         layer = self.layers[-1]
         found, origins = self._next, []
@@ -158,7 +170,11 @@ class ArraySearch:
         return -1, passing
 
     def _fresh(self, here: Array, bits: Array) -> tuple[Array, Array]:
-        """Return the configurations that were not seen before, and where each came from first."""
+        """Return the new configurations after one step from ``here``.
+
+        The second array has, for each of them, the place in ``here`` of the configuration before
+        it.
+        """
         rows, operations = self.tables.asked(bits)
         self._steps += len(rows)
         if self._steps > self._bound.steps:
@@ -172,10 +188,11 @@ class ArraySearch:
         return codes.take(first), rows.take(first)
 
     def _firsts(self, numbers: Array) -> Array:
-        """Mark numbers as seen, and return where each of them comes first.
+        """Mark the numbers as seen. Return for each different number the first place where it
+        stands.
 
-        Each place writes a digit of its own into the cell of its number, the last place first. What
-        stands there in the end is the digit of the first place. Digits are not 0.
+        Every place has a digit that is not 0. It is written into the cell of its number, from the
+        last place to the first. At the end a cell has the digit of the first place of its number.
         """
         if len(numbers) <= _DIGIT:  # as in most layers of long runs
             marks = _MARKS[: len(numbers)]
@@ -195,7 +212,7 @@ class ArraySearch:
     # the run
 
     def way(self, layer: int, at: int, during: bool) -> FoundWay:
-        """Return the run to one place of a layer."""
+        """Return the run from the start to one place of a layer."""
         codes = []
         for back in range(layer, -1, -1):
             codes.append(int(self.layers[back][at]))
@@ -204,7 +221,10 @@ class ArraySearch:
         return FoundWay(self._asked(codes), codes, during)
 
     def _asked(self, codes: Sequence[int]) -> list[OneOperation]:
-        """Return the first operation between each two configurations that follow each other."""
+        """Return an operation for each two neighbouring codes of a run.
+
+        If several operations lead from one to the other, the first one by its address is taken.
+        """
         found: list[OneOperation] = []
         tables, all_codes = self.tables, np.array(codes, self.tables.layout.kind)
         for begin in range(0, len(codes) - 1, AT_ONCE):
@@ -219,14 +239,17 @@ class ArraySearch:
 
 
 def _joined(parts: Sequence[Array], like: Array) -> Array:
-    """Return arrays as one. Without any it is empty, and of the kind of ``like``."""
+    """Return the arrays joined.
+
+    If there are no parts, return an empty array of the type of ``like``.
+    """
     if len(parts) == 1:
         return parts[0]
     return np.concatenate(parts) if parts else like[:0]
 
 
 def first_set(bits: Array, mask: Array) -> int:
-    """Return the first configuration in whose bits one of a mask is set, -1 if there is none."""
+    """Return the place of the first configuration that has a bit of the mask, or -1."""
     met = bits & mask
     if not met.any():
         return -1

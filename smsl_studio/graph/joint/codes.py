@@ -1,7 +1,8 @@
-"""Configurations as single numbers, for searches in arrays.
+"""Writes each configuration as one whole number, its code, so that arrays can hold it.
 
-Some SBs together are a group. A code has a field of bits for each group, and a field says in which
-states its SBs are. So what is true in a configuration is looked up group by group.
+The SBs are divided into groups. A code has a field of bits for each group. The field tells the
+states of all SBs of the group. So a table with one row for each value of a field answers questions
+about its group.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ import numpy as np
 from smsl_studio.graph.joint.products import TooLarge
 
 MOST_OF_GROUP = 4_096
-"""The largest product of the state counts of a group, unless it has one SB alone."""
+"""The largest product of the state counts of the SBs in a group. An SB with more states is a group
+by itself."""
 
 MOST_BITS = 62
 """The largest number of bits of a code."""
@@ -23,10 +25,11 @@ Array = np.ndarray[Any, Any]
 
 
 class CodeLayout:
-    """Where the states of each SB stand in a code.
+    """Where the state of each SB stands in a code.
 
-    ``sizes`` are the numbers of states and ``levels`` the order of the SBs, the highest first; near
-    SBs are in one group. TooLarge if a code has no room for all of them.
+    ``sizes`` has the number of states of each SB, and ``levels`` its place in the order, the
+    highest first. Neighbours in this order share a group. TooLarge if a code would need more than
+    ``MOST_BITS`` bits.
     """
 
     def __init__(
@@ -45,7 +48,7 @@ class CodeLayout:
             product *= size
         self.group_of = [0] * len(sizes)
         self.step_of = [0] * len(sizes)
-        """What one state more of an SB adds to the field of its group."""
+        """How much the field of the group grows if the number of the SB's state grows by 1."""
         self.widths: list[int] = []
         for number, group in enumerate(self.groups):
             step = 1
@@ -64,36 +67,38 @@ class CodeLayout:
         return sum(self.moved(one, state) for one, state in enumerate(configuration))
 
     def moved(self, one: int, by: int) -> int:
-        """Return what a code changes by if an SB moves by a number of states."""
+        """Return the change of the code if the number of an SB's state changes by ``by``."""
         return by * self.step_of[one] << self.shifts[self.group_of[one]]
 
     def states(self, codes: Array, one: int) -> Array:
-        """Return the states of an SB in some configurations."""
+        """Return the number of the SB's state in each configuration."""
         field = self.field(codes, self.group_of[one])
         return field // self.step_of[one] % max(self.sizes[one], 1)
 
     def states_in_field(self, one: int) -> Array:
-        """Return the state of an SB for each value that the field of its group can have."""
+        """Return an array: for each value of the field of the SB's group, the number of the SB's
+        state.
+        """
         fields = np.arange(1 << self.widths[self.group_of[one]])
         return fields // self.step_of[one] % max(self.sizes[one], 1)
 
     def field(self, codes: Array, group: int) -> Array:
-        """Return the fields of a group."""
+        """Return the value of a group's field in each code."""
         shift = self.shifts[group]
         found = codes >> shift if shift else codes
         return found & ((1 << self.widths[group]) - 1) if group else found
 
 
 class PlainNumbers:
-    """Numbers configurations by their codes."""
+    """Uses each code as its own number. It is for short codes."""
 
     def __init__(self, layout: CodeLayout) -> None:
         self.size = 1 << layout.bits
 
     def made_room(self, count: int) -> bool:
-        """Return False: there is room for all."""
+        """Return False: there is a number for every code."""
         return False
 
     def of(self, codes: Array) -> Array:
-        """Return the number of each configuration, below ``size``."""
+        """Return the codes themselves, each below ``size``."""
         return codes

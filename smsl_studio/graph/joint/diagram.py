@@ -85,7 +85,7 @@ class Diagram:
         heed()
 
     def allow(self, work: int = 4 * MOST_WORK) -> None:
-        """Let the looks at nodes that come be at most so many."""
+        """Raise TooLarge after ``work`` further looks at nodes."""
         self._most_work = self._work + work
 
     def keep(self) -> None:
@@ -203,14 +203,14 @@ class Diagram:
         return found
 
     def boxes(self, found: int, most: int) -> list[JointBox]:
-        """Return boxes that together are a set. TooLarge if they are more than ``most``."""
+        """Return boxes whose union is ``found``. TooLarge if more than ``most`` are needed."""
         one_of = [0] * self.height
         for one, level in enumerate(self.levels):
             one_of[level] = one
         boxes: list[JointBox] = []
 
         def below(node: int, level: int, box: JointBox) -> None:
-            """Add the boxes of a node. ``box`` has the states of the levels above."""
+            """Add the boxes of a node. ``box`` has the states of the SBs above this level."""
             self.spend()
             if level < 0:
                 boxes.append(box)
@@ -231,12 +231,12 @@ class Diagram:
         return boxes
 
     def members(self, found: int, most: int) -> Iterator[tuple[int, ...]]:
-        """Yield at most ``most`` configurations of a set, in an order that is always the same."""
+        """Yield at most ``most`` configurations of a set. Equal sets give the same order."""
         one_of = {level: one for one, level in enumerate(self.levels)}
         states = [0] * self.height
 
         def below(node: int, level: int) -> Iterator[tuple[int, ...]]:
-            """Yield the configurations of a node."""
+            """Yield the configurations of a node, without the SBs above its level."""
             if level < 0:
                 yield tuple(states)
                 return

@@ -1,4 +1,4 @@
-"""Further starts as sets: the state of one SB is replaced by a failure state."""
+"""Failures as products of steps: one SB changes from its state to a failure state."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from smsl_studio.stop import heed
 
 
 def failed_moves(hierarchy: Hierarchy, numbers: StateNumbers) -> Iterator[JointMoves]:
-    """Yield products that lead from a configuration to those in which one SB has failed.
+    """Yield products of steps that lead from a configuration to those in which one SB has failed.
 
-    The sub-SBs of that SB stand as at a start. A base stays if it agrees, else that start is left
-    out.
+    The sub-SBs of the failed SB go to the states that they have at a start. A base of a changed SB
+    keeps its state. If that state does not agree with its sub-SBs, the failure is left out.
     """
     blueprint = hierarchy.blueprint
     for name in hierarchy.order:

@@ -1,4 +1,4 @@
-"""What a search for a shortest run looks for, and what it finds."""
+"""The goals of a search for a shortest run, and the run that it finds."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from smsl_studio.graph.joint.products import JointBox
 
 
 class SearchGoals(NamedTuple):
-    """Boxes of configurations.
+    """The goals of a search, as boxes of configurations.
 
-    ``hits`` are wanted. Out of one of ``passing`` a step passes what is wanted. Steps begin in
-    ``may`` alone, if it is given.
+    ``hits`` are wanted. From a configuration of ``passing`` one step passes through a wanted one.
+    If ``may`` is given, only configurations of ``may`` are left by a step.
     """
 
     hits: Sequence[JointBox]
@@ -22,15 +22,15 @@ class SearchGoals(NamedTuple):
 
     @property
     def boxes(self) -> list[JointBox]:
-        """All boxes, in this order."""
+        """All boxes: ``hits``, then ``passing``, then ``may``."""
         return [*self.hits, *self.passing, *(self.may or ())]
 
 
 class FoundRun(NamedTuple):
-    """A shortest run: the operations that are asked, and the configuration at its end.
+    """A shortest run: the operations that are asked for, and the configuration at its end.
 
-    With ``during`` the end is none that is wanted, but a step out of it passes one. Without a
-    ``start`` it begins where a run does.
+    ``during`` is True if the end is not wanted itself, but one step from there passes through a
+    wanted configuration. ``start`` is None if the run begins at the usual start.
     """
 
     path: list[Address]

@@ -1,4 +1,4 @@
-"""Numbers configurations by themselves: each gets a cell of a table when it is first met."""
+"""Numbers configurations with a hash table. It is for sets that are not known before the search."""
 
 from __future__ import annotations
 
@@ -8,21 +8,26 @@ from smsl_studio.graph.joint.codes import Array
 from smsl_studio.graph.joint.products import TooLarge
 
 FIRST_BITS, MOST_BITS = 16, 26
-"""A table has from 2 to the power of 16 up to 2 to the power of 26 cells: then it takes 0.5 GB."""
+"""The table begins with 2 to the power of ``FIRST_BITS`` cells, and grows to 2 to the power of
+``MOST_BITS``. The largest table takes 0.5 GB."""
 
 _MIXED = 0x9E3779B97F4A7C15
 """An odd number that spreads codes over all cells (the golden ratio, in 64 bits)."""
 
 
 class HashNumbers:
-    """Numbers configurations by their cells. At most half of the cells are filled."""
+    """Gives each configuration a cell of a hash table. The cell's place is its number.
+
+    At most half of the cells are filled, so that a free cell is found fast.
+    """
 
     def __init__(self) -> None:
         self._begin(FIRST_BITS)
 
     def _begin(self, bits: int) -> None:
         self._bits = bits
-        # Zeros take no memory before they are used. A cell has its code and one more.
+        # A filled cell has the code plus 1; a free cell has 0. The system gives memory only to
+        # pages that have been written.
         self._cells = np.zeros(1 << bits, np.int64)
 
     @property
@@ -31,9 +36,10 @@ class HashNumbers:
         return len(self._cells)
 
     def made_room(self, count: int) -> bool:
-        """Have cells for ``count`` configurations. Return whether all must be numbered anew.
+        """Make the table large enough for ``count`` configurations in total.
 
-        TooLarge if they are too many.
+        Return True if the table has grown: then all old numbers are invalid, and the caller must
+        ask for them again. TooLarge if ``count`` needs a table above the limit.
         """
         bits = self._bits
         while 2 * count > 1 << bits:
@@ -46,7 +52,7 @@ class HashNumbers:
         return True
 
     def of(self, codes: Array) -> Array:
-        """Return the cell of each configuration."""
+        """Return the number of each configuration. A new configuration gets a free cell."""
         wanted = codes.astype(np.int64) + 1
         mixed = wanted.astype(np.uint64) * np.uint64(_MIXED)
         cells = (mixed >> np.uint64(64 - self._bits)).astype(np.int64)

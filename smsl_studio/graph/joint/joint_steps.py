@@ -1,4 +1,4 @@
-"""The steps of a blueprint as sets, with its start, and conditions as sets of configurations."""
+"""The steps of a blueprint and its conditions, as sets of configurations."""
 
 from __future__ import annotations
 
@@ -15,18 +15,19 @@ from smsl_studio.graph.joint.products_of import ANY_EDGE, ProductSteps
 from smsl_studio.graph.joint.shut import without_shut
 
 MOST_BRANCHES = 200
-"""The largest number of SBs: so deep may a diagram be."""
+"""The largest number of SBs. A diagram has one level for each SB."""
 
 MOST_BOXES = 64
-"""The largest number of boxes of a condition."""
+"""The largest number of boxes that one condition may need."""
 
 
 class JointSteps:
-    """All steps of a blueprint. TooLarge if a bound is met, RunRefused if there is no start.
+    """All steps of a blueprint, as products.
 
-    With ``shut`` they are those that a route may take: none leads into a failure state, and none
-    meets one of the conditions of ``shut``. With ``failures`` they may begin where one SB has
-    failed: ``failed`` leads there.
+    If ``shut`` is given, only the steps remain that a route may take. They do not lead into a
+    failure state, and they do not meet a condition of ``shut``. With ``failures`` a run may also
+    begin where one SB has failed; the products in ``failed`` lead there. TooLarge if a limit is
+    met, RunRefused if there is no start.
     """
 
     def __init__(
@@ -56,12 +57,14 @@ class JointSteps:
         return Diagram(self.numbers.sizes, self.levels)
 
     def coded(self, configuration: Mapping[str, str]) -> tuple[int, ...]:
-        """Return a configuration as the numbers of its states."""
+        """Return a configuration as numbers: for each SB the number of its state."""
         return self.numbers.coded(configuration)
 
     def boxes(self, meaning: Meaning, holds: bool) -> list[JointBox]:
-        """Return boxes that together have all configurations in which a condition holds, or does
-        not hold. TooLarge if they are many.
+        """Return boxes whose union has exactly the configurations in which a condition holds.
+
+        If ``holds`` is False, return those in which it does not hold. TooLarge if there are more
+        than ``MOST_BOXES``.
         """
         if isinstance(meaning, States):
             at = self.numbers.at[meaning.branch]
@@ -94,11 +97,11 @@ class JointSteps:
         return found
 
     def passing(self, diagram: Diagram, wanted: int, branches: Collection[str], within: int) -> int:
-        """Return the configurations of ``within`` outside of a set, out of which a step passes one
-        of the set.
+        """Return the configurations from which one step passes through a configuration of
+        ``wanted``.
 
-        ``branches`` are the SBs that the set depends on. TooLarge if what steps pass takes too much
-        to be worked out exactly.
+        They are all in ``within`` and not in ``wanted``. ``branches`` are the SBs on which
+        ``wanted`` depends. TooLarge if the exact answer would take too much work.
         """
         seen = {self.numbers.at[name] for name in branches}
         asked = wanted, within, seen
@@ -120,7 +123,7 @@ def _before(
 
 
 def _both(one: JointBox, other: JointBox) -> JointBox | None:
-    """Return what is in both of two boxes, None if there is nothing."""
+    """Return the intersection of two boxes, or None if it is empty."""
     found = dict(one)
     for at, states in other.items():
         found[at] = states & found[at] if at in found else states

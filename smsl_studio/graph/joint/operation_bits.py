@@ -1,8 +1,9 @@
-"""The operations of a blueprint as bits: which may be asked in a configuration is one number.
+"""Tables that tell for many configurations at once which operations are permitted.
 
-An operation of an SB has one bit for each product of its steps, whatever state it begins in: no two
-states of an SB are active at once. The bits are in the order of the addresses. Conditions have bits
-too, behind those of the operations.
+Each operation is one bit. So one number for each configuration says which operations are permitted
+there. An operation that several states of an SB have shares one bit, because only one of these
+states is active. An operation gets several bits if its steps are several products. The bits are in
+the order of the addresses. The bits of conditions follow them.
 """
 
 from __future__ import annotations
@@ -19,17 +20,17 @@ from smsl_studio.graph.joint.products import JointBox, TooLarge
 from smsl_studio.stop import heed
 
 MOST_OPERATIONS = 2_048
-"""The largest number of bits of a configuration."""
+"""The largest number of bits that a configuration may have."""
 
 MOST_BYTES = 8_000_000
-"""The largest size of the tables of bits."""
+"""The largest size of the tables of bits, in bytes."""
 
 MOST_ENTRIES = 8_000_000
 """The largest number of entries of the tables of changes."""
 
 
 class OneOperation(NamedTuple):
-    """One product of the steps of an operation: for each SB the target of each state."""
+    """One operation: for each SB that takes part, the target state of each state (as numbers)."""
 
     branch: str
     name: str
@@ -37,7 +38,7 @@ class OneOperation(NamedTuple):
 
 
 def one_by_one(steps: JointSteps) -> list[OneOperation]:
-    """Return the operations in the order of their addresses. TooLarge if they are too many."""
+    """Return the operations sorted by address. TooLarge if they are too many."""
     found = list(_split(steps))
     found.sort(key=lambda one: (f"{escape(one.branch)}/", escape(one.name)))
     return found
@@ -65,10 +66,10 @@ def _split(steps: JointSteps) -> Iterator[OneOperation]:
 
 
 class BitTables:
-    """Says of many configurations at once which bits are set, and where the operations lead.
+    """Tells for many configurations at once which bits are set, and where operations lead.
 
-    ``boxes`` are the conditions: all configurations with some states of some SBs. TooLarge if the
-    tables would be too large.
+    ``boxes`` are conditions: the bit of a box is set in the configurations that belong to it.
+    TooLarge if the tables would be too large.
     """
 
     def __init__(
@@ -92,7 +93,10 @@ class BitTables:
         self._vary()
 
     def _set(self, rows: Sequence[Mapping[int, Sequence[int]]]) -> list[Array]:
-        """Return the table of each group: a row of bits for each value of its field."""
+        """Return one table for each group of SBs.
+
+        Its row n has the bits that value n of the field allows.
+        """
         found = []
         for group, width in enumerate(self.layout.widths):
             bits = np.zeros((1 << width, self._width), np.bool_)
@@ -114,7 +118,10 @@ class BitTables:
         return np.ascontiguousarray(packed[:, 0] if packed.shape[1] == 1 else packed)
 
     def mask(self, boxes: Sequence[int]) -> Array:
-        """Return the bits of some conditions, by their numbers."""
+        """Return a mask with the bits of some boxes.
+
+        ``boxes`` has their places in the list of boxes.
+        """
         bits = np.zeros((1, self._width), np.bool_)
         bits[0, [self.count + one for one in boxes]] = True
         found: Array = self._packed(bits)[0]
@@ -122,14 +129,17 @@ class BitTables:
 
     @property
     def operation_mask(self) -> Array:
-        """The bits of all operations."""
+        """A mask with the bits of all operations."""
         bits = np.zeros((1, self._width), np.bool_)
         bits[0, : self.count] = True
         found: Array = self._packed(bits)[0]
         return found
 
     def asked(self, bits: Array) -> tuple[Array, Array]:
-        """Return the configurations and the operations whose bits are set, in their order."""
+        """Return two arrays with one entry for each set bit.
+
+        They have the place of the configuration and the number of the operation, in this order.
+        """
         flat = np.unpackbits(bits.view(np.uint8).reshape(-1), bitorder="little")
         (places,) = flat.view(np.bool_).nonzero()
         return places >> self._shift, places & (self._width - 1)
@@ -145,7 +155,10 @@ class BitTables:
     # where operations lead
 
     def _change(self, operation: OneOperation) -> int:
-        """Return what an operation adds to a code, as far as that is the same everywhere."""
+        """Return the number that an operation always adds to a code.
+
+        SBs whose change depends on their state are left out; ``_vary`` has tables for them.
+        """
         total = 0
         for one, targets in operation.targets.items():
             by = {target - source for source, target in targets.items()}
@@ -154,7 +167,7 @@ class BitTables:
         return total
 
     def _vary(self) -> None:
-        """Make the tables of the operations that do not add the same to all codes."""
+        """Make the tables for the operations whose change of the code depends on the states."""
         layout = self.layout
         uneven = {
             number: moving
@@ -182,7 +195,7 @@ class BitTables:
         self._is_uneven = bool(uneven)
 
     def led(self, codes: Array, operations: Array) -> Array:
-        """Return where each of some operations leads from a configuration of its own."""
+        """Return the code after each step: operation n is taken in configuration n."""
         found: Array = codes + self.changes.take(operations)
         if self._is_uneven:
             kinds = self._uneven.take(operations)

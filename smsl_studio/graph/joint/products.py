@@ -49,10 +49,11 @@ class StateNumbers:
 
 
 class AskedMoves(NamedTuple):
-    """A product of the steps that are taken if one of some operations of one SB is asked.
+    """The steps that follow if one of ``edges``, operations of one SB, is asked for.
 
-    ``passed`` are what all steps of these operations pass, ``rough`` those of which some may not be
-    passed in truth.
+    ``moves`` is their product. ``passed`` leads to the configurations through which these steps
+    pass. ``rough`` leads to further ones, which are not certain: a step may pass through them, or
+    may not.
     """
 
     edges: Sequence[Edge]
@@ -63,10 +64,10 @@ class AskedMoves(NamedTuple):
 
 @dataclass
 class JointProducts:
-    """All steps of a blueprint, and what they pass on their way.
+    """All steps of a blueprint, and the configurations that they pass through.
 
-    ``asked`` has the same steps by the operations that are asked. ``rough`` are passed
-    configurations of which some may not be passed in truth.
+    ``asked`` has the same steps, sorted by the operation that is asked for. ``passed`` is certain.
+    ``rough`` is not certain: a step may pass through these configurations, or may not.
     """
 
     steps: list[JointMoves] = field(default_factory=list)

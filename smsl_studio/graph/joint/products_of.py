@@ -60,9 +60,9 @@ class _Group:
 
 
 class ProductSteps:
-    """Writes the product steps of a blueprint, in which any operation may succeed.
+    """Writes the steps of a blueprint as products. Any operation may succeed.
 
-    ``terms`` leave edges out, such as those into a failure.
+    ``terms`` can exclude operations, for example those that lead into a failure.
     """
 
     def __init__(

@@ -1,7 +1,9 @@
-"""Numbers the configurations of a diagram without a gap, so that a byte each is enough.
+"""Numbers the configurations of a set that a diagram holds: 0, 1, 2 and so on, without a gap.
 
-The number of a configuration is how many come before it. For each node at the top of a group of SBs
-a table says how many come before each value of the field of the group, and which node follows.
+So a search needs only one byte for each configuration of the set to mark it as seen. The number of
+a configuration is the count of those that come before it. The tables give this count group by group
+(see ``CodeLayout``). Each row of a table is for one node of the diagram. Each column is for one
+value of the group's field.
 """
 
 from __future__ import annotations
@@ -14,16 +16,16 @@ from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.stop import heed
 
 MOST_ENTRIES = 8_000_000
-"""The largest number of entries of the tables, 64 MB."""
+"""The largest number of entries of all tables together (64 MB)."""
 
 _Level = tuple[Array, Array]
-"""The rows of the nodes below, and how many configurations come before each of them."""
+"""Two tables for one level: the row of the node below, and how many configurations come before."""
 
 
 class RankNumbers:
-    """Numbers the configurations of the set ``whole``. Row 0 of each table is the empty set.
+    """Numbers the configurations of the set ``whole``. Row 0 of each table is for the empty set.
 
-    TooLarge if the tables would be too large.
+    TooLarge if the tables would have more than ``MOST_ENTRIES`` entries.
     """
 
     def __init__(self, layout: CodeLayout, diagram: Diagram, whole: int) -> None:
@@ -51,7 +53,7 @@ class RankNumbers:
             self._rows.append(self._padded(rows << after, width))
 
     def _level(self, nodes: list[int], level: int) -> tuple[list[int], _Level]:
-        """Return the nodes below those of a level, and the tables of the level."""
+        """Return the nodes one level below ``nodes``, and the two tables of this level."""
         children = self._diagram.children
         further = dict.fromkeys(one for node in nodes for one in children[node] if one)
         row = {0: 0, **{node: number for number, node in enumerate(further, 1)}}
@@ -70,11 +72,11 @@ class RankNumbers:
         return found.reshape(-1)
 
     def made_room(self, count: int) -> bool:
-        """Return False: there is room for all."""
+        """Return False: every configuration of the set already has a number."""
         return False
 
     def of(self, codes: Array) -> Array:
-        """Return the number of each configuration, which must be one of the set."""
+        """Return the number of each configuration. All must belong to the set."""
         field = self._layout.field(codes, 0)
         field = field + (1 << self._layout.widths[0])  # the row of the whole set
         found = self._before[0].take(field)
@@ -87,9 +89,10 @@ class RankNumbers:
 
 
 def ranked(diagram: Diagram, whole: int) -> tuple[CodeLayout, RankNumbers]:
-    """Return codes and numbers for a set, in groups that are as large as the tables allow.
+    """Return a layout of codes and the numbers for a set.
 
-    TooLarge if no groups are small enough.
+    The groups are as large as the tables allow, because fewer groups are faster. TooLarge if even
+    small groups need too many entries.
     """
     by_level = [0] * diagram.height
     for one, level in enumerate(diagram.levels):

@@ -14,16 +14,18 @@ from smsl_studio.graph.joint.products import JointBox, TooLarge, guarded
 from smsl_studio.graph.joint.saturation import Saturation
 
 IN_ARRAYS = 1 << 26
-"""A product of state counts up to which all configurations can be looked at in arrays."""
+"""If the product of all state counts is at most this, all configurations fit into arrays."""
 
 LEAST_WORK, SHARE = 200_000, 8
-"""Then so many looks at nodes are tried for a diagram, or one for so many configurations."""
+"""If arrays are possible, the diagram is given up after ``LEAST_WORK`` looks at nodes, or after one
+look for each ``SHARE`` configurations if that is more."""
 
 
 class JointReach:
-    """What can be reached by some steps from their start. TooLarge if a bound is met.
+    """The set of all configurations that can be reached by some steps from their start.
 
-    With ``soon`` it is given up earlier if all configurations can be looked at in arrays.
+    With ``soon`` the diagram is given up early if all configurations fit into arrays. TooLarge if a
+    limit is met.
     """
 
     def __init__(self, steps: JointSteps, soon: bool = False) -> None:
@@ -37,7 +39,7 @@ class JointReach:
         saturation = Saturation(self.diagram, self._onward)
         self.whole = saturation.reached(self.start)
         self.begun = self.diagram.point(self.start)
-        """All configurations in which a run begins."""
+        """The set of all configurations in which a run may begin."""
         for one in steps.failed:
             image = self.diagram.image(self.whole, Relation(one, steps.levels))
             self.begun = self.diagram.union(self.begun, image, self._top)
@@ -55,10 +57,11 @@ class JointReach:
         return bool(self.diagram.both(self.whole, wanted, self._top))
 
     def passing(self, wanted: int, branches: Collection[str]) -> int:
-        """Return what can be reached outside of a set, and out of which a step passes one of it.
+        """Return the configurations that can be reached and from which one step passes through
+        ``wanted``.
 
-        ``branches`` are the SBs that the set depends on. TooLarge if what steps pass takes too much
-        to be worked out exactly.
+        They are not in ``wanted`` themselves. ``branches`` are the SBs on which ``wanted`` depends.
+        TooLarge if the exact answer would take too much work.
         """
         return self.steps.passing(self.diagram, wanted, branches, self.whole)
 
@@ -70,11 +73,12 @@ class JointReach:
         return JointPaths(self, forth, [Relation(one, levels, True) for one in products])
 
     def in_arrays(self, goals: SearchGoals) -> FoundRun | None:
-        """Return the first of the shortest runs, configuration by configuration in arrays.
+        """Return the shortest run to a goal, found with arrays, or None.
 
-        TooLarge if that takes too much.
+        Of several shortest runs it is the first one by its addresses. TooLarge if that takes too
+        much work.
         """
-        # numpy is loaded for this alone.
+        # Only this needs numpy, so it is loaded here.
         from smsl_studio.graph.joint.array_runs import shortest_run
 
         return shortest_run(self.steps, goals, (self.diagram, self.whole))
@@ -99,19 +103,19 @@ class JointPaths:
         self._diagram, self._top = reach.diagram, reach.diagram.height - 1
 
     def reached(self) -> int:
-        """Return what can be reached from where runs begin."""
+        """Return the set that can be reached from all configurations in which a run may begin."""
         return Saturation(self._diagram, self._forth).closed(self._reach.begun)
 
     def onward(self, found: int) -> int:
-        """Return where one step leads from a set."""
+        """Return the set of configurations after one step from ``found``."""
         return self._image(found, self._forth)
 
     def backward(self, found: int) -> int:
-        """Return from where one step leads into a set."""
+        """Return the set of configurations from which one step leads into ``found``."""
         return self._image(found, self._back)
 
     def reached_from(self, found: int) -> int:
-        """Return what can be reached from a set."""
+        """Return the set that can be reached from ``found``."""
         return Saturation(self._diagram, self._forth).closed(found)
 
     def leading_to(self, wanted: int, within: int | None) -> int:
@@ -127,11 +131,12 @@ class JointPaths:
         return found
 
     def nearest(self, hits: int, passing: int, most: int | None = None) -> tuple[list[int], bool]:
-        """Return the sets of configurations on shortest runs, step by step from the start.
+        """Return the sets of configurations on the shortest runs, one set for each step.
 
-        The last set has the nearest of ``hits``. If one of ``passing`` is nearer by more than a
-        step, the last set has those, and True is returned. One of them must be reached. TooLarge
-        after ``most`` steps.
+        The last set has the nearest configurations of ``hits``. If a configuration of ``passing``
+        is nearer by more than one step, the last set has those of ``passing``, and the second
+        result is True. The caller knows that one of them can be reached. TooLarge after ``most``
+        steps.
         """
         diagram, top = self._diagram, self._top
         layers = [self._reach.begun]
@@ -152,9 +157,12 @@ class JointPaths:
             seen = diagram.union(seen, further, top)
 
     def approaches(self, wanted: int) -> Iterator[tuple[Callable[[int], list[int]], int]]:
-        """Yield the configurations of a set that are reached with as many steps, the nearest first.
+        """Yield the configurations of ``wanted`` by their distance from the start, the nearest
+        first.
 
-        With them comes a function that returns the sets on the shortest runs to some of them.
+        Each item has the configurations at one distance. The function beside them takes some of
+        these, and returns the sets of configurations on the shortest runs to them, one set for each
+        step.
         """
         diagram, top = self._diagram, self._top
         layers = [self._reach.begun]

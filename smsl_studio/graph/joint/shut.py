@@ -1,4 +1,6 @@
-"""Product steps without those that meet what is shut, at their end or on their way."""
+"""Removes the steps that a route must not take, because they end in a forbidden configuration or
+pass through one.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from smsl_studio.graph.joint.products import (
 from smsl_studio.stop import heed
 
 MOST_PRODUCTS = 20_000
-"""The largest number of products after some steps were left out."""
+"""The largest number of products that may remain after steps were removed."""
 
 
 def without_shut(
@@ -25,10 +27,11 @@ def without_shut(
     numbers: StateNumbers,
     start: Sequence[int] | None,
 ) -> list[AskedMoves]:
-    """Return the products without the steps that meet one of the boxes.
+    """Return the products without the steps that meet a box of ``shut``.
 
-    Steps that move no SB of a box come into it only if the ``start`` is in it; None is any start.
-    TooLarge if they become too many, or if it is not known exactly what they pass.
+    A step can only enter a box if it moves one of the box's SBs. All other steps stay, if ``start``
+    is outside of all boxes. None means that the run may begin anywhere. TooLarge if there are too
+    many products, or if it is not known exactly what a step passes through.
     """
     found: list[AskedMoves] = []
     inside = start is None or any(
@@ -50,7 +53,7 @@ def without_shut(
 def _of_edge(
     asked: AskedMoves, edge: Edge, shut: Sequence[JointBox], numbers: StateNumbers
 ) -> Iterator[AskedMoves]:
-    """Yield the products of one operation alone."""
+    """Yield the products of one operation that remain."""
     at = numbers.at[edge.branch]
     own = numbers.number[at][edge.source], numbers.number[at][edge.target]
     if own not in asked.moves[at]:
@@ -73,7 +76,10 @@ def _of_edge(
 
 
 def _narrowed(passed: JointMoves, at: int, own: tuple[int, int]) -> JointMoves:
-    """Return what the steps of one operation pass: its own SB stands still, or has moved."""
+    """Return only those passed configurations that belong to the operation ``own``.
+
+    The SB of the operation is still in the source state, or already in the target state.
+    """
     source, _ = own
     if at not in passed:
         return passed
@@ -82,7 +88,7 @@ def _narrowed(passed: JointMoves, at: int, own: tuple[int, int]) -> JointMoves:
 
 
 def _leading_into(moves: JointMoves, box: JointBox) -> JointBox | None:
-    """Return the configurations that a product leads into a box, None if there are none."""
+    """Return the configurations that a product leads into a box. None if there are none."""
     found: dict[int, frozenset[int]] = {}
     for at, pairs in moves.items():
         wanted = box.get(at)
@@ -93,8 +99,10 @@ def _leading_into(moves: JointMoves, box: JointBox) -> JointBox | None:
 
 
 def _outside(moves: JointMoves, box: JointBox, sizes: Sequence[int]) -> Iterator[JointMoves]:
-    """Yield products that together have the steps that do not begin in a box. No two of them have
-    a step in common."""
+    """Yield products that have exactly those steps of ``moves`` that do not begin in the box.
+
+    No step is in two of the products.
+    """
     rest = dict(moves)
     for at, states in sorted(box.items()):
         pairs = rest.get(at)

@@ -1,6 +1,7 @@
-"""Approval: what people signed, and whether it counts. docs/approval.md explains it for people.
+"""Approval: what people have signed about a blueprint, and whether it counts.
 
-``statement`` is what one person signs, ``record_file`` the file of all who signed. ``policy`` and
-``register`` say who may. ``judge`` is the one place that decides; it reads no file and no clock.
-``key_store``, ``seen_records`` and ``audit_log`` are the folder of the user.
+docs/approval.md explains it for users. ``statement`` has what one person signs. ``record_file`` is
+the file with the statements of all signers. ``policy`` and ``register`` say who may sign. ``judge``
+alone decides; it reads no file and no clock. ``key_store``, ``seen_records`` and ``audit_log``
+handle the files in the user's folder.
 """

@@ -1,7 +1,7 @@
-"""The audit log of the store: what was done with keys and records, one line each, as a chain.
+"""The audit log of the store: one line for each action with a key or a record.
 
-A line cannot be changed or taken out without a trace. The last lines can be cut off; the number and
-the hash of the last line stand beside the log, so that this is seen too.
+Each line has a hash of the lines before it. So a changed or removed line is detected. To detect
+that lines at the end were cut off, a second file has the number of lines and the last hash.
 """
 
 from __future__ import annotations
@@ -28,8 +28,10 @@ Json = Any
 
 
 def append_act(now: datetime, act: str, **said: Json) -> None:
-    """Append a line to the audit log. SealError if the log has been changed, SaveError if it cannot
-    be written. The caller holds the store (see ``store_alone``)."""
+    """Append a line to the audit log. The caller must hold the lock of the store (``store_alone``).
+
+    SealError if somebody has changed the log, SaveError if it cannot be written.
+    """
     path = audit_file()
     chain, count = _checked(path)
     line = json.dumps({"time": written_time(now), "act": act, **said}, separators=(",", ":"))
@@ -45,7 +47,7 @@ def append_act(now: datetime, act: str, **said: Json) -> None:
 
 
 def read_acts() -> tuple[Mapping[str, Json], ...]:
-    """Return the lines of the audit log. SealError if it has been changed."""
+    """Return the lines of the audit log. SealError if somebody has changed it."""
     raw = seen_at(audit_file(), LARGEST).raw
     _checked(audit_file())
     lines = (unlinked(line) for line in raw.splitlines(keepends=True))
@@ -53,7 +55,7 @@ def read_acts() -> tuple[Mapping[str, Json], ...]:
 
 
 def audit_file() -> Path:
-    """Return the path of the audit log. It need not exist."""
+    """Return the path of the audit log. The file exists only after the first action."""
     return store_folder() / "audit.jsonl"
 
 
@@ -62,7 +64,10 @@ def _head_file() -> Path:
 
 
 def _checked(path: Path) -> tuple[Chain, int]:
-    """Return the chain over the log, and the number of its lines."""
+    """Return the chain of hashes of the log, and the number of its lines.
+
+    SealError if somebody has changed the log.
+    """
     try:
         found = seen_at(path, LARGEST)
     except OSError as error:
@@ -76,7 +81,7 @@ def _checked(path: Path) -> tuple[Chain, int]:
     if head is None and found == NOTHING:
         return chain, 0
     count_said = head.get("count") if isinstance(head, dict) else None
-    # A stop between the line and its head leaves exactly one line more.
+    # If the program was stopped after it wrote a line, the second file counts one line less.
     if head != {"count": count, "hash": chain.digest} and count_said != count - 1:
         raise _changed(path, max(count, 1), "lines at its end were taken away or put there")
     return chain, count

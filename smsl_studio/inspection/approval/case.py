@@ -1,4 +1,4 @@
-"""The case of a blueprint: everything that decides whether it is approved, as frozen values."""
+"""The case of a blueprint: everything on which its approval depends, as frozen values."""
 
 from __future__ import annotations
 
@@ -16,9 +16,12 @@ from smsl_studio.inspection.approval.statement import SignedFile, WorldCode
 
 @dataclass(frozen=True, slots=True)
 class SeenRecord:
-    """A record that this user's store has seen: the identity of its key, its digest, and what it
-    follows. It counts only if the key is known as one of the same person, so that a foreign
-    register cannot make the records of others look old."""
+    """A record that this user's store has seen.
+
+    ``key`` is the identity of the signing key, and ``follows`` the digest of the record before it.
+    The record counts only if the key is known as a key of the same person. Else a foreign register
+    could make the records of other people look old.
+    """
 
     key: str
     digest: str
@@ -27,11 +30,11 @@ class SeenRecord:
 
 @dataclass(frozen=True, slots=True)
 class TrustGrounds:
-    """Whose signatures count: the policy, the keys, and what the user's store knows.
+    """Whose signatures count, and which records the user's store knows.
 
-    ``registered`` says that the keys are those of a register. ``revoked`` has digests that the
-    store revoked, with the reasons; with a register they do not count. ``given`` says that a file
-    names the policy.
+    ``registered`` says that the keys come from a register. ``revoked`` has the digests that the
+    user has revoked, with the reasons; they do not count if there is a register. ``given`` says
+    that the policy comes from a file.
     """
 
     policy: TrustPolicy = USUAL
@@ -44,10 +47,10 @@ class TrustGrounds:
 
 @dataclass(frozen=True, slots=True)
 class PresentState:
-    """What is there now: the digests, the code of the rules, the code in a world, open errors.
+    """The present state: digests of the blueprint, code of the rules and of the world, open errors.
 
-    ``code`` is None where a world has no code, or where no world is asked about. ``missing`` says
-    what is not there in that world.
+    ``code`` is None if the world has no code, or if no world is asked about. ``missing`` says what
+    the world lacks.
     """
 
     digests: Digests
@@ -60,8 +63,11 @@ class PresentState:
 
 @dataclass(frozen=True, slots=True)
 class ApprovalCase:
-    """One blueprint with its records. ``uncovered`` says why a file that was not looked at again
-    has no valid record of its own; it returns the empty text if it has one."""
+    """The records of one blueprint, and everything that is needed to judge them.
+
+    ``uncovered`` takes an imported file that the signer did not check. It returns why that file has
+    no valid record of its own, or the empty text if it has one.
+    """
 
     records: tuple[SignedRecord, ...] | Refusal
     grounds: TrustGrounds

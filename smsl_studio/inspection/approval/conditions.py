@@ -25,9 +25,9 @@ _UNTIL = re.compile(r"until (\S+)")
 
 @dataclass(frozen=True, slots=True)
 class Asking:
-    """What is known where conditions are asked. None: this cannot be asked here.
+    """What is known at the moment at which conditions are checked. None means unknown.
 
-    ``rates`` has the readings a second (Hz) of the quickest sensor of each fact.
+    ``rates`` has for each fact the readings a second (Hz) of its quickest sensor.
     """
 
     now: datetime
@@ -38,7 +38,7 @@ class Asking:
 
 @dataclass(frozen=True, slots=True)
 class TypedCondition:
-    """A condition that a program can ask. ``kind`` is world, supervisor, sensor or until."""
+    """A condition that a program can check. ``kind`` is world, supervisor, sensor or until."""
 
     text: str
     kind: str
@@ -48,7 +48,7 @@ class TypedCondition:
     until: datetime | None = None
 
     def is_met(self, asking: Asking) -> bool | None:
-        """Whether it is met. None if that cannot be asked here."""
+        """Whether the condition is met. None if what it needs is not known here."""
         if self.kind == "world":
             return None if asking.world is None else asking.world == self.world
         if self.kind == "supervisor":
@@ -61,7 +61,7 @@ class TypedCondition:
 
 
 def typed(text: str) -> TypedCondition | None:
-    """Return the typed condition of a text. None for free text."""
+    """Return the condition that a program can check. None if the text is free text."""
     if found := _WORLD.fullmatch(text):
         return TypedCondition(text, "world", world=found[1])
     if text == "supervisor present":

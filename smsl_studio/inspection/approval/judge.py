@@ -1,6 +1,6 @@
-"""Decides whether a blueprint is approved. Command line, window, Python and runs ask this.
+"""Decides whether a blueprint is approved. Command line, window, Python and runs all use it.
 
-It reads no file and no clock: the whole case is handed in.
+It reads no file and no clock. The caller passes everything in the case.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from smsl_studio.stop import heed
 Json = Any
 REFUSED = "refused"
 _TOLD = 20
-"""The largest number of open errors that are told."""
+"""The largest number of open errors that a refusal lists."""
 
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """Whether a blueprint is approved: approved, conditions or refused.
+    """The decision: approved, conditions or refused.
 
-    ``refusals`` say what is against it. ``signers`` are the last words of all persons whose
-    signature is right. ``met`` are the typed conditions that are met here.
+    ``refusals`` has the reasons against an approval. ``signers`` has, for each person with a valid
+    signature, the last record. ``met`` has the typed conditions that are met.
     """
 
     verdict: str
@@ -38,11 +38,11 @@ class Judgement:
 
     @property
     def is_approved(self) -> bool:
-        """Whether it is approved, with every condition met."""
+        """Whether the blueprint is approved and every condition is met."""
         return self.verdict == APPROVED
 
     def as_json(self) -> dict[str, Json]:
-        """Return it as ``verify`` writes it, without the file."""
+        """Return the decision in the form that ``verify`` prints, without the name of the file."""
         return {
             "verdict": self.verdict,
             "refusals": [one.as_json() for one in self.refusals],
@@ -51,7 +51,7 @@ class Judgement:
 
 
 def judge(case: ApprovalCase) -> Judgement:
-    """Decide a case."""
+    """Decide whether the blueprint of a case is approved."""
     heed()
     if isinstance(case.records, Refusal):
         return refused(case.records)
@@ -84,7 +84,7 @@ def judge(case: ApprovalCase) -> Judgement:
 
 
 def refused(*refusals: Refusal) -> Judgement:
-    """Return the judgement of a case that could not even be looked at."""
+    """Return the decision for a case that could not be read, with the reasons."""
     return Judgement(REFUSED, refusals)
 
 
@@ -98,7 +98,11 @@ def _judged(refusals: Sequence[Refusal], last: Sequence[Signer], met: list[str])
 
 
 def _missing_persons(case: ApprovalCase, last: Sequence[Signer]) -> Iterator[Refusal]:
-    """Yield what is missing of the persons that the policy asks for, and why it is missing."""
+    """If approvals are missing, yield the reasons.
+
+    First come the faults of records that do not count. Then come the number of persons and the
+    roles that are missing.
+    """
     policy = case.grounds.policy
     good = [one for one in last if one.counts]
     unfilled = _unfilled(policy.roles, good)
@@ -119,12 +123,16 @@ def _missing_persons(case: ApprovalCase, last: Sequence[Signer]) -> Iterator[Ref
 
 
 def _unfilled(roles: Mapping[str, int], good: Sequence[Signer]) -> list[str]:
-    """Return the roles that lack a person. One person fills one role (a bipartite matching)."""
+    """Return the roles for which a person is missing.
+
+    One person can fill only one role. Persons are assigned so that most roles are filled (a
+    bipartite matching).
+    """
     seats = [(role, name_of(role)) for role, many in roles.items() for _ in range(many)]
     taken: dict[int, int] = {}
 
     def place(seat: int, tried: set[int]) -> bool:
-        """Find a person for a seat. Persons who sit may move to another seat of theirs."""
+        """Find a person for a seat. A person who has a seat may move to another one."""
         for number, one in enumerate(good):
             if number in tried or seats[seat][1] not in one.roles:
                 continue
@@ -150,8 +158,11 @@ def _hardware(case: ApprovalCase) -> Iterator[Refusal]:
 
 
 def _setters(last: Signer, signers: Sequence[Signer]) -> Iterator[Signer]:
-    """Yield the records whose conditions hold for a person: the last word, and those before it as
-    long as each only said that conditions are met."""
+    """Yield the records of a person whose conditions are still valid.
+
+    They are the last record, and those before it, as long as each later one only says that
+    conditions are met.
+    """
     own = [one for one in signers if one.person == last.person and one.counts]
     for one in reversed(own):
         yield one
@@ -162,8 +173,7 @@ def _setters(last: Signer, signers: Sequence[Signer]) -> Iterator[Signer]:
 def _open_conditions(
     case: ApprovalCase, one: Signer, signers: Sequence[Signer], met: list[str]
 ) -> Iterator[Refusal]:
-    """Yield the conditions of one signer that are open. The typed ones that are met go to
-    ``met``."""
+    """Yield the open conditions of a signer. Typed conditions that are met go into ``met``."""
     for text in one.said.conditions:
         condition = typed(text)
         if condition is None:
@@ -189,7 +199,10 @@ def _unmet(condition: TypedCondition, answer: bool | None) -> str:
 
 
 def _closes(other: Signer, setter: Signer, text: str) -> bool:
-    """Whether a record says that a condition is met. It must be later, and of the same role."""
+    """Whether the record ``other`` says that a condition of ``setter`` is met.
+
+    It must be later, and its signer must have the same role.
+    """
     return (
         other.counts
         and text in other.said.met

@@ -1,4 +1,4 @@
-"""The keys of this user: their public halves with person and role, and private halves in a box."""
+"""The keys of this user. Public halves have a person and a role; private halves are encrypted."""
 
 from __future__ import annotations
 
@@ -24,9 +24,10 @@ _MEMBERS = {"format", "version", "id", "person", "role", "public", "made", "revo
 
 @dataclass(frozen=True, slots=True)
 class StoredKey:
-    """A key of the store. ``box`` has its private half, None if only the public half is here.
+    """A key of the store. ``id`` is its name in this store.
 
-    ``revoked`` says why it does not count any more. ``id`` is a local name.
+    ``box`` has the encrypted private half; it is None if the store has only the public half.
+    ``revoked`` says why the key no longer counts; it is empty for a valid key.
     """
 
     id: str
@@ -39,12 +40,12 @@ class StoredKey:
 
     @property
     def identity(self) -> str:
-        """The name of the key outside this store."""
+        """The name of the key in records and registers (see ``ed25519``)."""
         return identity(self.public)
 
     @property
     def known(self) -> KnownKey:
-        """The key as it counts without a register."""
+        """The key as ``judge`` sees it if there is no register."""
         return KnownKey(self.public, self.person, (self.role,), revoked=self.revoked)
 
     @property
@@ -53,7 +54,7 @@ class StoredKey:
         return replace(self, box=None)
 
     def with_private(self, private: bytes, passphrase: bytes) -> StoredKey:
-        """Return the key with its private half in a new box."""
+        """Return the key with its private half encrypted under a new passphrase."""
         return replace(self, box=boxed(private, passphrase, self._beside()))
 
     def opened(self, passphrase: bytes) -> bytes:
@@ -73,7 +74,7 @@ class StoredKey:
         return canonical(said)
 
     def as_file(self) -> dict[str, Json]:
-        """Return the key as the values of a file."""
+        """Return the content of the key's file, as plain values."""
         return {
             "format": FORMAT,
             "version": 1,
@@ -88,7 +89,7 @@ class StoredKey:
 
 
 def key_of_file(values: Json) -> StoredKey:
-    """Return the key in the values of a file. SealError if there is none."""
+    """Return the key in the content of a file. SealError if the content is no key."""
     if not isinstance(values, dict) or set(values) != _MEMBERS:
         raise SealError("this is no key that Studio has written")
     if values["format"] != FORMAT or values["version"] != 1 or type(values["version"]) is not int:
@@ -115,7 +116,7 @@ def key_of_file(values: Json) -> StoredKey:
 
 
 def check_id(name: str) -> None:
-    """Raise UsageError unless a text can be the local name of a key."""
+    """Raise UsageError if a text cannot be the local name of a key."""
     if not _ID.fullmatch(name):
         raise UsageError(
             f"{name[:80]!r} cannot be the local name of a key",
@@ -124,14 +125,14 @@ def check_id(name: str) -> None:
 
 
 def check_words(person: str, role: str) -> None:
-    """Raise UsageError unless the words can be those of a person and a role."""
+    """Raise UsageError if the words cannot be the name of a person and of a role."""
     for word, what in ((person, "person"), (role, "role")):
         if not word.strip() or len(word) > 1000:
             raise UsageError(f"the name of the {what} is empty or very long")
 
 
 def new_id(person: str, role: str, taken: Mapping[str, StoredKey]) -> str:
-    """Return a free local name for a key, made of its person and role."""
+    """Return a local name for a new key, made of its person and role. It is not in ``taken``."""
     plain = re.sub(r"[^a-z0-9]+", "-", f"{person} {role}".casefold()).strip("-")[:50] or "key"
     name, count = plain, 1
     while name.casefold() in {one.casefold() for one in taken}:
@@ -141,7 +142,10 @@ def new_id(person: str, role: str, taken: Mapping[str, StoredKey]) -> str:
 
 
 def stored_keys() -> dict[str, StoredKey]:
-    """Return all keys of the store by their local names. SealError if a file is not believed."""
+    """Return all keys of the store by their local names.
+
+    SealError if another person could have written a file, or if a file is no key.
+    """
     folder = _folder()
     try:
         files = sorted(path for path in folder.iterdir() if path.suffix == ".json")

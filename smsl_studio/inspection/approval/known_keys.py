@@ -1,4 +1,4 @@
-"""The public keys that count, with the person and the roles of each."""
+"""The public keys whose signatures may count, with the person and the roles of each."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from smsl_studio.inspection.approval.statement import AUTOMATIC
 
 @dataclass(frozen=True, slots=True)
 class KnownKey:
-    """A public key: its person, the roles of that person, and when it may sign.
+    """A public key, its person, the roles of the person, and the time in which it may sign.
 
-    ``revoked`` says why it does not count any more; it is empty for a good key.
+    ``revoked`` says why the key no longer counts; it is empty for a valid key.
     """
 
     public: bytes
@@ -26,7 +26,7 @@ class KnownKey:
 
     @property
     def is_automatic(self) -> bool:
-        """Whether a program signs with it. Such a key never counts as a person."""
+        """Whether a program signs with this key. Such a signature never counts as a person's."""
         return AUTOMATIC in map(name_of, self.roles)
 
     def may_sign_at(self, moment: datetime) -> bool:
@@ -40,6 +40,6 @@ KnownKeys = Mapping[str, KnownKey]
 
 
 def name_of(person: str) -> str:
-    """Return the name by which persons are told apart: without regard to case and white space."""
+    """Return a person's name for comparison: without white space and in small letters."""
     plain = unicodedata.normalize("NFKC", person).casefold()
     return "".join(char for char in plain if not char.isspace())

@@ -1,4 +1,4 @@
-"""The trust policy, a TOML file: whose signatures a blueprint needs before it runs."""
+"""The trust policy, a TOML file. It says whose signatures a blueprint needs before it may run."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ Many = Annotated[int, Field(ge=1, le=1000)]
 
 
 class TrustPolicy(BaseModel):
-    """What a policy asks for. The defaults hold also without a policy.
+    """The rules of a trust policy. The defaults also apply if there is no policy.
 
-    ``roles`` says how many distinct persons of each role are needed, and ``persons`` how many in
-    all (None: the sum of the roles, and at least one). ``register`` is a path relative to the
-    policy, and ``register_key`` the public key that signs it, as base64.
+    ``roles`` says how many different persons of each role must sign. ``persons`` says how many must
+    sign in all; None means the sum of the roles, and at least one. ``register`` is a path relative
+    to the policy. ``register_key`` is the public key that must have signed the register, in base64.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
@@ -62,7 +62,7 @@ class TrustPolicy(BaseModel):
 
     @property
     def needed(self) -> int:
-        """The number of distinct persons that are needed."""
+        """The number of different persons who must sign."""
         return max(1, sum(self.roles.values())) if self.persons is None else self.persons
 
     @property
@@ -72,13 +72,13 @@ class TrustPolicy(BaseModel):
 
 
 USUAL = TrustPolicy()
-"""The policy where no file names another."""
+"""The policy that applies if no file gives another one."""
 
 
 def read_policy(path: Path) -> TrustPolicy | Refusal:
-    """Return the policy in a file, or the refusal ``policy_invalid``.
+    """Return the policy in a file. If its content is wrong, return the refusal ``policy_invalid``.
 
-    PluginError if there is no file that can be read.
+    PluginError if the file does not exist or cannot be read.
     """
     try:
         _, values = read_toml(path)
@@ -90,7 +90,7 @@ def read_policy(path: Path) -> TrustPolicy | Refusal:
 
 
 def policy_of(values: Mapping[str, Any], file: str) -> TrustPolicy | Refusal:
-    """Return the policy in the values of a file, or the refusal ``policy_invalid``."""
+    """Return the policy in the content of a file, or the refusal ``policy_invalid``."""
     try:
         return TrustPolicy.model_validate(values)
     except ValidationError as error:

@@ -1,7 +1,7 @@
-"""The record file: ``{"records": [envelope, ...]}``, one envelope a signer, in order of signing.
+"""The record file: ``{"records": [envelope, ...]}``. Each signer adds one envelope at the end.
 
-The bytes must be those that Studio writes for the same values: one line of JSON. The newline at
-its end may be missing.
+The file is one line of JSON. Its bytes must be exactly those that Studio writes for the same
+values. Only the newline at its end may be missing.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SUFFIX = ".record.json"
 
 @dataclass(frozen=True, slots=True)
 class SignedRecord:
-    """One record: its envelope, and the statement in it. ``digest`` names the record."""
+    """One record: its envelope and its statement. ``digest`` is the SHA-256 that names it."""
 
     envelope: Envelope
     statement: Statement
@@ -38,20 +38,20 @@ class SignedRecord:
 
     @classmethod
     def of(cls, envelope: Envelope) -> SignedRecord:
-        """Return the record in an envelope. SealError if it is not as Studio writes it."""
+        """Return the record in an envelope. SealError if Studio would write it differently."""
         statement = read_statement(envelope.payload)
         return cls(envelope, statement, payload_digest(envelope.payload))
 
 
 def record_beside(file: str) -> str:
-    """Return the usual name of the record of a blueprint's file."""
+    """Return the path of the record that stands beside a blueprint's file."""
     return f"{file}{SUFFIX}"
 
 
 def read_record_file(raw: bytes) -> tuple[SignedRecord, ...]:
-    """Return the records in the bytes of a file. SealError if they are not as Studio writes them.
+    """Return the records in the bytes of a file, without a check of their signatures.
 
-    Signatures are not checked here.
+    SealError if Studio would write the file differently.
     """
     values = read_strictly(raw, "the record")
     if not isinstance(values, dict) or set(values) != {"records"}:

@@ -1,4 +1,4 @@
-"""Refusals: why a blueprint is not approved, each with a code and a sentence."""
+"""Refusals: the reasons why a blueprint is not approved, each with a code and a sentence."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ CODES = (
     "log_unwritable",
     "file_changed",
 )
-"""Every code. The last five can only come from a run."""
+"""Every code. Only runs use the last five."""
 
 
 class Refusal(NamedTuple):
-    """One reason against a start: a code of ``CODES``, and a sentence for people."""
+    """One reason why a run may not start: a code of ``CODES``, and a sentence for people."""
 
     code: str
     sentence: str
 
     def as_json(self) -> dict[str, str]:
-        """Return it as ``verify`` and runs write it."""
+        """Return the refusal in the form that ``verify`` and runs write."""
         return {"code": self.code, "sentence": self.sentence}

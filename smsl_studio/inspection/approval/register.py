@@ -1,4 +1,4 @@
-"""The register of persons: who may sign, with which keys and in which roles, signed by one key."""
+"""The register of persons: who may sign, with which keys, in which roles. One key signs it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ PAYLOAD_TYPE = "application/vnd.smsl-studio.register+json"
 
 
 class RegisteredPerson(BaseModel):
-    """A person of a register: roles, public keys (base64), and when the entry begins and ends."""
+    """A person in a register: roles, public keys (base64), and the time in which the entry is
+    valid.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, populate_by_name=True)
 
@@ -43,7 +45,7 @@ class _Persons(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class Register:
-    """A register whose signature is right. ``digest`` is the SHA-256 of its file."""
+    """A register with a valid signature. ``digest`` is the SHA-256 of its file."""
 
     serial: int
     keys: KnownKeys
@@ -51,14 +53,16 @@ class Register:
 
 
 def register_payload(values: Json) -> bytes:
-    """Return the canonical bytes of a register's values. SealError if they are none."""
+    """Return the bytes of a register that are signed. SealError if the values are no register."""
     _keys_of(_valid(values))
     return canonical(values)  # what is valid is not nested deeply
 
 
 def read_register(raw: bytes, key: bytes) -> Register:
-    """Return the register in the bytes of a file. SealError if it is not valid, or not signed with
-    ``key``."""
+    """Return the register in the bytes of a file.
+
+    SealError if it is not a register, or if ``key`` has not signed it.
+    """
     envelope = read_envelope(read_strictly(raw, "the register"), PAYLOAD_TYPE)
     if not is_signed(envelope, key):
         raise SealError("the register is not signed with the key that the policy names")

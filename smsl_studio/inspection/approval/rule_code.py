@@ -1,7 +1,7 @@
-"""The code of the rules: a SHA-256 that changes if anything that can decide a finding changes.
+"""A SHA-256 for each rule. It changes if code changes on which the findings of the rule depend.
 
-A rule uses the reading of the text, the model, the graph and the prover. So its digest is that of
-its number and of all source files of those rooms.
+A rule depends on the reading of the text, the model, the graph and the prover. So its digest is
+over its number and all source files of these packages.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from smsl_studio.seal.digest import sha256_hex
 PACKAGE = Path(__file__).parents[2]
 ROOMS = ("smsl", "seal", "blueprint", "graph", "library", "inspection", "dispatch/route")
 FRONT = ("equipment", "inputs", "proof", "recovery", "check_findings")
-"""The files of ``front`` that put the check together."""
+"""The files of ``front`` that run the whole check."""
 
 
 def rule_codes() -> Mapping[str, str]:
-    """Return the SHA-256 of the code of each rule, by its number."""
+    """Return the SHA-256 for the code of each rule, by the number of the rule."""
     common = _common()
     return {rule: sha256_hex(f"{rule} {common}".encode()) for rule in RULES}
 

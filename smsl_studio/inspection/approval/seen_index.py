@@ -1,4 +1,7 @@
-"""The index of the records that the store has seen: small files that are quick to look through."""
+"""The index of the records that the store has seen.
+
+Each record has a small file, so that a search is quick.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,16 @@ from smsl_studio.inspection.approval.store_files import read_stored, store_folde
 
 Json = Any
 ENTRY, ENVELOPE = ".json", ".envelope"
-"""The suffix of an entry of the index, and of the file beside it that has the record itself."""
+"""The suffix of an entry's file, and that of the file beside it with the whole record."""
 
 _TEXTS = ("person", "key", "file", "time", "closure")
 
 
 def entries() -> Iterator[tuple[str, Mapping[str, Json]]]:
-    """Yield the entries by the digests of their records. SealError if one is not believed."""
+    """Yield each entry with the digest of its record.
+
+    SealError if another person could have written an entry, or if it is not what Studio writes.
+    """
     folder = records_folder()
     try:
         names = sorted(path for path in folder.iterdir() if path.suffix == ENTRY)
@@ -34,8 +40,11 @@ def entries() -> Iterator[tuple[str, Mapping[str, Json]]]:
 
 
 def newest_entry(file: str, closure: str = "", person: str | None = None) -> str:
-    """Return the digest of the newest record that was seen for a file, or for a closure, and of a
-    person if one is named. Empty if there is none."""
+    """Return the digest of the newest record that was seen for a file; empty if there is none.
+
+    A record with the same ``closure`` counts, too, wherever its file was. ``person`` limits the
+    search to the records of one person.
+    """
     real, best, when = os.path.realpath(file), "", ""
     for digest, one in entries():
         fits = one["file"] == real or (closure and one["closure"] == closure)
@@ -45,7 +54,7 @@ def newest_entry(file: str, closure: str = "", person: str | None = None) -> str
 
 
 def records_folder() -> Path:
-    """Return the folder of the records. It need not exist."""
+    """Return the folder of the records. It exists only after the first record was seen."""
     return store_folder() / "records"
 
 

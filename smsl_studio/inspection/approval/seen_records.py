@@ -1,4 +1,4 @@
-"""What the store has seen: records, serials of registers, and what this user revoked."""
+"""What the store remembers: records, serials of registers, and the user's revocations."""
 
 from __future__ import annotations
 
@@ -25,8 +25,10 @@ Json = Any
 
 
 def keep_record(record: SignedRecord, person: str, file: str) -> None:
-    """Note that a record was seen for a file. ``person`` is the name by which its signer is told
-    apart. The caller holds the store."""
+    """Remember that a record was seen for a file. The caller must hold the lock of the store.
+
+    ``person`` is the name of the signer for comparison (see ``name_of``).
+    """
     if has_seen(record.digest):
         return
     said = record.statement.predicate
@@ -56,9 +58,9 @@ def has_seen(digest: str) -> bool:
 
 
 def newest_seen(file: str, closure: str = "", person: str | None = None) -> SignedRecord | None:
-    """Return the newest record that was seen (see ``newest_entry``). None if there is none.
+    """Return the newest record that was seen (see ``newest_entry``), or None.
 
-    SealError if it is not the one that was seen.
+    SealError if the stored record does not have the digest of its entry.
     """
     digest = newest_entry(file, closure, person)
     if not digest:
@@ -71,25 +73,25 @@ def newest_seen(file: str, closure: str = "", person: str | None = None) -> Sign
 
 
 def seen_serial(key: str) -> int:
-    """Return the highest serial of a register that was seen, by the register's key. -1: none."""
+    """Return the highest serial that was seen of the registers of a key. -1 if none was seen."""
     found = _serials().get(key, -1)
     return found if isinstance(found, int) else -1
 
 
 def keep_serial(key: str, serial: int) -> None:
-    """Note the serial of a register. The caller holds the store."""
+    """Remember the serial of a register. The caller must hold the lock of the store."""
     serials = dict(_serials())
     if serials.get(key, -1) < serial:
         write_stored(_serials_file(), {**serials, key: serial})
 
 
 def revoked_digests() -> Mapping[str, str]:
-    """Return the digests that this user revoked, with the reasons."""
+    """Return the digests that this user has revoked, with the reasons."""
     return {one["digest"]: one["why"] for one in _revocations()}
 
 
 def revoke_digest(digest: str, why: str, key: str, time: str) -> None:
-    """Revoke a digest. The caller holds the store."""
+    """Revoke a digest. The caller must hold the lock of the store."""
     new = {"digest": digest, "why": why, "key": key, "time": time}
     write_stored(_revoked_file(), [*_revocations(), new])
 

@@ -1,4 +1,4 @@
-"""The signers of a case: what is wrong with each record, and the last word of each person."""
+"""The signers of a case: the faults of each record, and the last record of each person."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ from smsl_studio.seal.ed25519 import is_signed
 
 @dataclass(frozen=True, slots=True)
 class Signer:
-    """One record of a known key whose signature is right. ``faults`` say why it does not count."""
+    """One record with a valid signature of a known key.
+
+    ``faults`` says why the record does not count; it is empty if it counts.
+    """
 
     record: SignedRecord
     key: KnownKey
@@ -26,45 +29,47 @@ class Signer:
 
     @property
     def said(self) -> Predicate:
-        """What the record says."""
+        """The statement's predicate: what the signer has looked at and says."""
         return self.record.statement.predicate
 
     @property
     def person(self) -> str:
-        """The name by which the person is told apart."""
+        """The name of the signer for comparison (see ``name_of``)."""
         return name_of(self.key.person)
 
     @property
     def roles(self) -> frozenset[str]:
-        """The roles that the person may fill."""
+        """The roles in which the person may sign."""
         return frozenset(map(name_of, self.key.roles))
 
     @property
     def role(self) -> str:
-        """The role that is shown: the one in the record if the person has it, else the first."""
+        """The role to show: the one in the record if the person has it, else the person's first
+        role.
+        """
         if name_of(self.said.role) in self.roles:
             return self.said.role
         return self.key.roles[0] if self.key.roles else ""
 
     @property
     def is_automatic(self) -> bool:
-        """Whether a program has signed."""
+        """Whether a program has signed, and not a person."""
         return self.key.is_automatic or name_of(self.said.role) == "automatic"
 
     @property
     def rejects(self) -> bool:
-        """Whether it says no to this very blueprint. An old no is still a no."""
+        """Whether the signer rejects this blueprint. A rejection stays valid when it is old."""
         codes = {fault.code for fault in self.faults}
         gone = {"digest_differs", "key_revoked", "key_expired", "record_revoked"}
         return self.said.verdict == REJECTED and not codes & gone
 
     @property
     def counts(self) -> bool:
-        """Whether it counts as the approval of one person."""
+        """Whether the record counts as the approval of one person."""
         return not (self.faults or self.is_automatic or self.said.verdict == REJECTED)
 
     def as_json(self) -> dict[str, str]:
-        """Return it as ``verify`` writes it."""
+        """Return the signer in the form that ``verify`` prints."""
         return {
             "person": self.key.person,
             "role": self.role,
@@ -77,7 +82,9 @@ class Signer:
 def signers_of(
     case: ApprovalCase, records: Sequence[SignedRecord]
 ) -> tuple[list[Signer], list[Refusal]]:
-    """Return the records with a right signature, in order, and what is wrong with the others."""
+    """Return the records with a valid signature, in order of signing, and what is wrong with
+    others.
+    """
     found: list[Signer] = []
     wrong: list[Refusal] = []
     before: datetime | None = None
@@ -103,7 +110,7 @@ def signers_of(
 
 
 def _unknown(case: ApprovalCase, record: SignedRecord, who: str) -> Refusal:
-    """Return the refusal of a record whose keyid is that of no known key."""
+    """Return the refusal for a record whose key is not known."""
     named = record.envelope.keyid
     is_identity = re.fullmatch(r"sha256:[0-9a-f]{64}", named) is not None
     other = (replace(record.envelope, keyid=one) for one in case.grounds.keys)
@@ -123,7 +130,7 @@ def last_words(signers: Sequence[Signer]) -> list[Signer]:
 
 
 def rolled_back(case: ApprovalCase, one: Signer) -> bool:
-    """Whether the store has seen a later record of this person, or another one in its place."""
+    """Whether the store has seen a later record of this person, or a different one at its place."""
     follows, digest = one.said.follows, one.record.digest
     for seen in case.grounds.seen:
         key = case.grounds.keys.get(seen.key)
@@ -135,7 +142,7 @@ def rolled_back(case: ApprovalCase, one: Signer) -> bool:
 
 
 def _faults(case: ApprovalCase, record: SignedRecord, key: KnownKey) -> Iterator[Refusal]:
-    """Yield the reasons why a record with a right signature does not count."""
+    """Yield the reasons why a record with a valid signature does not count."""
     said, grounds, present = record.statement.predicate, case.grounds, case.present
     who = f"the record of {key.person}"
     if key.revoked:
@@ -184,7 +191,7 @@ def _revoked(case: ApprovalCase, record: SignedRecord, who: str) -> Iterator[Ref
 
 
 def _code_faults(case: ApprovalCase, said: Predicate, who: str) -> Iterator[Refusal]:
-    """Yield what has changed in the code of the world since a record."""
+    """Yield what has changed in the world's code since the record was signed."""
     present = case.present
     if present.world is None or (present.code is None and not present.missing):
         return

@@ -1,8 +1,8 @@
 """What one person signs: an in-toto Statement about every file of a blueprint.
 
-Reading is strict. A member that Studio does not write, or bytes that differ from those that Studio
-writes for the same values, are refused. The content of each file must have the digests that its
-subject names, so a record never contradicts itself.
+Reading is strict. A statement is refused if it has an unknown member, or if its bytes differ from
+those that Studio writes for the same values. Every file's content must have the digests that the
+statement names, so that a record cannot contradict itself.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ PREDICATE: Literal["urn:smsl-studio:inspection:v1"] = "urn:smsl-studio:inspectio
 PAYLOAD_TYPE = "application/vnd.in-toto+json"
 APPROVED, CONDITIONS, REJECTED = "approved", "conditions", "rejected"
 AUTOMATIC = "automatic"
-"""The role of keys that never count as a person."""
+"""The role of keys with which programs sign. It never counts as a person."""
 
 MEANINGS: Mapping[str, str] = MappingProxyType(
     {
@@ -37,7 +37,7 @@ MEANINGS: Mapping[str, str] = MappingProxyType(
         REJECTED: "I have inspected this blueprint as these digests name it, and I reject it.",
     }
 )
-"""What a signature means, in words, for each verdict."""
+"""For each verdict, a sentence that tells the signer what the signature means."""
 
 Hex = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Text = Annotated[str, Field(max_length=10_000)]
@@ -55,7 +55,7 @@ class SignedDigests(_Signed):
     closure: Hex
 
     def are(self, found: Digests) -> bool:
-        """Whether these are the digests of a blueprint."""
+        """Whether the blueprint has these digests."""
         return (self.behaviour, self.meaning, self.closure) == (
             found.behaviour,
             found.meaning,
@@ -64,14 +64,14 @@ class SignedDigests(_Signed):
 
 
 class SignedFile(_Signed):
-    """One file of the closure, with its name below the folder of the first file."""
+    """A file of the blueprint or an import. Its name is relative to the first file's folder."""
 
     name: Text
     digest: SignedDigests
 
 
 class SignedRule(_Signed):
-    """A rule that was asked: its version, the SHA-256 of its code, and its result."""
+    """A rule that was checked: its version, the SHA-256 of its code, and its result."""
 
     id: Text
     version: Text
@@ -80,7 +80,7 @@ class SignedRule(_Signed):
 
 
 class SignedProperty(_Signed):
-    """A hazard or property, and what was shown about it."""
+    """A hazard or property, and what the proof showed about it."""
 
     name: Text
     kind: Text
@@ -90,7 +90,7 @@ class SignedProperty(_Signed):
 
 
 class SignedFinding(_Signed):
-    """A finding, as it was when the record was signed."""
+    """A finding of the check, at the time of the signature."""
 
     rule: Text
     severity: Text
@@ -116,7 +116,7 @@ class SignedFunction(_Signed):
 
 
 class WorldCode(_Signed):
-    """The code that is bound in a world. ``bindings`` is the SHA-256 of what is bound to what."""
+    """The code that is bound in a world. ``bindings`` is the SHA-256 of all bindings."""
 
     hardware: bool
     functions: list[SignedFunction]
@@ -124,7 +124,7 @@ class WorldCode(_Signed):
 
 
 class InspectionOptions(_Signed):
-    """The options of the check."""
+    """The options with which the blueprint was checked."""
 
     limit: Annotated[int, Field(ge=1)] | None
     with_failures: bool
@@ -133,7 +133,7 @@ class InspectionOptions(_Signed):
 
 
 class Predicate(_Signed):
-    """What the signer has looked at, and what the signer says about it."""
+    """What the signer has looked at, and what the signer decides about it."""
 
     rules: list[SignedRule]
     properties: list[SignedProperty]
@@ -175,7 +175,7 @@ class Statement(_Signed):
 
     @property
     def expires(self) -> datetime | None:
-        """The moment after which the signer does not approve any more."""
+        """The time at which the approval ends; None if it does not end."""
         return None if self.predicate.expires is None else read_time(self.predicate.expires)
 
     def payload(self) -> bytes:
@@ -189,12 +189,12 @@ def statement_of(subject: list[SignedFile], predicate: Predicate) -> Statement:
 
 
 def payload_digest(payload: bytes) -> str:
-    """Return the SHA-256 that names a record: that of its signed payload."""
+    """Return the SHA-256 of a signed payload, which is the name of the record."""
     return sha256_hex(payload)
 
 
 def read_statement(payload: bytes) -> Statement:
-    """Return the statement in a payload. SealError if it is not written as Studio writes it."""
+    """Return the statement in a payload. SealError if Studio would write it differently."""
     values = read_strictly(payload, "the payload")
     try:
         found = Statement.model_validate(values)

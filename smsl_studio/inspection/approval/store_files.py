@@ -1,4 +1,7 @@
-"""The files of the user's store: small JSON files that only the user can have written."""
+"""The files of the user's store. They are small JSON files.
+
+A file is only accepted if no other user could have written it.
+"""
 
 from __future__ import annotations
 
@@ -20,19 +23,20 @@ from smsl_studio.smsl.inputs import read_ordinary
 Json = Any
 LARGEST = 64 << 20
 PATIENCE = 5.0
-"""The wall time (s) to wait for another program that writes the store."""
+"""How long to wait for another program that writes the store, in seconds of wall time."""
 
 
 def store_folder() -> Path:
-    """Return the folder of the store. It need not exist."""
+    """Return the folder of the store. It exists only after the first file was written."""
     return user_folder() / "store"
 
 
 @contextmanager
 def store_alone() -> Iterator[Path]:
-    """Make the store if there is none, and keep other programs from writing it meanwhile.
+    """Hold the lock of the store inside the block, and create the folder if it is missing.
 
-    SaveError if that is not possible.
+    So no other program of Studio writes the store at the same time. SaveError if the folder cannot
+    be written, or if the lock is not free after ``PATIENCE`` seconds.
     """
     folder = store_folder()
     try:
@@ -49,9 +53,10 @@ def store_alone() -> Iterator[Path]:
 
 
 def read_stored(path: Path) -> Json:
-    """Return the values in a file of the store, None if there is no such file.
+    """Return the content of a file of the store, or None if the file does not exist.
 
-    SealError if it cannot be read, if another user could have written it, or if it is no JSON.
+    SealError if the file cannot be read, if another user could have written it, or if it is no
+    JSON.
     """
     try:
         found = path.lstat()
@@ -71,8 +76,10 @@ def read_stored(path: Path) -> Json:
 
 
 def write_stored(path: Path, values: Json) -> None:
-    """Write a file of the store as a whole. Only the user can read it. SaveError if it cannot be
-    written."""
+    """Replace a file of the store in one step. Only the user can read the file.
+
+    SaveError if it cannot be written.
+    """
     text = f"{json.dumps(values, indent=2)}\n"
     part = path.with_name(f".{path.name}.{secrets.token_hex(8)}.part")
     try:

@@ -1,4 +1,4 @@
-"""The code that is bound to a blueprint in a world, as an approval signs it."""
+"""The code that is bound to a blueprint in a world, in the form that an approval signs."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ Json = Any
 def world_code(
     world: str, loaded: Loaded, bindings: Bindings, file: BindingsFile, code: Mapping[str, str]
 ) -> WorldCode:
-    """Return the code of a world for a blueprint with its ``bindings``.
+    """Return the code that ``bindings`` bind to a blueprint in a world.
 
-    ``code`` has the SHA-256 of each plugin's code, by location.
+    ``code`` has the SHA-256 of each plugin's code, by its location.
     """
     plugins = {one.location: one for one in loaded.plugins}
     own, entry = loaded.world(world)
@@ -57,7 +57,7 @@ def _used(bindings: Bindings) -> Iterator[tuple[str, str]]:
 
 
 def _called(one: Any) -> list[Json]:
-    """Return a bound function with its arguments, and how long it may take."""
+    """Return a bound function with its arguments, its stop and its time limit, as plain values."""
     arguments = json.dumps(dict(one.arguments), sort_keys=True, default=str)
     terms = [getattr(one, "stop", ""), float(getattr(one, "timeout", 0.0))]
     return [one.name, arguments, *terms]

@@ -70,11 +70,11 @@ def equivalence(
     view: ComparedView | None = None,
     names: tuple[str, str] | None = None,
 ) -> Equivalence:
-    """Compare two blueprints. At most ``limit`` configurations of each are stored.
+    """Compare the behaviour of two blueprints, each with at most ``limit`` stored configurations.
 
-    INITIAL, facts and permitted operations count; ACTIVATING, costs and titles do not. ``view``
-    gives other names to facts and operations than the two have. Without a view ``names`` stand for
-    the two in sentences, instead of their files. RunRefused if one of them has no start.
+    INITIAL, facts and permitted operations must be equal. ACTIVATING, costs and titles may differ.
+    ``view`` renames facts and operations before they are compared. Without a view, sentences call
+    the blueprints by ``names`` instead of their files. RunRefused if one of them has no start.
     """
     names = names or (first.file, second.file)
     labels = view.labels if view else (None, None)

@@ -77,10 +77,10 @@ class Transitions:
 def transitions_of(blueprint: Blueprint, limit: int, label: Label | None = None) -> Transitions:
     """Explore a blueprint from its start. At most ``limit`` configurations are stored.
 
-    Without a ``label`` it is the operation's name, with its SB if there are several SBs.
-
-    Hazards and failures are not left out. If there are surely more configurations than can be
-    stored, none is explored. RunRefused if there is no start.
+    ``label`` gives the text by which an operation is compared. None means the operation's name,
+    with its SB if there are several SBs. Steps that meet a hazard or lead into a failure count,
+    too. If it is certain that there are more configurations than ``limit``, nothing is explored.
+    RunRefused if there is no start.
     """
     several = len(blueprint.branches) > 1
     label = label or (lambda address: label_of(address, several))

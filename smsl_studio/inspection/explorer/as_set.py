@@ -1,4 +1,4 @@
-"""Explores the coupled SBs as one set, where their configurations are too many to be stored."""
+"""Explores coupled SBs as one set of configurations, if there are too many to store each."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.inspection.proof.walk import walked
 
 
 class CountedSet(NamedTuple):
-    """The numbers of configurations and of traps, and the nearest traps with shortest ways."""
+    """How many configurations and traps there are, and the shortest runs to the nearest traps."""
 
     configurations: int
     traps: int
@@ -23,10 +23,10 @@ class CountedSet(NamedTuple):
 
 
 def counted(hierarchy: Hierarchy, most: int) -> CountedSet:
-    """Count what the SBs reach together, with at most ``most`` traps.
+    """Count the configurations that the coupled SBs can reach. List at most ``most`` traps.
 
-    TooLarge if that takes too much, or if a base and a sub-SB disagree. RunRefused if there is no
-    start.
+    TooLarge if that needs too much work, or if a base and its sub-SB can disagree. RunRefused if
+    there is no start.
     """
     try:
         reach = JointReach(JointSteps(hierarchy))
@@ -47,7 +47,10 @@ def counted(hierarchy: Hierarchy, most: int) -> CountedSet:
 
 
 def _refuse_disagreement(hierarchy: Hierarchy, reach: JointReach) -> None:
-    """Raise TooLarge if a digit is on and its sub-SB not in ACTIVATING, or the reverse."""
+    """Raise TooLarge if a base and its sub-SB can disagree.
+
+    They disagree if the digit is on but the sub-SB is not in ACTIVATING, or the other way round.
+    """
     numbers, blueprint = reach.steps.numbers, hierarchy.blueprint
     for base in hierarchy.order:
         for digit, sub in hierarchy.subs[base]:
@@ -65,7 +68,7 @@ def _refuse_disagreement(hierarchy: Hierarchy, reach: JointReach) -> None:
 def _nearest(
     hierarchy: Hierarchy, reach: JointReach, traps: int, most: int
 ) -> Iterator[tuple[dict[str, str], Path]]:
-    """Yield the nearest configurations of a set with their ways, layer by layer."""
+    """Yield at most ``most`` traps with a shortest run to each, the nearest first."""
     if not traps:
         return
     diagram, numbers, left = reach.diagram, reach.steps.numbers, most

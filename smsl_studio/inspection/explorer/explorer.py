@@ -34,7 +34,8 @@ MOST = 100
 """The largest number of disagreements, and of traps, that are listed."""
 
 FEW = 50_000
-"""A product of state counts up to which the configurations of a part are looked at one by one."""
+"""If the product of the state counts of a part is at most this, its configurations are explored one
+by one."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +95,12 @@ class ExploredMode:
 def explored_coupled(
     blueprint: Blueprint, limit: int, few: int = FEW, bounds: EffortBounds = UNBOUNDED
 ) -> ExploredMode:
-    """Explore the SBs as a run couples them. At most ``limit`` configurations are stored, within
-    the ``bounds`` of time and memory.
+    """Explore the SBs together, as a run couples them.
 
-    If the product of the state counts of a part is more than ``few``, all are one set if possible,
-    of which nothing is stored one by one. RunRefused if there is no start, or if the SBs go round
-    in a circle.
+    At most ``limit`` configurations are stored. ``bounds`` limit time and memory. If the product of
+    the state counts of a part is more than ``few``, all its configurations are one set if that is
+    possible. Then none of them is stored by itself. RunRefused if there is no start, or if the SBs
+    refer to each other in a circle.
     """
     bounds = bounds.begun()
     hierarchy = Hierarchy(blueprint)

@@ -1,5 +1,7 @@
-"""One configuration after the other, as a person walks through them: what is permitted in each, and
-why the rest is refused."""
+"""Walks through configurations by hand.
+
+Tells which operations are permitted, and why not the others.
+"""
 
 from __future__ import annotations
 
@@ -23,11 +25,12 @@ from smsl_studio.stop import heed
 
 @dataclass(frozen=True)
 class OnwardStep:
-    """An operation out of an active state.
+    """An operation of an active state, permitted or refused.
 
-    ``target`` is the state that it leads to. ``after`` has the new state of each SB that moves, and
-    ``edges`` are all operations that it carries out. ``reasons`` say in sentences why it is
-    refused; then the former two are empty. ``hazard`` is the name of a hazard that it meets.
+    ``target`` is the state to which it leads. ``after`` has the new state of each SB that moves.
+    ``edges`` are all operations that it carries out. ``hazard`` is the name of a hazard that it
+    meets, or empty. ``reasons`` are sentences that say why the operation is refused; then ``after``
+    and ``edges`` are empty.
     """
 
     address: Address
@@ -39,15 +42,15 @@ class OnwardStep:
 
     @property
     def permitted(self) -> bool:
-        """Whether the operation may be asked for."""
+        """Whether the operation is permitted here."""
         return not self.reasons
 
 
 class ConfigurationWalk:
-    """The steps of a blueprint, one configuration at a time. RunRefused if its SBs go round in a
-    circle.
+    """Computes the steps out of any configuration of a blueprint.
 
-    It goes through every permitted step: hazards and failure states are not left out.
+    Steps that meet a hazard or lead into a failure state are permitted, too. RunRefused if the SBs
+    refer to each other in a circle.
     """
 
     def __init__(self, blueprint: Blueprint) -> None:
@@ -61,10 +64,11 @@ class ConfigurationWalk:
         return self._in_order(start_configuration(self._hierarchy, {}))
 
     def placed(self, wanted: Configuration, otherwise: Configuration) -> dict[str, str]:
-        """Return the configuration in which some SBs stand as wanted.
+        """Return a configuration in which some SBs are in the ``wanted`` states.
 
-        All others stay where ``otherwise`` has them. Sub-SBs below an SB that is wanted follow its
-        facts if they must. RunRefused if the wanted states do not agree.
+        All other SBs keep their states from ``otherwise``. Only a sub-SB below a wanted SB may
+        change, if it would not agree with the facts of its base. RunRefused if no configuration has
+        the wanted states.
         """
         stay = {name: state for name, state in otherwise.items() if name not in wanted}
         moved = [name for name in wanted if wanted[name] != otherwise.get(name)]
@@ -76,15 +80,15 @@ class ConfigurationWalk:
         return self._in_order(start_configuration(self._hierarchy, {**stay, **wanted}))
 
     def _must_follow(self, sub: str, here: Configuration) -> bool:
-        """Return whether a sub-SB does not agree with one of its bases."""
+        """Return whether a sub-SB must change, because it does not agree with one of its bases."""
         done = here[sub] == self.blueprint[sub].activating
         bases = self._hierarchy.bases[sub]
         return any(self.blueprint[b].is_on(here[b], d) != done for b, d in bases if b in here)
 
     def steps(self, here: Configuration) -> tuple[OnwardStep, ...]:
-        """Return every operation out of the active states, by address, permitted ones first.
+        """Return every operation of the active states, sorted by address, permitted ones first.
 
-        It can take long, because sub-SBs may have to find their ways. It can be called off.
+        This can take long, because sub-SBs may have to search their routes. It heeds a stop.
         """
         found = [self._step(here, edge) for edge in self._edges(here)]
         return tuple(sorted(found, key=lambda one: (not one.permitted, str(one.address))))
@@ -105,7 +109,7 @@ class ConfigurationWalk:
         return OnwardStep(edge.address, edge.target, dict(step.after), edges, hazard=name)
 
     def _reasons(self, here: Configuration, edge: Edge) -> Iterator[str]:
-        """Yield the usual reasons with the names of facts, none if it is another reason."""
+        """Yield the usual reasons why an operation is refused, with the names of facts."""
         for name, digit, value in edge.requires:
             if digit < 0:
                 return
@@ -117,7 +121,7 @@ class ConfigurationWalk:
             yield from self._no_base(here, edge)
 
     def _no_base(self, here: Configuration, edge: Edge) -> Iterator[str]:
-        """Yield a sentence for each base that has no operation to go along with a crossing."""
+        """Yield a sentence for each base that has no operation for a crossing of its sub-SB."""
         kind = EdgeKind.RISE if edge.crossing > 0 else EdgeKind.FALL
         sub = self.blueprint[edge.branch]
         what = "reaches" if edge.crossing > 0 else "leaves"

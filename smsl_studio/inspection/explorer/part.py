@@ -76,14 +76,15 @@ def independent(hierarchy: Hierarchy) -> tuple[tuple[str, ...], ...]:
 
 
 FEW = 1_000
-"""The largest number of configurations of a group that are counted, to know that there are many."""
+"""Counting the configurations of a group ends at this number."""
 
 
 def has_more_than(blueprint: Blueprint, most: int) -> bool:
-    """Return whether more than so many configurations can surely be reached from the start.
+    """Return whether it is certain that more than ``most`` configurations can be reached.
 
-    Groups that do not touch each other are counted one by one, each up to ``FEW``. So an answer
-    costs little, and nothing is known if all SBs hang together. RunRefused if there is no start.
+    Groups of SBs that do not depend on each other are counted separately, each up to ``FEW``. So
+    the answer is quick. If all SBs are in one group, the answer is False, because nothing is known.
+    RunRefused if there is no start.
     """
     groups = independent(Hierarchy(blueprint))
     count = 1
@@ -114,7 +115,7 @@ def explored_part(blueprint: Blueprint, names: tuple[str, ...], limit: int) -> E
 
 
 def coupled_part(found: Exploration) -> SpacePart:
-    """Return what was explored as a part."""
+    """Return the result of an exploration as a part of the space."""
     return SpacePart(
         found.space.order,
         found.keys,

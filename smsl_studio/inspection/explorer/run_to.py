@@ -1,4 +1,4 @@
-"""The shortest run from the start to a configuration."""
+"""Finds the shortest run from the start to a configuration."""
 
 from __future__ import annotations
 
@@ -19,25 +19,29 @@ from smsl_studio.inspection.proof.verdict import HOLDS, Counterexample
 from smsl_studio.stop import heed
 
 NEAR = 5_000
-"""So many configurations are looked at one by one before all are looked at together."""
+"""The number of configurations that are explored one by one before an engine for large spaces is
+tried."""
 
 
 @dataclass(frozen=True)
 class RunThere:
-    """The answer. Without a ``run`` the configuration cannot be reached, or the search met a
-    ``bound``, which is in words."""
+    """The answer: the shortest run, or None.
+
+    If ``run`` is None, ``bound`` names the limit that ended the search. If ``bound`` is empty too,
+    no run leads to the configuration.
+    """
 
     run: Counterexample | None
     bound: str = ""
 
 
 def shortest_run_to(blueprint: Blueprint, end: Mapping[str, str], limit: int) -> RunThere:
-    """Return the run to a configuration with the fewest steps; of these the one whose addresses,
-    compared step by step, are least.
+    """Return the shortest run to a configuration.
 
-    SBs that do not touch each other are looked at apart, with at most ``limit`` configurations of
-    each group. If there are many, all of them are looked at together where that is possible.
-    Hazards and failures are not left out. RunRefused if there is no start.
+    Of several shortest runs it is the one whose addresses come first, compared step by step. Groups
+    of SBs that do not depend on each other are searched separately, with at most ``limit``
+    configurations each. A large group is searched with an engine if that is possible. The run may
+    meet hazards and lead into failures. RunRefused if there is no start.
     """
     hierarchy = Hierarchy(blueprint)
     start = start_configuration(hierarchy, {})
@@ -62,7 +66,7 @@ def shortest_run_to(blueprint: Blueprint, end: Mapping[str, str], limit: int) ->
 
 
 def _path(space: Space, end: Key, limit: int) -> tuple[Path | None, str]:
-    """Return the shortest path to a configuration of one part, or the bound that was met."""
+    """Return the shortest path in one group of SBs, or the limit that ended the search."""
     came: dict[Key, tuple[Key, Address] | None] = {space.start(): None}
     most, bound = space.storable(limit)
     waiting: Sequence[Key] = tuple(came)
@@ -90,13 +94,16 @@ def _path(space: Space, end: Key, limit: int) -> tuple[Path | None, str]:
 def _path_at_once(
     blueprint: Blueprint, names: Sequence[str], end: Mapping[str, str], met: str
 ) -> tuple[Path | None, str]:
-    """Return the shortest path of one part from all of its configurations together, or ``met``."""
+    """Return the shortest path in one group of SBs, found with an engine.
+
+    If no engine finds it, return ``met``, the limit of the search before.
+    """
     engine = Engines(blueprint, ()).engine(names, False)
     if engine is None:
         return None, met
     there = tuple(States(name, frozenset({end[name]})) for name in names)
     try:
-        # What never holds cannot come before: the run to it is the shortest of all.
+        # ``before [F, G]`` with an F that never holds fails with the shortest run to G.
         answer = engine.before(States(names[0], frozenset()), Joined(True, there))
     except (TooLarge, RecursionError):
         return None, met

@@ -1,8 +1,8 @@
-"""``after [F, G]`` from sets: a way to a goal that has passed F, and since then no G, shows that it
-fails.
+"""Shows that ``after [F, G]`` fails, with sets of configurations.
 
-A set is kept twice: once with the configurations on whose way nothing is owed, and once *armed*,
-with those on whose way F has held and since then no G.
+It fails if a run reaches a goal after F, and G has not held since F. Such a run is called *armed*.
+The search keeps two sets for each step: the configurations at the end of armed runs, and those at
+the end of all other runs.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from smsl_studio.stop import heed
 
 
 class ArmedSearch:
-    """Looks for the shortest way to ``goal`` that is armed at its end.
+    """Searches the shortest run to ``goal`` that is armed at its end.
 
-    Configurations of ``arming`` arm a way, and those of ``disarming`` disarm it. No configuration
-    is in both.
+    A run is armed by a configuration of ``arming``, and disarmed by one of ``disarming``. No
+    configuration is in both.
     """
 
     def __init__(self, reach: JointReach, arming: int, disarming: int, goal: int) -> None:
@@ -31,7 +31,10 @@ class ArmedSearch:
         self._arming, self._disarming, self._goal = arming, disarming, goal
 
     def ways(self) -> list[MarkedSet]:
-        """Return the sets on the shortest ways, step by step. There must be one."""
+        """Return the sets of configurations on the shortest runs, one for each step.
+
+        The caller knows that there is such a run.
+        """
         diagram, top = self._diagram, self._top
         begun = self._reach.begun
         plain, armed = (cut(begun, self._arming, top) for cut in (diagram.without, diagram.both))
@@ -96,7 +99,7 @@ class ArmedSearch:
         return ways
 
     def run(self, space: Space) -> FoundRun:
-        """Return the first of the shortest ways by its addresses. ``space`` has its steps."""
+        """Return the first of the shortest runs by its addresses. ``space`` computes its steps."""
         ways = self.ways()
         if self._reach.steps.failed:
             return ManyStarts(self._reach, self._arming, self._disarming).run(ways)

@@ -1,5 +1,7 @@
-"""Answers from all configurations in arrays, where they are too many different ones for a
-diagram."""
+"""Answers questions from arrays of all configurations.
+
+It is for spaces that are too irregular for a diagram.
+"""
 
 from __future__ import annotations
 
@@ -20,14 +22,16 @@ if TYPE_CHECKING:
     from smsl_studio.graph.joint.array_runs import ArrayReach
 
 MOST_PASSED = 512
-"""The largest number of boxes of what steps pass."""
+"""The largest number of boxes for the configurations that steps pass through."""
 
 
 class ArraySpace:
-    """Answers what can happen. All questions look at the same arrays, which are made for the first.
+    """Answers whether a property holds. All questions share the arrays; the first question makes
+    them.
 
-    ``steps`` are those of the blueprint, or of a part of it that nothing else touches. ``space``
-    makes the same steps one by one. Each answer raises TooLarge if it takes too much.
+    ``steps`` has the steps of the blueprint, or of a part of it that does not depend on the rest.
+    ``space`` computes single steps. Every answer raises TooLarge if it needs too much memory or
+    work.
     """
 
     engine = "arrays"
@@ -37,7 +41,7 @@ class ArraySpace:
 
     @cached_property
     def _reach(self) -> ArrayReach | None:
-        # numpy is loaded for this alone.
+        # Only this needs numpy, so it is loaded here.
         from smsl_studio.graph.joint.array_runs import ArrayReach
 
         try:
@@ -46,17 +50,17 @@ class ArraySpace:
             return None
 
     def forget(self) -> None:
-        """Free the arrays. They are made anew for the next question."""
+        """Free the memory of the arrays. The next question makes them again."""
         self.__dict__.pop("_reach", None)
 
     @property
     def count(self) -> int:
-        """The number of configurations that were reached."""
+        """The number of configurations in the arrays."""
         return self._reach.count if self._reach else 0
 
     @property
     def bound(self) -> str:
-        """The bound that was met; empty if there are all configurations."""
+        """The bound that ended the search. It is empty if the arrays have all configurations."""
         return self._reach.bound if self._reach else ""
 
     def reachable(self, meaning: Meaning) -> Answer:
@@ -92,7 +96,9 @@ class ArraySpace:
         return Answer(UNKNOWN if self.bound else HOLDS)
 
     def _passing(self, meaning: Meaning) -> list[JointBox]:
-        """Return the configurations out of which a step passes a condition."""
+        """Return the configurations from which one step passes through one that meets the
+        condition.
+        """
         diagram = self._steps.diagram()
         wanted = self._steps.meant(diagram, meaning)
         everything = diagram.box({})

@@ -1,4 +1,4 @@
-"""The cones of the claims about one blueprint: what must be looked at to answer each."""
+"""Finds the cone of each claim: the SBs that must be explored to answer the claim."""
 
 from __future__ import annotations
 
@@ -15,20 +15,22 @@ from smsl_studio.inspection.proof.cone import Cone, cone_of
 from smsl_studio.inspection.proof.verdict import HAZARD
 
 WATCHED = (HAZARD, "never")
-"""The kinds that look also at what a step passes on its way."""
+"""The kinds of claims that also count configurations through which a step only passes."""
 
 ALONE = (*WATCHED, "reachable", "way_back")
-"""The kinds that hold for some SBs whatever happens to others that do not touch these."""
+"""The kinds of claims whose answer for some SBs does not depend on SBs that have nothing to do with
+these."""
 
 ROUTED = ("after", "way_back")
-"""The kinds that go only where a route may go."""
+"""The kinds of claims that count only the steps that a route may take."""
 
 
 class ClaimCones:
-    """The cones of claims. With ``failures`` a run may also begin where one SB has failed.
+    """The cones of the claims about one blueprint.
 
-    ``hazards`` are the meanings of all hazards. ``small`` is the product of state counts up to
-    which no SB is left out.
+    ``hazards`` has the meanings of all hazards. ``small`` is a limit: if the product of the state
+    counts is at most this, no SB is left out. With ``failures`` a run may also begin where one SB
+    has failed.
     """
 
     def __init__(
@@ -39,10 +41,11 @@ class ClaimCones:
         self._cones: dict[tuple[str, ...], Cone] = {}
 
     def to_look_at(self, one: Claim) -> tuple[Cone, ...]:
-        """Return the cones to look at until a claim holds in one, a small one first.
+        """Return the cones for a claim, the smaller one first.
 
-        What fails elsewhere changes nothing for the SBs of a claim that speaks of them alone. It
-        only lets a run begin in the middle, so the shortest run to a fault may begin there.
+        If the claim holds in the first one, the second one is not needed. Claims of the kinds
+        ``ALONE`` do not change if another SB fails. But such a failure lets a run begin in the
+        middle. So the shortest run to a fault may only be found in the second cone.
         """
         whole = self.cone(one)
         if not self._failures or one.kind not in ALONE or self.is_small:
@@ -53,8 +56,10 @@ class ClaimCones:
         return (whole,) if near == whole else (near, whole)
 
     def cone(self, one: Claim, elsewhere: bool = True) -> Cone:
-        """Return the SBs that can change the answer of a claim. With failures these are also all
-        that can fail, or without ``elsewhere`` only those that touch the claim.
+        """Return the SBs that can change the answer of a claim.
+
+        With failures, all SBs that can fail belong to it. With ``elsewhere`` False, only those of
+        them that the claim depends on.
         """
         if self.is_small:
             return Cone(frozenset(self._hierarchy.order))
@@ -63,7 +68,7 @@ class ClaimCones:
         if one.kind == "after":
             wanted.update(self._hierarchy.roots)
         if self._failures and elsewhere:
-            # Whatever fails, a run may begin in each configuration in which it can fail.
+            # If an SB fails, a run may begin in any configuration in which this SB can fail.
             wanted.update(one.name for one in self._hierarchy.blueprint if failing_states(one))
         key = (str(routed), *sorted(wanted))
         found = self._cones.get(key)
@@ -75,7 +80,7 @@ class ClaimCones:
         stepper = Stepper(self._hierarchy, Terms() if routed else Terms(failing=None))
         cone = cone_of(stepper, wanted, routed)
         while routed:
-            # A hazard hinders the steps of all its SBs.
+            # A hazard can forbid steps of every SB that it names.
             hazards = self.near_hazards(cone)
             more = {name for hazard in hazards for name in branches_in(hazard)}
             if more <= cone.kept:
@@ -84,7 +89,10 @@ class ClaimCones:
         return cone
 
     def near_hazards(self, cone: Cone) -> tuple[Meaning, ...]:
-        """Return the hazards that can hinder a route. One that is met at the start hinders all."""
+        """Return the hazards that can forbid a step of a route in the cone.
+
+        If a hazard holds at the start, it forbids every step.
+        """
         return tuple(
             hazard
             for hazard in self._hazards
@@ -98,10 +106,10 @@ class ClaimCones:
         return self._failures or any(holds(one, start) for one in self._hazards)
 
     def product(self, cone: Cone) -> int:
-        """Return the product of the state counts of what a cone keeps."""
+        """Return the product of the state counts of the SBs in a cone."""
         return prod(len(self._hierarchy.blueprint[name].table) or 1 for name in cone.kept)
 
     @cached_property
     def is_small(self) -> bool:
-        """Whether the blueprint is so small that everything is looked at for all questions."""
+        """Whether the blueprint is so small that every question explores all of it."""
         return prod(len(one.table) or 1 for one in self._hierarchy.blueprint) <= self._small

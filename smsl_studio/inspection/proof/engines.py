@@ -1,4 +1,4 @@
-"""Chooses how a large space is looked at: as one set, or in arrays."""
+"""Chooses the engine for a large space: a diagram, or arrays."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ from smsl_studio.inspection.proof.symbolic import SymbolicSpace
 Engine = SymbolicSpace | ArraySpace
 
 ENGINES = (SymbolicSpace.engine, ArraySpace.engine)
-"""The words of all engines."""
+"""The names of all engines, as answers show them."""
 
 
 MOST_PARTS = 4
-"""The largest number of parts whose engines are kept, because each may take much memory."""
+"""The largest number of parts whose engines are kept. An engine may need much memory."""
 
 _Key = tuple[frozenset[str], bool, bool]
 
 
 class Engines:
-    """The engines of a blueprint and of its parts. Each is made only if it is asked.
+    """The engines of a blueprint and of its parts. An engine is made when it is first needed.
 
-    ``hazards`` hinder the steps that a route may take. ``allowed`` are the engines that may be
-    used, by their words. With ``failures`` a run may begin where one SB has failed.
+    A route may take no step that meets one of ``hazards``. ``allowed`` has the names of the engines
+    that may be used. With ``failures`` a run may also begin where one SB has failed.
     """
 
     def __init__(
@@ -50,10 +50,11 @@ class Engines:
         self._arrays: ArraySpace | None = None
 
     def engine(self, names: Collection[str], routed: bool, soon: bool = True) -> Engine | None:
-        """Return the engine for some SBs that nothing else touches, None if they take too much.
+        """Return the engine for some SBs, or None if every engine needs too much.
 
-        With ``routed`` the steps are those that a route may take. Without ``soon`` arrays do not
-        answer the question, so a diagram is given all of its time. RunRefused if there is no start.
+        No other SB may depend on these. With ``routed`` the engine uses only the steps that a route
+        may take. ``soon`` says that arrays could answer the question, so a diagram is given up
+        early. RunRefused if there is no start.
         """
         key = frozenset(names), routed, soon
         if key not in self._known:
@@ -68,7 +69,7 @@ class Engines:
         return found
 
     def _forget_others(self, key: _Key) -> None:
-        """Forget the engine of a part that was made long ago."""
+        """Forget the engine of the oldest part, if there are more than ``MOST_PARTS``."""
         if self._known[key] is None or len(key[0]) == len(self._blueprint.branches):
             return
         self._parts.append(key)

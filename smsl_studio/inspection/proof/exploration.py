@@ -18,7 +18,7 @@ NOWHERE = -1
 MOST_STEPS = 6_000_000
 """The largest number of steps that are stored."""
 MOST_BITS = 400_000_000
-"""The largest number of bits that are kept for conditions (50 MB)."""
+"""The largest number of bits (50 MB) to remember which configurations meet a condition."""
 
 
 class Exploration:
@@ -88,12 +88,14 @@ class Exploration:
 
     @property
     def is_plain(self) -> bool:
-        """Whether it has one start and leaves no step of its SBs out. Then the way by ``origin`` is
-        the first of the shortest ways by its addresses."""
+        """Whether ``origin`` leads to the first of the shortest runs by its addresses.
+
+        This is so if there is one start and no step of the SBs is left out.
+        """
         return len(self.starts) == 1 and not self.space.cone.quiet
 
     def way(self, node: int) -> Counterexample:
-        """Return the run by ``origin``."""
+        """Return the run to a node, found by following ``origin`` back."""
         path, here = [], node
         while (before := self.origin(here)) is not None:
             here, address = before
@@ -101,7 +103,9 @@ class Exploration:
         return self.run(here, path[::-1], node)
 
     def run(self, start: int, path: Sequence[Address], end: int) -> Counterexample:
-        """Return a run between two configurations, with the SBs that stand still."""
+        """Return a run from one configuration to another, with all SBs, also those that do not
+        move.
+        """
         space = self.space
         first, last = (space.in_order(space.whole(self.keys[one])) for one in (start, end))
         return Counterexample(first, tuple(path), last)
@@ -116,10 +120,10 @@ class Exploration:
         return (found & -found).bit_length() - 1
 
     def _meeting(self, meaning: Meaning) -> int:
-        """Return the configurations that meet a condition, as the bits of a number.
+        """Return which configurations meet a condition: bit n of the number is for configuration n.
 
-        A file may have thousands of conditions about the same facts, so those of single SBs are
-        kept, as far as they do not fill the memory.
+        A file may have thousands of conditions about the same facts. So the numbers for conditions
+        about one SB are kept, as long as there is memory for them (``MOST_BITS``).
         """
         if not isinstance(meaning, States):
             parts = map(self._meeting, meaning.parts)
@@ -157,7 +161,8 @@ class Exploration:
                         met.append((node, label))
                 target = self._seen(step.to, node, label)
                 if target == NOWHERE:
-                    # What was stored before must be found again by a walk.
+                    # Close the row of this node, so that a walk can still go through all stored
+                    # nodes.
                     self._first.append(len(self._targets))
                     return
                 self._targets.append(target)

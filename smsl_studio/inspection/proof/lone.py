@@ -1,4 +1,4 @@
-"""Explores one SB that nothing else touches: its graph has all of its steps."""
+"""Explores an SB that does not depend on any other SB. Its graph has all its steps."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.stop import BoundMet, heed
 
 
 def is_lone(hierarchy: Hierarchy, cone: Cone) -> bool:
-    """Whether a question looks at one SB alone, without bases, sub-SBs and ``requires``."""
+    """Whether a question is about one SB without bases, sub-SBs and ``requires``."""
     if cone.quiet or len(cone.kept) != 1:
         return False
     (name,) = cone.kept
@@ -23,10 +23,10 @@ def is_lone(hierarchy: Hierarchy, cone: Cone) -> bool:
 
 
 class LoneExploration(Exploration):
-    """The states of such an SB that can be reached. An operation's label is its edge's number."""
+    """The reachable states of such an SB. The label of a step is the number of its edge."""
 
     def name(self, label: int) -> Address:
-        """Return the operation with a number."""
+        """Return the address of the operation with this number."""
         graph = self._graph
         return Address(graph.branch, graph.names[graph.sources[label]], graph.operations[label])
 

@@ -1,4 +1,4 @@
-"""Walks through sets from many starts at once: of all runs the first by its addresses."""
+"""Finds one run through sets of configurations, if a run may begin in many configurations."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from smsl_studio.graph.joint.reach import JointReach
 from smsl_studio.stop import heed
 
 MOST_OPERATIONS = 5_000
-"""The largest number of operations that are tried at each step."""
+"""The largest number of operations that are tried for each step."""
 
 
 class MarkedSet(NamedTuple):
-    """Configurations that are not armed, and armed ones (see ``armed``)."""
+    """Two sets: configurations at the end of runs that are not armed, and of armed ones."""
 
     plain: int
     armed: int
 
 
 class _Try(NamedTuple):
-    """An operation, and its steps in both directions."""
+    """An operation with its steps, as relations forward and backward."""
 
     address: Address
     forth: list[Relation]
@@ -32,10 +32,10 @@ class _Try(NamedTuple):
 
 
 class ManyStarts:
-    """The walks from all configurations in which a run may begin.
+    """Finds the first run by its addresses, from any configuration in which a run may begin.
 
-    Configurations of ``arming`` arm a way, and those of ``disarming`` disarm it; without these sets
-    no way is armed.
+    Configurations of ``arming`` arm a run, and those of ``disarming`` disarm it (see ``armed``).
+    Without these sets no run is armed.
     """
 
     def __init__(self, reach: JointReach, arming: int = 0, disarming: int = 0) -> None:
@@ -68,7 +68,10 @@ class ManyStarts:
         ]
 
     def run(self, ways: Sequence[MarkedSet]) -> FoundRun:
-        """Return the first run through some sets. TooLarge if there are too many operations."""
+        """Return the first run by its addresses that goes through the sets, one set for each step.
+
+        TooLarge if there are more than ``MOST_OPERATIONS`` operations.
+        """
         here, taken, passed = ways[0], list[_Try](), [ways[0]]
         for goals in ways[1:]:
             for one in self._tries:

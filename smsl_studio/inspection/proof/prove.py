@@ -53,13 +53,15 @@ SMALL = 2_000
 
 
 class Scope(NamedTuple):
-    """How much is looked at. ``limit`` is the largest number of configurations that are stored.
+    """The limits of a proof.
 
-    With ``failures`` each configuration in which one SB has failed is a start too. ``small`` is the
-    product of state counts up to which no SB is left out. ``engines`` are those that may look at
-    all configurations together; without them configurations are looked at one by one alone. The
-    shortest run is looked for one by one if the product of the state counts of the cone is at most
-    ``near``. ``bounds`` are those of time and memory.
+    ``limit`` is the largest number of configurations that are stored. With ``failures`` a run may
+    also begin in each configuration in which one SB has failed. If the product of all state counts
+    is at most ``small``, no SB is left out.
+
+    ``engines`` names those that may hold all configurations together. Without them configurations
+    are only explored one by one. If the product of the state counts of the cone is at most
+    ``near``, the shortest run is searched one by one. ``bounds`` limit time and memory.
     """
 
     limit: int = LIMIT
@@ -150,17 +152,17 @@ class _Prover:
         return found
 
     def _one_by_one(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found:
-        """Answer from the configurations one by one."""
+        """Answer a claim by exploring configurations one by one."""
         near, *rest = self._cones.to_look_at(one)
         first = self._explored_answer(one, meanings, near)
         if first.answer.verdict == HOLDS or not rest:
             return first
         found = self._explored_answer(one, meanings, *rest)
-        # A fault that was found stays one, whatever is too large for a shorter run to it.
+        # A fault that was found is certain, even if the search for a shorter run to it met a limit.
         return found._replace(answer=first.answer) if found.answer.verdict == UNKNOWN else found
 
     def _explored_answer(self, one: Claim, meanings: tuple[Meaning, ...], cone: Cone) -> _Found:
-        """Answer from the configurations of a cone, one by one."""
+        """Answer a claim by exploring the configurations of a cone, one by one."""
         found = self._exploration(one, cone)
         first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
@@ -181,7 +183,7 @@ class _Prover:
         return _Found(answer, found.bound or None, count)
 
     def _at_once(self, one: Claim, meanings: tuple[Meaning, ...]) -> _Found | None:
-        """Answer from all configurations together, None if that is not possible."""
+        """Answer a claim with an engine, or return None if no engine can answer it."""
         scope = self._scope
         if not scope.engines or self._cones.is_small:
             return None
@@ -211,7 +213,7 @@ class _Prover:
         return _Found(answer, space.bound or None, count, space.engine)
 
     def _is_lone(self, cone: Cone) -> bool:
-        """Whether the graph of one SB has all that a question looks at."""
+        """Whether the cone is one SB whose own graph is enough to answer the question."""
         found = self._lone.get(cone)
         if found is None:
             found = (
@@ -221,7 +223,7 @@ class _Prover:
         return found
 
     def _goes_around(self, one: Claim) -> bool:
-        """Whether a claim looks at fewer steps than there are: those that a route may take."""
+        """Whether a claim counts only the steps of routes, and these are not all steps."""
         return one.kind in ROUTED and not self._routes_are_free
 
     @cached_property
@@ -236,7 +238,7 @@ class _Prover:
     # what is looked at
 
     def _exploration(self, one: Claim, cone: Cone) -> Exploration:
-        """Return what can be reached of a cone by the steps that a claim looks at."""
+        """Return what can be reached in a cone, by the steps that count for the claim."""
         routed = self._goes_around(one)
         found = self._explored.get((routed, cone))
         if found is None:
@@ -256,7 +258,7 @@ class _Prover:
 
     @cached_property
     def _watched(self) -> dict[Cone, list[Claim]]:
-        """The claims about what must never be, by their cone."""
+        """The claims of the kinds ``WATCHED``, by the cones in which they are answered."""
         found: dict[Cone, list[Claim]] = {}
         for one in self._claims:
             if one.kind in WATCHED and one.meanings:
@@ -266,8 +268,9 @@ class _Prover:
 
     @cached_property
     def _watched_numbers(self) -> dict[tuple[int, Cone], int]:
-        """The number of each such claim among those of a cone, by its identity. A file may have
-        thousands.
+        """The place of each watched claim in the list of its cone.
+
+        The key has the ``id`` of the claim, because a search in a list of thousands would be slow.
         """
         return {
             (id(one), cone): number
@@ -329,7 +332,7 @@ def _from_set(
 
 
 def _from_arrays(space: ArraySpace, one: Claim, meanings: tuple[Meaning, ...]) -> Answer | None:
-    """Answer from arrays, None for a kind that looks back."""
+    """Answer a claim from arrays. None for kinds that need steps backward."""
     if one.kind in WATCHED:
         return space.never(meanings[0])
     if one.kind == "reachable":

@@ -47,8 +47,8 @@ class WaySearch:
         self._may = may or (lambda key, was: True)
         self._mark = mark or (lambda key, was: 0)
         self._layers: list[dict[Node, Node]] = []
-        """The nodes of each layer in the order of the runs to them, each with the node before
-        it. A start has itself."""
+        """The nodes of each layer, sorted by the addresses of the runs to them. Each node has the
+        node before it on its run. A start has itself."""
 
     def layers(self) -> Iterator[Collection[Node]]:
         """Yield the nodes that can be visited, those with the fewest steps first."""
@@ -115,8 +115,11 @@ class WaySearch:
         return (number, mark) if self._may(key, mark) else None
 
     def _first_found(self, hits: Collection[Node]) -> Counterexample:
-        """Return the run to the first of the nodes. Nothing is left out of the search, so each
-        layer is in the order of the runs to its nodes."""
+        """Return the run to the first of the nodes.
+
+        The search leaves nothing out, so every layer is sorted by the addresses of the runs to its
+        nodes.
+        """
         found, wanted = self._found, set(hits)
         nodes = [next(node for node in self._layers[-1] if node in wanted)]
         for layer in reversed(self._layers[1:]):

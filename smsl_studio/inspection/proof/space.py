@@ -41,7 +41,8 @@ class Step(NamedTuple):
 
 
 MOST_STORED = 10_000_000
-"""The largest number of active states of SBs in all configurations that are stored (80 MB)."""
+"""The largest number of active states that are stored, counted over all SBs of all configurations
+(80 MB)."""
 
 _KEPT_STEPS = 20_000
 """The stepper keeps all steps that it was asked for. After so many it is made anew."""
@@ -159,7 +160,7 @@ class Space:
         return None if self._meets(one) else step
 
     def place(self, branch: str) -> int:
-        """Return the place of an SB in a configuration."""
+        """Return the index of an SB in a configuration."""
         return self._at[branch]
 
     def test(self, meaning: Meaning) -> Test:
@@ -217,7 +218,9 @@ class Space:
         return tuple(found)
 
     def shuts(self, key: Key) -> bool:
-        """Return whether no step may enter or pass a configuration."""
+        """Return whether a configuration is forbidden for a route: no step may end in it or pass
+        it.
+        """
         return any(shut(key) for shut in self._shut)
 
     def _meets(self, step: Step) -> bool:

@@ -20,21 +20,23 @@ from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
 from smsl_studio.inspection.proof.walk import walked
 
 SOON, SHARE = 100_000, 10
-"""Before a search in arrays, layers of diagrams are tried for a shortest run: so many looks at
-nodes, and one more for so many configurations."""
+"""A shortest run is first searched with diagrams, and then in arrays. The diagrams may take
+``SOON`` looks at nodes, and one more for each ``SHARE`` configurations."""
 
 STEPS, A_STEP = 80, 20_000
-"""And so many steps, or one for so many configurations. Many small layers are quicker in arrays."""
+"""The diagrams may also take ``STEPS`` steps, or one step for each ``A_STEP`` configurations if
+that is more. For long runs arrays are quicker."""
 
 MOST_BOXES = 512
-"""The largest number of boxes of what is looked for in arrays."""
+"""The largest number of boxes for the goals of a search in arrays."""
 
 
 class SymbolicSpace:
-    """Answers what can happen. TooLarge if that takes too much.
+    """Answers whether a property holds, with the set of all reachable configurations.
 
-    ``steps`` are those of the blueprint, or of a part of it that nothing else touches. ``space``
-    makes the same steps one by one. With ``soon`` it is given up early where arrays do.
+    ``steps`` has the steps of the blueprint, or of a part of it that does not depend on the rest.
+    ``space`` computes single steps. With ``soon`` the diagram is given up early if arrays can
+    answer. TooLarge if an answer needs too much work.
     """
 
     engine, bound = "diagram", ""
@@ -86,7 +88,7 @@ class SymbolicSpace:
         return Answer(FAILS, told(self._space(), self._shortest(paths, hits, may=may)))
 
     def after(self, first: Meaning, second: Meaning, shown: bool = True) -> Answer:
-        """Answer ``after [F, G]``, if the steps are those that a route may take."""
+        """Answer ``after [F, G]``. The engine must have only the steps that a route may take."""
         reach, diagram = self._reach, self._reach.diagram
         diagram.renew()
         top = diagram.height - 1
@@ -105,7 +107,7 @@ class SymbolicSpace:
     def way_back(
         self, first: Meaning, second: Meaning, within: int | None, shown: bool = True
     ) -> Answer:
-        """Answer ``way_back``, if the steps are those that a route may take."""
+        """Answer ``way_back``. The engine must have only the steps that a route may take."""
         reach = self._reach
         reach.diagram.renew()
         top = reach.diagram.height - 1
@@ -122,9 +124,10 @@ class SymbolicSpace:
     def _shortest(
         self, paths: JointPaths, hits: int, passing: int = 0, may: list[JointBox] | None = None
     ) -> FoundRun:
-        """Return the shortest run to a hit, or to one of ``passing``. Steps begin in ``may``.
+        """Return the shortest run to a configuration of ``hits`` or ``passing``.
 
-        Layers of diagrams are tried first, because they are cheap where they are few.
+        If ``may`` is given, only configurations of ``may`` are left by a step. Diagrams are tried
+        first, because they are fast for short runs.
         """
         diagram, count = self._reach.diagram, self._reach.count
         diagram.allow(min(SOON + count // SHARE, 4 * MOST_WORK))
@@ -144,7 +147,7 @@ class SymbolicSpace:
 
 
 def goal_of(hierarchy: Hierarchy) -> Meaning:
-    """Return the condition that every root is in ACTIVATING."""
+    """Return the condition that every SB without a base is in ACTIVATING."""
     blueprint = hierarchy.blueprint
     ends = [(root, blueprint[root].activating) for root in hierarchy.roots]
     return Joined(

@@ -1,4 +1,4 @@
-"""Runs that a search has found, as counterexamples: with all SBs, in the order of the file."""
+"""Turns the run that a search has found into a counterexample, with all SBs in file order."""
 
 from __future__ import annotations
 
@@ -12,20 +12,21 @@ from smsl_studio.inspection.proof.verdict import Counterexample
 from smsl_studio.stop import heed
 
 MOST_CARRIED = 1_000
-"""A run of up to so many operations is carried out by the steps of a run before it is shown."""
+"""A run of at most so many operations is checked step by step before it is shown."""
 
 
 def at_start(space: Space) -> Counterexample:
-    """Return the run without an operation."""
+    """Return the run that has no operation: it ends where it starts."""
     start = space.in_order(space.whole(space.start()))
     return Counterexample(start, (), start)
 
 
 def told(space: Space, run: FoundRun, meaning: Meaning | None = None) -> Counterexample:
-    """Return a run with its start and its end.
+    """Return a run with all SBs at its start and at its end.
 
-    ``space`` makes the steps. ``run`` tells of the SBs that move alone. If something passed is
-    meant, the first operation by its address that passes ``meaning`` is the last of the run.
+    ``space`` computes the steps. ``run`` has only the SBs that were searched. If ``run.during`` is
+    True, one operation is added at the end: the first one by its address that passes through a
+    configuration that meets ``meaning``.
     """
     start = {**space.whole(space.start()), **(run.start or {})}
     here = {**start, **run.end}
@@ -51,7 +52,7 @@ def told(space: Space, run: FoundRun, meaning: Meaning | None = None) -> Counter
 def _carry_out(
     space: Space, start: Mapping[str, str], path: Sequence[Address], end: Mapping[str, str]
 ) -> None:
-    """Refuse to show a run that the steps of a run do not lead along: that is a fault of ours."""
+    """Check that the run is possible, step by step. If it is not, this program has a fault."""
     here = dict(start)
     for address in path:
         heed()

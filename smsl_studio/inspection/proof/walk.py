@@ -1,4 +1,4 @@
-"""Walks through sets of configurations: of all runs through them the first by its addresses."""
+"""Finds one run through sets of configurations: the first one by its addresses."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from smsl_studio.stop import heed
 
 
 def walked(space: Space, reach: JointReach, ways: Sequence[int], during: bool = False) -> FoundRun:
-    """Return the run from the start through some sets of ``reach``, one operation for each after
-    the first. ``space`` makes the steps one by one. ``during`` is handed on. TooLarge if a run may
-    begin in many configurations, and they are too many.
+    """Return the first run by its addresses that goes through the sets ``ways``, one for each step.
+
+    The sets belong to the diagram of ``reach``. ``space`` computes the steps. ``during`` is copied
+    into the result. TooLarge if a run may begin in too many configurations.
     """
     if reach.steps.failed:
         if during:
@@ -35,7 +36,7 @@ def walked(space: Space, reach: JointReach, ways: Sequence[int], during: bool = 
 def _first(
     space: Space, here: Mapping[str, str], reach: JointReach, goals: int
 ) -> tuple[Address, JointStep]:
-    """Return the first operation by its address that leads into a set."""
+    """Return the first operation by its address that leads into the set ``goals``, and its step."""
     for address in space.operations(here):
         heed()
         step = space.joint_step(here, address)

@@ -34,7 +34,7 @@ def r27_changed_since(blueprint: Blueprint, other: Blueprint) -> Iterator[Remark
 
 
 def remarks_of(blueprint: Blueprint, difference: Difference) -> Iterator[Remark]:
-    """Return the remarks about a difference, removals first. They stand in ``blueprint``."""
+    """Return the remarks about a difference, removals first. Their places are in ``blueprint``."""
     changes = sorted(difference.changes, key=lambda one: ORDER.index(one.kind))
     for change in changes:
         path = change.path_after or change.path_before

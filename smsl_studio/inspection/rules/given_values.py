@@ -1,4 +1,4 @@
-"""The fix for names that carry no facts: it gives the states fact values, and says which."""
+"""The fix for states whose names carry no facts: it gives them fact values."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _SHOWN, _TRIES = 2, 4096
 
 
 def values_fix(branch: StateBranch) -> Fix | None:
-    """Return the fix that gives values to the states whose names carry none.
+    """Return a fix that gives values to the states whose names carry no facts, or None.
 
-    They are combinations that no other state has, and the words of the fix tell them. None if there
-    is no such state, if there are too many, or if no combination is left.
+    No other state has the same values. The words of the fix list them. The result is None if there
+    is no such state, if there are more than ``MOST``, or if no free values are left.
     """
     if branch.shape.width == 0 and not branch.shape.opaque:
         return None
@@ -36,7 +36,7 @@ def values_fix(branch: StateBranch) -> Fix | None:
 
 
 def _free(branch: StateBranch, others: Facts, needed: int) -> list[tuple[str, ...]]:
-    """Return combinations of values that no state has whose name carries facts."""
+    """Return combinations of values that no state with facts in its name has."""
     columns = [set(column) for column in zip(*others.values(), strict=True)]
     if not columns:
         said = max((*branch.notes.facts, *branch.subs, -1)) + 1

@@ -162,8 +162,11 @@ def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _letters(branch: StateBranch) -> Iterator[Remark]:
-    """Report names that are words of a length that fits, so that they are cut up. Beside names that
-    carry facts it is a warning, because a letter is then a value that no other state has."""
+    """Report names that are ordinary words but are read as facts, letter by letter.
+
+    This happens if a word has the right length. If other names do carry facts, it is a warning,
+    because then a letter of the word is a value that no other state has.
+    """
     words = read_by_letters(branch)
     if not words:
         return

@@ -127,8 +127,11 @@ def _digit(spots: _Entries, sub: str, digit: int) -> Iterator[Remark]:
 
 
 def _named_or_detached(branch: StateBranch, sub: str) -> Fix:
-    """The fix that gives values to states with words for names, if there are any: what the sub-SB
-    expands may be right then. Else the fix detaches the sub-SB."""
+    """Return a fix for a fact that has more than two values although a sub-SB expands it.
+
+    If the names of states are words, the fix gives these states fact values, because the sub-SB may
+    be right then. Else the fix detaches the sub-SB.
+    """
     unread = branch.shape.opaque or read_by_letters(branch)
     named = values_fix(branch) if unread else None
     return named or _detach(branch, sub)

@@ -84,10 +84,10 @@ def _remark(
 
 
 def _reverse(branch: StateBranch, effects: EdgeEffects, edge: Operation) -> tuple[str, Fix]:
-    """Return the advice and the fix.
+    """Return the advice and the fix for an operation without a reverse.
 
-    If the state has the operation that does this elsewhere, that one leads to a wrong state. Else
-    the operation is missing there, or one of a new name.
+    An operation that reverses it in other states may be in this state too. Then it leads to a wrong
+    state here, and the fix corrects its target. Else the fix adds the missing operation.
     """
     there = branch.table[edge.target]
     holders = effects.holders.get(effect(branch, edge.target, edge.source), ())
