@@ -13,8 +13,10 @@ _RUNS = ("initial", "activating", "facts", "sub_sbs", "states")
 
 
 def behaviour_values(branches: Iterable[MeantBranch]) -> list[Json]:
-    """Return the parts of some SBs that are carried out, as plain values: pairs of a name and its
-    states, operations and headers."""
+    """Return, as plain values, those parts of some SBs that decide how a run behaves.
+
+    There is a pair for each SB: its name, and its states, operations and headers.
+    """
     return [[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches]
 
 

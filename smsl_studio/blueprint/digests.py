@@ -52,10 +52,11 @@ def digests(blueprint: Blueprint) -> Digests:
 
 
 def content_of(blueprint: Blueprint) -> dict[str, Json]:
-    """Return the plain values that the digests are made of, so that others can compute them again.
+    """Return the plain values from which the digests are computed. Other programs can check them.
 
-    The canonical bytes of ``behaviour`` and of ``meaning`` have these digests. ``imported`` has the
-    SBs of imported files, then what these files say. ``missing`` are imports that failed.
+    ``behaviour`` and ``meaning``: their canonical bytes give the digests of these names.
+    ``imported`` has the SBs of imported files, and then the annotations of these files. ``missing``
+    are imports that failed.
     """
     return {
         "behaviour": behaviour_values(_own(blueprint)),
@@ -94,7 +95,7 @@ def _brought(blueprint: Blueprint) -> list[StateBranch]:
 
 
 def _said(blueprint: Blueprint) -> list[Json]:
-    """Return what the annotations of the file itself mean."""
+    """Return the annotations of the file itself, as plain values."""
     said = [_notes(_own(blueprint)), hazards_meaning(blueprint.fields.get("_hazards"))]
     levels = levels_meaning(levels_written(blueprint.document))
     own = said if levels is None else [*said, levels]
@@ -102,7 +103,7 @@ def _said(blueprint: Blueprint) -> list[Json]:
 
 
 def _said_elsewhere(blueprint: Blueprint) -> list[Json]:
-    """Return what the annotations of imported files mean. The hazards are those of all files."""
+    """Return the annotations of imported files, and the hazards of all files, as plain values."""
     said = [_notes(_brought(blueprint)), blueprint.meaning["hazards"]]
     levels = levels_meaning(levels_written(*blueprint.documents[1:]))
     theirs = said if levels is None else [*said, levels]

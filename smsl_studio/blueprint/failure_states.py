@@ -45,7 +45,7 @@ def _failing(branch: StateBranch) -> Mapping[str, str]:
 
 
 def _declared(branch: StateBranch) -> list[tuple[int, frozenset[str]]]:
-    """Return the failure values of each fact that has some, by digit."""
+    """Return the digit and the failure values of each fact that has some."""
     return [
         (digit, frozenset(note.failure))
         for digit, note in sorted(branch.notes.facts.items())

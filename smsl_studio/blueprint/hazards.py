@@ -71,7 +71,7 @@ def guard_hazards(blueprint: Blueprint) -> tuple[GuardHazard, ...]:
 
 
 def _states_with(blueprint: Blueprint, fact: FactKey, value: str) -> frozenset[str] | None:
-    """Return the states in which a fact has a value, None if it can never have it."""
+    """Return the states in which a fact has a value, or None if no state can have it."""
     name, digit = fact
     branch = blueprint.branches.get(name)
     if branch is None or digit >= len(branch.alphabet):

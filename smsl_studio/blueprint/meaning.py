@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 Json = Any
 OF_PROPERTY: Mapping[str, Json] = {"severity": "E", "why": ""}
-"""What an entry of ``_properties`` says if it leaves these keys out."""
+"""The default values of keys that an entry of ``_properties`` may leave out."""
 MEANING_FIELDS = ("_facts", "_states", "_operations")
 AS_WRITTEN = "as written"
 """The key of the entries that do not fit their table, by their path."""

@@ -99,7 +99,10 @@ class StateBranch:
         return shape.values(state)
 
     def states_with(self, digit: int, value: str) -> frozenset[str]:
-        """Return the states in which a fact has a value. Many conditions name the same ones."""
+        """Return the states in which a fact has a value.
+
+        The result is kept, because many conditions ask for the same states.
+        """
         found = self._having.get((digit, value))
         if found is None:
             pairs = ((name, self.facts(name)[digit : digit + 1]) for name in self.table)

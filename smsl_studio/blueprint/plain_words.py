@@ -1,4 +1,4 @@
-"""Names of states that are words, such as ``Idle``, although facts are read from their letters."""
+"""Finds names of states that are words, such as ``Idle``, but are read as facts by letters."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import StateBranch
 
 MANY_LETTERS = 4
-"""The number of facts from which a word is taken for a word. ``up`` and ``on`` may be facts."""
+"""A name with at least so many letters counts as a word. Shorter ones, such as ``up``, may be
+facts."""
 
 Facts = dict[str, tuple[str, ...]]
-"""The values of facts by state."""
+"""For each state the values of its facts."""
 
 
 def is_plain_word(branch: StateBranch, name: str) -> bool:
@@ -26,11 +27,12 @@ def is_plain_word(branch: StateBranch, name: str) -> bool:
 
 
 def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
-    """Return the states whose names are words, and whose letters are read as facts.
+    """Return the states whose names are words but are read as facts, letter by letter.
 
-    Where nothing speaks of facts, these are the plain words with four letters and more. Elsewhere a
-    word shows itself by a letter that is a value of no other state: ``Patient ready`` beside
-    ``State_01`` and ``State_11``. The others may be meant, such as ``abcd`` beside ``bacd``.
+    If nothing else in the SB shows facts, these are all plain words with four or more letters. Else
+    a word is recognised by a letter that is a value of no other state: ``Patient ready`` beside
+    ``State_01`` and ``State_11``. Other words may really be facts, such as ``abcd`` beside
+    ``bacd``.
     """
     shape = branch.shape
     if not shape.width or shape.opaque:
@@ -57,9 +59,10 @@ def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
 
 
 def carried(branch: StateBranch) -> Facts:
-    """Return the facts of the states whose names carry them: no word, and of the usual length.
+    """Return the facts of the states whose names really carry facts.
 
-    It is empty for an SB whose facts stand in ``_states``.
+    Such a name is no word and has the usual length. The result is empty if the facts of the SB are
+    in ``_states``.
     """
     shape = branch.shape
     if not shape.opaque:

@@ -1,7 +1,7 @@
-"""A blueprint from the content of a record (see ``digests.content_of``), to say what has changed.
+"""Makes a blueprint from the content of a record (see ``digests.content_of``), to compare it.
 
-It has all State Branches in one document. Its layout, comments and imports are gone, and defaults
-are explicit, because the content does not have them.
+All State Branches are in one document. The content has no layout, no comments and no imports, and
+it writes all defaults. So the blueprint does the same.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ BROKEN = "this content is not the one of a blueprint"
 
 
 def blueprint_of_content(content: Mapping[str, Json], name: str) -> Blueprint:
-    """Return the blueprint that a content describes. ``name`` stands in messages for its file.
+    """Return the blueprint that a content describes. Messages call its file ``name``.
 
-    ReadError if it describes none.
+    ReadError if the content does not describe a blueprint.
     """
     try:
         values = _values(content)
@@ -76,7 +76,7 @@ def _branch(said: Mapping[str, Json], notes: Mapping[str, Json]) -> dict[str, Js
 
 
 def _entry(note: Mapping[str, Json]) -> Iterator[tuple[str, Json]]:
-    """Yield what a note says. The arguments of a binding are texts in a content."""
+    """Yield the keys and values of a note. A content has the arguments of bindings as texts."""
     for word, value in note.items():
         if word == "binding" and isinstance(value, dict):
             arguments = {key: json.loads(text) for key, text in value["arguments"].items()}
@@ -86,5 +86,5 @@ def _entry(note: Mapping[str, Json]) -> Iterator[tuple[str, Json]]:
 
 
 def _thing(one: Json) -> Json:
-    """Return a hazard or property. One that cannot be read stands there as a text."""
+    """Return a hazard or property. One that cannot be read is a text in the content."""
     return json.loads(one) if isinstance(one, str) else one

@@ -40,7 +40,7 @@ class Stepper:
         self.hierarchy = hierarchy
         self.terms = terms or Terms()
         self.edges = Edges(hierarchy, self.terms.exact, self.terms.costs, self.terms.extra)
-        # This must not lead back to the stepper: a circle would keep its memory for long.
+        # This must not refer back to the stepper. Such a circle would keep its memory too long.
         self._along = Along(self.edges, partial(allow, self.edges, self.terms))
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
         self.allowance = Allowance(hierarchy)
@@ -159,7 +159,7 @@ class Stepper:
         return next(self.terms.closures(edge), None) is not None
 
     def forget(self) -> None:
-        """Forget all results, so that their memory is free as soon as nobody uses the stepper."""
+        """Delete all results. So their memory is free as soon as nobody uses the stepper."""
         for kept in (self._steps, self._routes, self._regions, self._blocks, self._hills):
             kept.clear()
 

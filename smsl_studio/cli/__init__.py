@@ -121,8 +121,9 @@ def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
 
 
 def _unanswered(module: ModuleType, reason: str) -> Mapping[str, Any]:
-    """Return the JSON of a command that has no answer, and why. Its module may give it the keys of
-    an answer.
+    """Return the JSON of a command that has no answer, with the reason.
+
+    The command's module may define the keys of this JSON.
     """
     of_command: Callable[[str], Mapping[str, Any]] | None = getattr(module, "unanswered", None)
     return {"reason": reason} if of_command is None else of_command(reason)

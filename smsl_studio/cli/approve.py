@@ -1,4 +1,4 @@
-"""``approve``: signs what the check says about a blueprint, and what a person says about it."""
+"""``approve``: signs the result of the check, and a person's decision about it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Sign the record. 0: it is signed; 1: something is open, and nothing was signed."""
+    """Sign the record. Return 0 if it is signed, and 1 if something is open."""
     blueprint = read_argument(options.file)
     if blueprint.file == STDIN:
         raise UsageError("standard input cannot be approved", advice="Name a file.")

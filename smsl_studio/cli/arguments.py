@@ -69,7 +69,10 @@ def add_limit(parser: ArgumentParser, words: str) -> None:
 
 
 def add_effort(parser: ArgumentParser) -> None:
-    """Add ``--seconds S`` and ``--memory MB``, bounds of time and memory. None is their default."""
+    """Add ``--seconds S`` and ``--memory MB``, which limit time and memory.
+
+    The default is no limit.
+    """
     parser.add_argument(
         "--seconds", type=_seconds, default=None, metavar="S", help="look for at most S seconds"
     )

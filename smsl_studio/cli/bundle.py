@@ -32,7 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Write the bundle. Its parts are not judged: verify.py in it does that."""
+    """Write the bundle. It is not checked here; the program verify.py in it does that."""
     blueprint = read_argument(options.file)
     signed = SignedPaths(options.record, options.policy)
     raw = bundled(blueprint, options.output, options.log, signed)

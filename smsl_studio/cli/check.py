@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 SHOWN = "shown for this blueprint as written, if every operation does what its edge says"
 MOST_HELD = 100
-"""The text lists at most so many hazards and properties that hold."""
+"""The largest number of hazards and properties that hold and are listed in the text."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -135,7 +135,7 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
 
 
 def _is_record(file: str) -> bool:
-    """Whether a file is a record, which has exactly one member."""
+    """Whether a file is a record. A record has exactly one member."""
     path = Path(file)
     if not path.is_file():
         return False
@@ -144,8 +144,10 @@ def _is_record(file: str) -> bool:
 
 
 def _since_record(one: _Checked, record: str | None) -> _Checked:
-    """Add what has changed since the newest record, after all other findings. Most files have no
-    record, and then nothing is loaded."""
+    """Add findings about the changes since the newest record, after all other findings.
+
+    Most files have no record. Then nothing is loaded for this.
+    """
     from smsl_studio.front.former_record import changes_since_record, may_have_record
 
     if record is None and not may_have_record(one.blueprint.file):
@@ -163,7 +165,7 @@ def _since_record(one: _Checked, record: str | None) -> _Checked:
 
 
 def _with_changes(one: _Checked, other: Blueprint, rules: list[str] | None) -> _Checked:
-    """Add what has changed since another version, after all other findings."""
+    """Add findings about the changes since another version, after all other findings."""
     from smsl_studio.inspection.against import inspect_against
 
     changes = inspect_against(one.blueprint, other, rules)

@@ -73,7 +73,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def unanswered(reason: str) -> dict[str, object]:
-    """Return the JSON of a comparison of behaviours that has no answer."""
+    """Return the JSON for a comparison of behaviours that gave no answer."""
     return {"equal": None, "path": [], "reason": reason, "configurations": [0, 0]}
 
 

@@ -36,7 +36,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def unanswered(reason: str) -> dict[str, object]:
-    """Return the JSON of a blueprint that cannot be explored: nothing was reached."""
+    """Return the JSON for a blueprint that cannot be explored. No configuration was reached."""
     nothing = ExploredMode(0, (), 0, (), 0, reason)
     return ExploredSpace((), nothing, nothing).as_json()
 

@@ -12,7 +12,7 @@ from smsl_studio.front.shapes import LIMIT, extract
 from smsl_studio.generate.shapes.chosen import CutRefused
 
 unanswered = no_shape
-"""The JSON of a command that has no answer."""
+"""The JSON for the case that there is no answer."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -36,5 +36,5 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         """Return the blueprint with the sub-SB."""
         return extract(blueprint, options.sb, states, options.name, options.limit or LIMIT)
 
-    # A name that is taken is no answer about the states, so it stays a wrong argument (exit 2).
+    # A name that is already taken is a wrong argument (exit 2). It says nothing about the states.
     return write_shape(options, out, "extract", make, CutRefused)

@@ -10,7 +10,7 @@ from smsl_studio.cli.shape_output import add_output, no_shape, write_shape
 from smsl_studio.front.shapes import LIMIT, flatten
 
 unanswered = no_shape
-"""The JSON of a command that has no answer."""
+"""The JSON for the case that there is no answer."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -44,7 +44,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def unanswered(reason: str) -> dict[str, object]:
-    """Return the JSON of a blueprint whose states could not be tried."""
+    """Return the JSON for a blueprint in which no groups of states could be searched."""
     return Identification((), reason).as_json()
 
 

@@ -1,4 +1,4 @@
-"""``keys``: makes, lists, moves and revokes the keys that sign records and registers."""
+"""``keys``: makes, lists, exports, imports and revokes keys, which sign records and registers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ VERBS = {
     "register": ("name", "key", "output"),
     "revoke": ("name", "why"),
 }
-"""Each verb with the arguments that it needs."""
+"""For each verb, the arguments that it needs."""
 
 ALSO = {
     "make": ("id", "passphrase_file"),
@@ -39,7 +39,7 @@ ALSO = {
     "register": ("passphrase_file",),
     "revoke": ("key", "passphrase_file"),
 }
-"""The arguments that a verb takes too."""
+"""For each verb, the arguments that it also accepts."""
 
 _SHOWN = {
     "name": "a name",
@@ -83,7 +83,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Do what the verb says. 0: it is done; 2: it is not possible."""
+    """Do what the verb says. Return 0 if it is done, and 2 if it is not possible."""
     _check(options)
     if options.verb == "list":
         return _list(options.format == "json", out)
@@ -117,7 +117,7 @@ def _done(options: argparse.Namespace) -> StoredKey:
 
 
 def _check(options: argparse.Namespace) -> None:
-    """Raise UsageError unless the verb has all arguments that it needs, and no others."""
+    """Raise UsageError if the verb needs an argument that is missing, or does not accept one."""
     needed = VERBS[options.verb]
     taken = {*needed, *ALSO.get(options.verb, ())}
     for one in needed:

@@ -62,7 +62,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     done = merge(base, ours, theirs)
     named = target
     if options.name is not None and options.output is None:
-        named = options.name  # git replaces the file itself, and its own name is of a moment
+        named = options.name  # git names a temporary file
     else:
         note_losses(target)
     if options.output is not None:
@@ -76,8 +76,10 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def _still_open(done: Merge) -> list[tuple[Conflict, str]]:
-    """Return all conflicts of the result with their words: the new ones, then those that a merge
-    before left open. An entry that is not understood is one too, because the check reports it.
+    """Return all open conflicts of the result with their words.
+
+    First come the new ones, then those that an earlier merge left open. An entry that cannot be
+    read counts, too, because the check reports it.
     """
     found, odd = read_conflicts(done.blueprint.document.values.get(KEY, []))
     strange = [(Conflict(path, ABSENT, ABSENT, ABSENT), words) for path, words in odd]

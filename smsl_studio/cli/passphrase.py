@@ -1,6 +1,6 @@
-"""Passphrases of keys: from a file, from ``SMSL_PASSPHRASE``, or typed at a prompt.
+"""Reads passphrases of keys: from a file, from ``SMSL_PASSPHRASE``, or from a prompt.
 
-They never stand on a command line, because every program of the computer could read them there.
+They are never arguments of a command, because every program on the computer could read them there.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ def add_passphrase(parser: ArgumentParser) -> None:
 
 
 def passphrase(file: str | None, whose: str) -> bytes:
-    """Return the passphrase of a key. ``whose`` names the key at the prompt.
+    """Return the passphrase of a key. The prompt calls the key ``whose``.
 
-    UsageError if there is none, and nobody to ask.
+    UsageError if there is no passphrase and no terminal for a prompt.
     """
     return _given(file, VARIABLE) or _typed(f"Passphrase of {whose}: ", "--passphrase-file")
 
 
 def new_passphrase(file: str | None, whose: str, variable: str = VARIABLE) -> bytes:
-    """Return a passphrase for a new key or a new copy. At a prompt it is typed twice."""
+    """Return a passphrase for a new key or a new copy. A prompt asks for it twice."""
     given = _given(file, variable)
     if given:
         return given

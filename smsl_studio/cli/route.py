@@ -29,7 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def unanswered(reason: str) -> dict[str, object]:
-    """Return the JSON of a route that could not be planned."""
+    """Return the JSON for a route that could not be planned."""
     return {"operations": [], "states": [], "cost": None, "reason": reason}
 
 

@@ -1,4 +1,4 @@
-"""What the commands that change the shape of a blueprint share: reading, writing OUT, refusals."""
+"""The common parts of the commands that change the shape of a blueprint."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def save_shape(before: Blueprint, after: Blueprint, output: str) -> None:
 
 
 def no_shape(reason: str) -> dict[str, object]:
-    """Return the JSON of a change of shape that could not be worked out."""
+    """Return the JSON for a change of shape that could not be computed."""
     return {"equal": None, "path": [], "reason": reason}
 
 
@@ -50,10 +50,10 @@ def write_shape(
     make: Callable[[Blueprint], Blueprint],
     refusal: type[EditRefused] = EditRefused,
 ) -> int:
-    """Read FILE, and write what ``make`` returns. Return the exit status.
+    """Read FILE, and write the result of ``make``. Return the exit status.
 
-    If ``make`` raises ``refusal``, the reason is told, with the run that shows it, and nothing is
-    written (exit 1).
+    If ``make`` raises ``refusal``, print the reason and the run that shows it, and write nothing
+    (exit 1).
     """
     form_of(options.output)
     blueprint = read_argument(options.file)

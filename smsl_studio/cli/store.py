@@ -25,7 +25,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Revoke a digest. 0: it is revoked; 2: it is not possible."""
+    """Revoke a digest. Return 0 if it is revoked, and 2 if that is not possible."""
     for name in ("key", "why"):
         if not getattr(options, name):
             raise UsageError(f"store revoke needs --{name}", advice="smsl-studio store --help")

@@ -22,7 +22,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Print the verdict. 0: approved, with all conditions met; 1: it is not."""
+    """Print the verdict. Return 0 if the blueprint is approved with all conditions met, else 1."""
     blueprint = read_argument(options.file)
     look_for_garbage()
     question = ApprovalQuestion(

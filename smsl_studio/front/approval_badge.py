@@ -1,4 +1,4 @@
-"""The approval of a blueprint in a few words, for a badge: its state, the reasons, what to do."""
+"""The words of the approval badge: whether the blueprint is approved, the reasons, what to do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.former_record import may_have_record
 
 LONGEST = 6
-"""The largest number of reasons that are told."""
+"""The largest number of reasons that the badge lists."""
 
 NOBODY = "Nobody has signed this blueprint. It runs in simulation only."
 TO_SIGN = "To sign it: smsl-studio approve FILE --key ID. The page Approval of the help says how."
@@ -18,8 +18,11 @@ TO_SIGN = "To sign it: smsl-studio approve FILE --key ID. The page Approval of t
 
 @dataclass(frozen=True)
 class ApprovalWords:
-    """What a badge shows. ``is_good`` says that the blueprint is approved. ``reasons`` are
-    sentences, and ``advice`` says what to do."""
+    """What the badge shows.
+
+    ``is_good`` says whether the blueprint is approved. ``reasons`` are sentences about why or why
+    not. ``advice`` says what to do.
+    """
 
     words: str
     reasons: tuple[str, ...] = ()
@@ -42,13 +45,13 @@ _WORDS = (
     ("open_finding", "Open error"),
     ("sub_not_covered", "Part not approved"),
 )
-"""Codes with the words of a badge; the first one that is told counts."""
+"""The words of the badge for some codes. If several codes apply, the first in this list counts."""
 
 
 def approval_words(blueprint: Blueprint) -> ApprovalWords:
-    """Return the words of a badge about the record of a blueprint, without a policy.
+    """Return the words of the badge for a blueprint, without a policy.
 
-    It verifies signatures and runs the check, which may last and heeds a stop.
+    This verifies signatures and runs the whole check, so it may take long. It heeds a stop.
     """
     if not may_have_record(blueprint.file):
         return UNINSPECTED

@@ -1,4 +1,4 @@
-"""The files of an approval: the blueprint's own files, its record, the policy and its register."""
+"""Reads the files of an approval: blueprint, record, policy and register."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ from smsl_studio.smsl.inputs import read_ordinary
 
 @dataclass(frozen=True, slots=True)
 class TrustFiles:
-    """What the policy and the store say, and the SHA-256 of the files that say it.
+    """What the policy and the store say, with the SHA-256 of the files that were read.
 
-    ``keys`` says in words whose keys count. ``serial`` is that of the register.
+    ``keys`` says in words whose keys count. ``serial`` is the serial number of the register.
     """
 
     grounds: TrustGrounds
@@ -51,7 +51,7 @@ class TrustFiles:
 
 @dataclass(frozen=True, slots=True)
 class RecordFile:
-    """The records in a file, or why there are none, and the SHA-256 of the file."""
+    """The records in a file, and the SHA-256 of the file. A refusal if there are none."""
 
     records: tuple[SignedRecord, ...] | Refusal
     digest: str | None = None
@@ -59,14 +59,16 @@ class RecordFile:
 
 
 def name_in(blueprint: Blueprint, file: str) -> str:
-    """Return the name of a file below the folder of the blueprint's own file."""
+    """Return the path of a file relative to the folder of the blueprint."""
     folder = os.path.dirname(blueprint.file) or "."  # noqa: PTH120
     return PurePath(os.path.relpath(file, folder)).as_posix()
 
 
 def parts_of(blueprint: Blueprint) -> Iterator[tuple[str, Blueprint]]:
-    """Yield each file of the closure as a blueprint of its own, with its name. The blueprint itself
-    comes first. The files are those in memory; nothing is read."""
+    """Yield each file of the blueprint and its imports, as a blueprint with its name.
+
+    The first one is the blueprint itself. Nothing is read from the disk.
+    """
     yield name_in(blueprint, blueprint.file), blueprint
     for document in blueprint.documents[1:]:
         part = read_blueprint(document, opened=blueprint.documents)
@@ -74,7 +76,7 @@ def parts_of(blueprint: Blueprint) -> Iterator[tuple[str, Blueprint]]:
 
 
 def signed_file(name: str, blueprint: Blueprint) -> SignedFile:
-    """Return a file with its digests, as a record names it."""
+    """Return the name and the digests of a file, in the form of a record."""
     return SignedFile(name=name, digest=SignedDigests(**digests(blueprint).as_json()))
 
 
@@ -96,7 +98,10 @@ def record_in(path: Path) -> RecordFile:
 
 
 def trust_files(policy: Path | None) -> TrustFiles | Refusal:
-    """Return whose signatures count. PluginError if the policy's file cannot be read."""
+    """Return whose signatures count, according to the policy and the store.
+
+    PluginError if the file of the policy cannot be read.
+    """
     if policy is None:
         return TrustFiles(_stored(USUAL, given=False))
     raw = _bytes(policy)

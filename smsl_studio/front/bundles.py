@@ -1,4 +1,4 @@
-"""Bundles of evidence: a blueprint, its logs and records, and a program that checks them alone."""
+"""Writes bundles of evidence. A bundle can be checked without this program."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from smsl_studio.smsl.files import save_document
 
 Name = str | os.PathLike[str]
 _DAY = (1980, 1, 1, 0, 0, 0)
-"""The time of every file in a bundle, so that equal input gives equal bytes."""
+"""Every file in a bundle has this time, so that equal input gives equal bytes."""
 _README = """\
 This is evidence about runs of a blueprint. It can be checked without the program that wrote it:
 
@@ -47,12 +47,13 @@ def bundle(
     record: Name | None = None,
     policy: Name | None = None,
 ) -> None:
-    """Write a bundle of evidence: a ``.zip`` with the blueprint, logs of its runs, its record and
-    policy, and the program ``verify.py`` that checks them alone.
+    """Write a bundle of evidence: a ``.zip`` that can be checked without this program.
 
-    Without ``record`` the record beside the blueprint's file is taken, if there is one. Equal input
-    gives equal bytes. UsageError if ``output`` is no name of a bundle. ReadError if a log, the
-    record or the policy cannot be read. SaveError if the bundle cannot be written.
+    It has the blueprint, logs of its runs, its record, its policy, and the program ``verify.py``
+    that checks them. If no ``record`` is given, the record beside the blueprint's file is used, if
+    there is one. Equal input gives equal bytes. UsageError if ``output`` does not end in ``.zip``.
+    ReadError if a log, the record or the policy cannot be read. SaveError if the bundle cannot be
+    written.
 
     >>> bundle(read("hfsm.json"), "evidence.zip", logs=["run.jsonl"])
     """
@@ -80,7 +81,10 @@ def bundled(
 
 
 def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
-    """Yield the files of a blueprint and their content, under names below their common folder."""
+    """Yield the name in the bundle and the content of each file of a blueprint.
+
+    The names keep the folders, relative to the common folder of all files.
+    """
     paths = [_path(document) for document in blueprint.documents]
     folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
     for path, document in zip(paths, blueprint.documents, strict=True):
@@ -93,18 +97,18 @@ def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
 
 
 def _path(document: Document) -> str:
-    """Return the real path of a document's file. Standard input has none, so it gets a name."""
+    """Return the real path of a document. A blueprint from standard input gets a made-up name."""
     is_file = os.path.lexists(document.file)
     return os.path.realpath(document.file if is_file else f"blueprint.{document.form}")
 
 
 def _plain(name: str) -> str:
-    """Return a name that every zip can hold: half a surrogate pair becomes an escape."""
+    """Return a name that a zip can hold. Characters that UTF-8 cannot write become escapes."""
     return name.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def _log_files(logs: Sequence[str]) -> Iterator[tuple[str, bytes]]:
-    """Yield the logs, each under a name of its own."""
+    """Yield each log with a name that no other log has."""
     taken: set[str] = set()
     for log in logs:
         stem, number = PurePath(log).stem or "log", 1

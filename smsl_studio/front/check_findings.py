@@ -1,4 +1,4 @@
-"""The whole check of a blueprint, as an approval signs it and as a verification repeats it."""
+"""The whole check of a blueprint. An approval signs its result, and a verification repeats it."""
 
 from __future__ import annotations
 
@@ -15,26 +15,30 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.library.loaded import Loaded
 
 WHOLE = InspectionOptions(limit=None, with_failures=False, recoverability=False, rules=None)
-"""The options of a check without options."""
+"""The options of a check for which no options are given."""
 NOWHERE: Mapping[str, Loaded] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
 class CheckAnswer:
-    """All findings, what was shown about properties, and the failure states without a way out."""
+    """The result of a check.
+
+    It has all findings, the verdicts about hazards and properties, and sentences about failure
+    states from which no route leads back.
+    """
 
     findings: tuple[Finding, ...]
     verdicts: tuple[PropertyVerdict, ...] = ()
     stuck: tuple[str, ...] = ()
 
     def of(self, severity: Severity, apart: Collection[str] = ()) -> tuple[Finding, ...]:
-        """Return the findings of a severity, except those in the files ``apart``."""
+        """Return the findings of a severity. Findings in the files ``apart`` are left out."""
         return tuple(
             one for one in self.findings if one.severity is severity and one.place.file not in apart
         )
 
     def errors(self, apart: Collection[str] = ()) -> tuple[str, ...]:
-        """Return everything that blocks an approval, in words."""
+        """Return sentences for everything that prevents an approval."""
         found = self.of(Severity.ERROR, apart)
         told = [f"{one.rule} {one.address}: {one.message}" for one in found]
         return (*told, *self.stuck)
@@ -45,9 +49,10 @@ def whole_check(
     options: InspectionOptions = WHOLE,
     worlds: Mapping[str, Loaded] = NOWHERE,
 ) -> CheckAnswer:
-    """Check a blueprint with the options of ``check``, and in some worlds with their plugins.
+    """Check a blueprint as the command ``check`` does.
 
-    UsageError for an unknown rule.
+    ``worlds`` has the plugins of each world in which it is checked too. UsageError for an unknown
+    rule.
     """
     from smsl_studio.front.equipment import findings_in_world
     from smsl_studio.front.proof import prove

@@ -16,11 +16,10 @@ from smsl_studio.world.engines import TABLE
 
 
 def loaded_for(world: str, plugin_paths: Sequence[Path] = ()) -> Loaded:
-    """Return the plugins that serve a world. No plugin's code runs in this process.
+    """Return the plugins that serve a world. The table world needs none.
 
-    ``plugin_paths`` are searched before all other folders.
-
-    WorldError, with a similar name, if there is no such world. The table world needs no plugins.
+    ``plugin_paths`` are searched before all other folders. No plugin code runs in this process.
+    WorldError if there is no such world; it suggests a similar name.
     """
     if world == TABLE:
         return Loaded(())

@@ -39,11 +39,13 @@ def explore(
     seconds: float | None = None,
     megabytes: int | None = None,
 ) -> ExploredSpace:
-    """Return the configurations of all SBs together, once coupled and once free (paper, FSM-G).
+    """Return the configurations of all SBs together (paper, FSM-G).
 
-    At most ``limit`` configurations of the coupled SBs are stored, unless they are counted as one
-    set. ``seconds`` and ``megabytes`` bound the time and the memory of this process. ``ours.bound``
-    says which of them was met. RunRefused if the blueprint has no start.
+    They are counted twice: once with the SBs coupled as in a run, and once with every SB free. At
+    most ``limit`` configurations of the coupled SBs are stored one by one. Larger spaces are
+    counted as one set if possible. ``seconds`` (wall time) and ``megabytes`` (MB, memory of this
+    process) limit the work, and ``ours.bound`` says which limit was met. RunRefused if the
+    blueprint has no start.
 
     >>> found = explore(read("hfsm.json"))
     >>> found.ours.configurations, found.free.configurations

@@ -1,4 +1,4 @@
-"""The newest record of a file, and what has changed since (R27). Signatures are not checked."""
+"""Finds the newest record of a file, and what has changed since (R27). It checks no signatures."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.inspection.rules.finding import Finding
 
 
 def may_have_record(file: str) -> bool:
-    """Whether there may be a record of a file. It is quick, and loads nothing."""
+    """Whether a record of this file may exist. This is quick, because no record is read."""
     beside = os.path.lexists(f"{file}.record.json")
     return beside or os.path.lexists(user_folder() / "store" / "records")
 
@@ -21,10 +21,10 @@ def may_have_record(file: str) -> bool:
 def changes_since_record(
     blueprint: Blueprint, record: str | None = None
 ) -> tuple[str, tuple[Finding, ...]]:
-    """Return the name of the newest record of a blueprint, and what has changed since then.
+    """Return the name of the newest record of a blueprint, and the changes since it was signed.
 
-    ``record`` is a record's file. Without it the record beside the blueprint and the store are
-    looked at; both results are empty if there is none. ReadError if a record cannot be read.
+    ``record`` is the file of a record. None means the record beside the blueprint, or one in the
+    store. If there is no record, both results are empty. ReadError if a record cannot be read.
     """
     from smsl_studio.inspection.approval.seen_index import newest_entry
 

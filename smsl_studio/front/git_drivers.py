@@ -23,7 +23,7 @@ DRIVERS = {
     "merge.smsl.driver": "smsl-studio merge %O %A %B --name=%P",
 }
 FORMER = {"merge.smsl.driver": "smsl-studio merge %O %A %B --name %P"}
-"""What an earlier version wrote, so that it is taken back too."""
+"""The values that earlier versions of Studio wrote. They are removed too."""
 _PATIENCE = 20.0
 
 
@@ -66,9 +66,10 @@ def git_setup(folder: str | os.PathLike[str] = ".", undo: bool = False) -> GitSe
 
 
 def _configure(top: Path, key: str, value: str) -> bool:
-    """Let git use a value of a key, and return whether that changes anything.
+    """Set a key of git's configuration to a value. Return whether this changes anything.
 
-    Of several values git uses the last one, so those of others stay before it.
+    A key may have several values, and git uses the last one. So values that others wrote are kept
+    before it.
     """
     if _values(top, key)[-1:] == [value]:
         return False
@@ -78,8 +79,9 @@ def _configure(top: Path, key: str, value: str) -> bool:
 
 
 def _take_back(top: Path, key: str, value: str) -> bool:
-    """Take out the value of a key, also that of an earlier version, and return whether one was
-    there. Values of others stay.
+    """Remove our value of a key, also that of an earlier version. Return whether there was one.
+
+    Values that others wrote stay.
     """
     ours = {value, FORMER.get(key, value)} & {*_values(top, key)}
     for one in sorted(ours):
@@ -88,13 +90,13 @@ def _take_back(top: Path, key: str, value: str) -> bool:
 
 
 def _values(top: Path, key: str) -> list[str]:
-    """Return all values of a key in the configuration of a checkout, in their order."""
+    """Return all values of a key in the configuration of a repository, in order."""
     found = _git(top, "config", "--local", "--null", "--get-all", key, nothing=1)
     return found.split("\0")[:-1]
 
 
 def _escaped(found: re.Match[str]) -> str:
-    """Return a character for the patterns of git, in which it may have a meaning."""
+    """Return a character escaped for git's patterns, in which it may have a meaning."""
     return f"[{found[0]}]"
 
 
@@ -102,8 +104,10 @@ _UNCOMMON = re.compile(r"[^\w %=-]")
 
 
 def _must_be_ordinary(attributes: Path) -> None:
-    """Raise SaveError for a link, which could lead out of the repository, and for a pipe or a
-    folder. Git itself reads no attributes from a link."""
+    """Raise SaveError if the file of attributes is a link, a pipe or a folder.
+
+    A link could lead out of the repository. Git itself reads no attributes through a link.
+    """
     ordinary = not attributes.is_symlink() and attributes.is_file()
     if os.path.lexists(attributes) and not ordinary:
         raise SaveError(
@@ -131,8 +135,10 @@ def _with_block(text: bytes) -> bytes:
 
 
 def _without(text: bytes) -> bytes:
-    """Return the attributes without the lines of the block. Lines that others wrote into it stay,
-    also if its end is missing."""
+    """Return the attributes without the lines that Studio wrote.
+
+    Lines of others inside our block stay, even if the end of the block is missing.
+    """
     ours = {line.encode() for line in (BEGIN, END, *_lines())}
     kept, inside = [], False
     for line in text.splitlines(keepends=True):
@@ -149,7 +155,7 @@ def _lines() -> list[str]:
 
 
 def _git(folder: Path, *arguments: str, nothing: int = 0) -> str:
-    """Return what git prints. It may also end with the status ``nothing``, if there is nothing."""
+    """Return the output of git. The exit status ``nothing`` means an empty output."""
     kept = {k: v for k, v in os.environ.items() if k not in ("GIT_DIR", "GIT_WORK_TREE")}
     try:
         done = subprocess.run(

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 def make_host(
     request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
 ) -> Host:
-    """Make the local or the process host of a run.
+    """Make the host of a run: local or in a child process.
 
-    ``loaded`` are plugins that were found already. A local host uses them directly. The child of a
-    process host loads the plugins of the world anew, and no others. ``spare`` may have a waiting
-    child for a process host. RunRefused if the world is hardware and no approval was asked for.
+    ``loaded`` has plugins that were found before. A local host uses them directly. The child of a
+    process host loads the plugins of the world again, and no others. ``spare`` may hold a child
+    process that waits for work. RunRefused if the world is hardware and the run has no approval.
     """
     blueprint, world, seed = request.blueprint, request.world, request.seed
     _refuse_hardware(request, loaded)
@@ -77,11 +77,11 @@ def known_world(
     host: str = "local",
     signed: Mapping[str, str] | None = None,
 ) -> Loaded | None:
-    """Find the plugins of a world. The table world needs none, so the result is None.
+    """Find the plugins of a world. None for the table world, which needs none.
 
-    ``signed`` has the SHA-256 of code that was signed, by location: other code there is not loaded.
-    For the host ``process`` no plugin's code runs in this process. WorldError, with a similar name,
-    if there is no such world.
+    ``signed`` has the SHA-256 of signed code, by its location. At these locations no other code is
+    loaded. For the host ``process`` no plugin code runs in this process. WorldError if there is no
+    such world; it suggests a similar name.
     """
     if world == TABLE:
         return None

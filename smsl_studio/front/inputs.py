@@ -64,8 +64,11 @@ def inspect(
 
 
 def must_be_whole(blueprint: Blueprint) -> None:
-    """Raise RunRefused if parts of a blueprint are missing or doubled, so that no answer would be
-    about all of it, or if it is too large to be checked at all. The same refuses a run."""
+    """Raise RunRefused if an answer about a blueprint could not be about all of it.
+
+    Parts may be missing or doubled, or the blueprint may be too large for a check. The same reasons
+    refuse a run.
+    """
     refuse_nonsense(blueprint, "Mend what this finding says first.")
     from smsl_studio.dispatch.route.effort import refuse_too_large
 
@@ -73,7 +76,7 @@ def must_be_whole(blueprint: Blueprint) -> None:
 
 
 def refuse_nonsense(blueprint: Blueprint, advice: str) -> None:
-    """Raise RunRefused with the first finding that refuses a run, if there is one."""
+    """Raise RunRefused with the first finding for which a run would be refused, if any."""
     found = refusals(blueprint)
     if found:
         more = f" (and {len(found) - 1} more findings like it)" if len(found) > 1 else ""

@@ -1,4 +1,4 @@
-"""Makes, lists, moves and revokes the keys of this user's store."""
+"""Makes, lists, exports, imports and revokes the keys of this user's store."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ Name = str | os.PathLike[str]
 def make_key(
     person: str, role: str, passphrase: bytes, key_id: str = "", now: datetime | None = None
 ) -> StoredKey:
-    """Make a key of a person in a role, and keep it in the store. ``key_id`` is its local name.
+    """Make a key for a person in a role, and keep it in the store.
 
-    The private half is encrypted with the passphrase. UsageError if the name is taken, SealError if
-    the passphrase is empty.
+    ``key_id`` is its name in this store. The passphrase encrypts the private half. UsageError if
+    the name is taken, SealError if the passphrase is empty.
 
     >>> make_key("L. Brandt", "engineer", b"a passphrase").id
     'l-brandt-engineer'
@@ -60,7 +60,9 @@ def make_key(
 
 
 def list_keys() -> tuple[StoredKey, ...]:
-    """Return the keys of the store, by their local names. SealError if one is not believed.
+    """Return the keys of the store, sorted by their names.
+
+    SealError if another user could have written a file of the store, or if a file is no key.
 
     >>> list_keys()
     ()
@@ -74,9 +76,10 @@ def export_key(
     passphrase: bytes | None = None,
     new_passphrase: bytes | None = None,
 ) -> StoredKey:
-    """Write a key to a new file: its public half, or both halves if a passphrase is given.
+    """Write a key to a new file.
 
-    The private half gets a box of its own with ``new_passphrase``. SealError if the passphrase is
+    Without a passphrase the file gets only the public half. With the key's passphrase it gets both
+    halves, and ``new_passphrase`` encrypts the private half there. SealError if the passphrase is
     wrong.
 
     >>> made = make_key("L. Brandt", "engineer", b"a passphrase")
@@ -113,10 +116,11 @@ def _write_private(path: Path, raw: bytes) -> None:
 
 
 def import_key(file: Name, key_id: str = "") -> StoredKey:
-    """Take a key from a file into the store. ``key_id`` is its local name there.
+    """Take a key from a file into the store. ``key_id`` becomes its name there.
 
-    Without a register the key counts from now on, with the name and role in the file. So compare
-    its identity with what its owner says. SealError if the file is no key.
+    If there is no register, signatures of this key count from now on, with the person and role in
+    the file. So compare its identity with what its owner tells you. SealError if the file is no
+    key.
 
     >>> made = make_key("L. Brandt", "engineer", b"a passphrase")
     >>> _ = export_key(made.id, "brandt.key.json")
@@ -144,7 +148,7 @@ def import_key(file: Name, key_id: str = "") -> StoredKey:
 
 
 def _joined(mine: StoredKey, other: StoredKey) -> StoredKey:
-    """Return a key of the store with what a file adds: its private half, and its revocation."""
+    """Return a key of the store, completed by a file: with its private half and its revocation."""
     if (mine.person, mine.role) != (other.person, other.role):
         raise UsageError(
             f"this key is in your store as {mine.id}, of {mine.person} ({mine.role}), and the file "
@@ -156,7 +160,7 @@ def _joined(mine: StoredKey, other: StoredKey) -> StoredKey:
 
 
 def sign_register(persons: Name, key: str, passphrase: bytes, output: Name) -> StoredKey:
-    """Sign a register of persons, and write it. Return the key that signed it.
+    """Sign a register of persons, and write it to a file. Return the key that has signed.
 
     SealError if ``persons`` is no register, or if the passphrase is wrong.
 
@@ -178,7 +182,7 @@ def sign_register(persons: Name, key: str, passphrase: bytes, output: Name) -> S
 
 
 def revoke_key(key_id: str, why: str, passphrase: bytes, by: str = "") -> StoredKey:
-    """Revoke a key of the store. All its signatures are void, whatever their time.
+    """Revoke a key of the store. None of its signatures counts any more, not even an old one.
 
     The passphrase is that of this key, or that of another key ``by``. SealError if it is wrong.
 
@@ -199,9 +203,10 @@ def revoke_key(key_id: str, why: str, passphrase: bytes, by: str = "") -> Stored
 
 
 def revoke_digest(digest: str, why: str, key: str, passphrase: bytes) -> str:
-    """Revoke a record or a blueprint by its SHA-256, for this user. Return the digest.
+    """Revoke a record or a blueprint for this user, by its SHA-256. Return the digest.
 
-    The passphrase is that of a key of the store. With a register only it or the policy revokes.
+    The passphrase is that of ``key``, a key of the store. If there is a register, this has no
+    effect: then only the register and the policy can revoke.
 
     >>> made = make_key("L. Brandt", "engineer", b"a passphrase")
     >>> revoke_digest("sha256:" + 64 * "0", "a wrong file", made.id, b"a passphrase")[:4]

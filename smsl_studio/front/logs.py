@@ -43,9 +43,9 @@ def replay(log: Name) -> LoggedRun:
 def verify(log: Name, blueprint: Blueprint | None = None) -> LogVerdict:
     """Check that a log is complete and unchanged, and that its events are possible in a run.
 
-    With ``blueprint``, the one that was run, the story is told again from it, as ``verify.py`` in a
-    bundle does. ``doubt`` is None for a sound log. Else it is the first wrong line, with place and
-    sentence.
+    ``blueprint`` is the blueprint that was run. If it is given, the run is computed again from it,
+    as ``verify.py`` in a bundle does. ``doubt`` is None for a good log. Else it is the first wrong
+    line, with its place and a sentence.
 
     >>> verify("run.jsonl").doubt is None
     True
@@ -55,7 +55,7 @@ def verify(log: Name, blueprint: Blueprint | None = None) -> LogVerdict:
 
 
 def verify_stream(stream: BinaryIO, file: str, blueprint: Blueprint | None = None) -> LogVerdict:
-    """Check the log in a stream, as ``verify`` does. ``file`` is its name in messages."""
+    """Check the log in a stream, as ``verify`` does. Messages call it by ``file``."""
     if blueprint is None:
         return verify_log(stream, file, COMMANDS)
     from smsl_studio.front.verifier import told_again

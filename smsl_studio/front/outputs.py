@@ -91,9 +91,9 @@ def converted(blueprint: Blueprint, output: Name) -> Converted:
 
 
 def form_of(output: Name, others: Collection[str] = ()) -> str:
-    """Return the written form of the suffix of a file. UsageError for an unknown suffix.
+    """Return the file format for the suffix of a file. UsageError if the suffix is unknown.
 
-    ``others`` are suffixes that the caller takes too, for the advice.
+    ``others`` are further suffixes that the caller accepts. The advice of the error lists them.
     """
     form = SUFFIXES.get(PurePath(output).suffix.lower())
     if form is None:
@@ -255,9 +255,9 @@ def title_of(blueprint: Blueprint) -> str:
 
 
 def drawn_difference(difference: Difference, output: Name, collapsed: bool = False) -> bytes:
-    """Return a picture of a comparison as bytes. Added, removed and changed elements are marked.
+    """Return a picture of a comparison as bytes. It marks added, removed and changed elements.
 
-    With ``collapsed`` unchanged operations between the same two states are one line.
+    With ``collapsed``, unchanged operations between the same two states are one line.
     """
     from smsl_studio.picture.colours import LIGHT
     from smsl_studio.picture.compared import draw_difference

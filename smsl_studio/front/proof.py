@@ -50,11 +50,13 @@ def prove(
 ) -> Proof:
     """Return whether the hazards and properties of a blueprint hold (paper, Inspection).
 
-    It is shown for the blueprint as written, if every operation does what its edge says. ``limit``
-    is the largest number of configurations that are stored; beyond it a verdict may be ``unknown``.
-    ``with_failures`` begins also in each configuration that can be reached, with the state of one
-    SB replaced by a failure state of it. ``seconds`` and ``megabytes`` bound the time, and the
-    memory of this process; what is not shown then is ``unknown``.
+    The proof is about the blueprint as it is written. It assumes that every operation does what its
+    edge says.
+
+    ``limit`` is the largest number of configurations that are stored. ``seconds`` (wall time) and
+    ``megabytes`` (MB, memory of this process) limit the work. If a limit is met, a verdict may be
+    ``unknown``. With ``with_failures`` a run may also begin in each reachable configuration after
+    one SB has changed to one of its failure states.
 
     >>> prove(read("hanoi-corrected.json")).verdicts
     ()
@@ -76,7 +78,7 @@ def prove(
 
 
 def _too_large(blueprint: Blueprint) -> str:
-    """Say why a blueprint is too large to be proved. The text is empty if it is not."""
+    """Return why a blueprint is too large for a proof, or the empty text if it is not."""
     try:
         refuse_too_large(Hierarchy(blueprint))
     except RunRefused as error:

@@ -71,8 +71,11 @@ class Recorder:
         dispatcher: Dispatcher | None,
         refusals: Sequence[Mapping[str, str]] = (),
     ) -> None:
-        """Record the end of a run whose dispatcher cannot report it. A failure first gets an event
-        ``held``. ``refusals`` have a code and a sentence each."""
+        """Record the end of a run if its dispatcher cannot report it.
+
+        A failure is first recorded as the event ``held``. Each of the ``refusals`` has a code and a
+        sentence.
+        """
         finished = (
             RunFinished(t=0.0, reason=reason, sentence=sentence, operations=0, configuration={})
             if dispatcher is None

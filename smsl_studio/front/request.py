@@ -27,19 +27,22 @@ ON_MISMATCH = ("hold", "adopt")
 
 @dataclass(frozen=True, eq=False)
 class RunRequest:
-    """The request of a run. Names are looked up only by ``checked``.
+    """Everything that is asked for a run. Only ``checked`` looks up the names in it.
 
-    ``starts`` and ``goals`` are states, at most one for each SB. Without them INITIAL and
-    ACTIVATING count. ``avoid`` are operations that the run must not use. ``levels`` replace levels
-    that the blueprint declares (see ``blueprint.levels``). ``script`` supervises the run.
-    ``broker`` (HOST:PORT) and ``site`` are for remote sensors. ``speed`` is simulated time divided
-    by wall time; None means as fast as possible. ``log`` is the file for the recording. A run
-    ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold; None
-    means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
+    ``starts`` and ``goals`` are states, at most one for each SB. The default is INITIAL and
+    ACTIVATING. ``avoid`` are operations that the run must not use. ``levels`` replace levels of the
+    blueprint (see ``blueprint.levels``). ``script`` supervises the run. ``broker`` (HOST:PORT) and
+    ``site`` are for remote sensors. ``speed`` is simulated time divided by wall time; None means as
+    fast as possible. ``log`` is the file for the recording.
+
+    A run ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold;
+    None means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
     supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all other
-    folders. ``policy`` is the file of a trust policy, and ``record`` that of a record: with either
-    the run starts only if the blueprint is approved. ``now`` is the clock that asks it (None: that
-    of the computer). ``trust`` is the answer.
+    folders.
+
+    ``policy`` is the file of a trust policy, and ``record`` the file of a record. If either is
+    given, the run starts only if the blueprint is approved. ``now`` is the time for this question;
+    None means the clock of the computer. ``trust`` is the answer to it.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -71,7 +74,7 @@ class RunRequest:
 
     @property
     def asks_approval(self) -> bool:
-        """Whether the run starts only if the blueprint is approved."""
+        """Whether the blueprint must be approved before the run starts."""
         return self.policy is not None or self.record is not None
 
     @property

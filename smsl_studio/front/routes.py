@@ -25,15 +25,19 @@ def plan_route(
     avoid: Iterable[Written] = (),
     branch: str | None = None,
 ) -> Route | None:
-    """Return the cheapest route between two states of one SB. None if there is no route.
+    """Return the cheapest route between two states of one SB, or None if there is none.
 
-    With a State Branch only its own edges count, and entries of ``avoid`` in other SBs are ignored.
-    With a Blueprint, an SB with sub-SBs is planned over joint configurations. So the cost includes
-    the operations of the sub-SBs, but the route lists only the SB's own edges. ``branch`` is the SB
-    of states that are written without an SB. A route of a Blueprint meets no hazard (see
-    ``hazards_between``), and takes no operation that ``requires`` a fact that does not hold (see
-    ``unmet_between``). An SB without sub-SBs moves alone; all other SBs stand as at a start.
-    AddressError for an unknown name. RunRefused if no configuration agrees with ``start``.
+    With a State Branch, only its own edges count, and entries of ``avoid`` in other SBs are
+    ignored.
+
+    With a Blueprint, an SB with sub-SBs is planned together with them. So the cost includes the
+    operations of the sub-SBs, but the route lists only the SB's own edges. An SB without sub-SBs
+    moves alone, and all other SBs keep their states of a start. The route meets no hazard (see
+    ``hazards_between``). It takes no operation that ``requires`` a fact that does not hold (see
+    ``unmet_between``).
+
+    ``branch`` is the SB of states that are written without an SB. AddressError for an unknown name.
+    RunRefused if no configuration agrees with ``start``.
 
     >>> route = plan_route(read("hanoi-corrected.json"), "State_aaa", "State_ccc")
     >>> len(route.operations), route.cost
@@ -77,11 +81,11 @@ def unmet_between(
     avoid: Iterable[Written] = (),
     branch: str | None = None,
 ) -> tuple[str, ...]:
-    """Return why operations may not be taken that are on the route that there would be if none
-    required a fact: a sentence for each such fact.
+    """Return why there is no route, if operations on it require facts that do not hold.
 
-    Empty if there is no such route, and for an SB with sub-SBs. The arguments are those of
-    ``plan_route``.
+    The route is the one that would be taken if no operation required a fact. There is a sentence
+    for each missing fact. The result is empty if there is no such route, and for an SB with
+    sub-SBs. The arguments are those of ``plan_route``.
     """
     first = state_at(where, start, branch)
     last = state_at(where, goal, branch or first.branch)
@@ -134,8 +138,8 @@ class _Asked:
         return tuple(one.name for one in hazards if any(map(one.meets, places)))
 
     def unmet(self) -> tuple[str, ...]:
-        """Return why operations on the route may not be taken that there would be if none required
-        a fact.
+        """Return the missing facts on the route that would be taken if no operation required a
+        fact.
         """
         closed = self._unmet(self._configuration())
         route = self._cheapest(self._avoid) if closed else None
@@ -143,8 +147,9 @@ class _Asked:
         return tuple(dict.fromkeys(words for edge in edges for words in closed.get(edge, ())))
 
     def _unmet(self, others: Mapping[str, str]) -> dict[Address, tuple[str, ...]]:
-        """Return the edges of the SB that require a fact that does not hold, with sentences, while
-        all other SBs stand in the states of ``others``.
+        """Return the edges of the SB that require a fact that does not hold, with sentences.
+
+        ``others`` has the states of all other SBs.
         """
         from smsl_studio.blueprint.configuration import Hierarchy
         from smsl_studio.blueprint.edges import Edges

@@ -29,11 +29,11 @@ Json = Any
 
 
 def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]:
-    """Return the first line of a log: the request of the run, and its surroundings.
+    """Return the first line of a log: what was asked of the run, and where it ran.
 
     ``digests`` has the values of the command ``digest``, and the SHA-256 of every file. ``policy``
-    says who approved the blueprint under which policy, and is null if the run asked for none.
-    ``mqtt`` has the broker, and the facts of remote sensors; it is null if there are none.
+    says under which policy who approved the blueprint; it is null if the run asked for no approval.
+    ``mqtt`` has the broker and the facts of remote sensors; it is null if there are none.
     """
     blueprint, world = request.blueprint, request.world
     plugins = loaded.plugins if loaded else ()
@@ -80,20 +80,22 @@ def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
 
 
 def _code(blueprint: Blueprint, world: str, loaded: Loaded | None) -> BoundCode:
-    """Return the facts that the world's sensors read, and the functions of its operations. Nothing
-    is named if they are not known before the run."""
+    """Return which facts have a sensor in the world, and which function each operation has.
+
+    Both are empty if they are not known before the run.
+    """
     try:
         file = bindings_beside(blueprint.file)
         found = bind(blueprint, loaded or Loaded(()), world, file)
     except StudioError:
         return BoundCode()
     operations = found.operations
-    # The table world makes each binding when it is asked for, and none of them is exact.
+    # The table world makes a binding only when somebody asks for it. So there is nothing to list.
     many = () if world == TABLE else operations.items()
     exact = frozenset(address for address, one in many if one.exact)
 
     def function(edge: Address) -> str | None:
-        """Return the name of the function of an edge, None if it has none."""
+        """Return the name of an edge's function, or None if it has none."""
         bound = operations.get(edge)
         return None if bound is None else bound.name
 

@@ -1,4 +1,4 @@
-"""The answer whether a run may start, as its request carries it."""
+"""The answer to the question whether a run may start. The request of the run carries it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ Json = Any
 
 @dataclass(frozen=True)
 class RunTrust:
-    """The refusals of a run, the typed conditions that are met, and the code that was signed, by
-    location. ``header`` is what the log says about it. ``words`` say in one line who approved the
-    blueprint, and whose keys count. ``loaded`` are the plugins as they were described, and
-    ``bindings`` is the bindings file that was signed. ``hardware`` says that the world was judged
-    as hardware."""
+    """Whether a run may start, and what was verified for this.
+
+    ``met`` has the typed conditions that are met. ``code`` has the SHA-256 of the signed code, by
+    location. ``header`` is the part for the log. ``words`` say in one line who approved the
+    blueprint, and whose keys count. ``loaded`` has the plugins as they were verified. ``bindings``
+    is the bindings file that was signed. ``hardware`` says that the world counts as hardware.
+    """
 
     refusals: tuple[Refusal, ...] = ()
     met: tuple[str, ...] = ()

@@ -39,11 +39,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Run:
-    """A finished run: the reason of its end in one word and one sentence, and all its events.
+    """A finished run: why it ended, in one word and one sentence, and all its events.
 
-    ``left`` are the acts of its script whose moment never came. ``unbound`` has sentences about
-    bindings that do not fit, with their places. ``trust`` says who approved the blueprint, if a
-    policy or a record was named.
+    ``left`` has the acts of its script whose time never came. ``unbound`` has sentences, with
+    places, about bindings that do not fit. ``trust`` says who approved the blueprint; it is None if
+    neither a policy nor a record was given.
 
     >>> run(read("hfsm.json"), goal="SB1/State111").reason
     'goal_reached'
@@ -279,7 +279,7 @@ def run_request(
 
 
 def _trusted(request: RunRequest) -> RunRequest:
-    """Return a request with the answer whether it may start, if it asks for an approval."""
+    """Return the request, with the answer whether it may start if it needs an approval."""
     if request.trust is not None or not request.asks_approval:
         return request
     from smsl_studio.front.trust import with_trust
@@ -288,8 +288,11 @@ def _trusted(request: RunRequest) -> RunRequest:
 
 
 def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
-    """Return a request with the plugins of its world. Where code that was signed has changed since
-    it was verified, the request is refused, and the code is not loaded."""
+    """Return the request, and the plugins of its world.
+
+    Signed code may have changed since it was verified. Then it is not loaded, and the request is
+    refused.
+    """
     world, paths, trust = request.world, request.plugin_paths, request.trust
     if trust is None:
         return request, known_world(world, paths, request.host)
@@ -307,7 +310,7 @@ def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
 def _told(
     request: RunRequest, reason: str, error: SaveError | WorldError
 ) -> Sequence[Mapping[str, str]]:
-    """Return the refusals that an error at the start means, where an approval was asked for."""
+    """Return an error at the start as refusals, if the run needed an approval."""
     if request.trust is None or reason != "refused":
         return ()
     code = "log_unwritable" if isinstance(error, SaveError) else "code_changed"

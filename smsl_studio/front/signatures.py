@@ -61,14 +61,14 @@ VERDICTS = (APPROVED, CONDITIONS, REJECTED)
 
 @dataclass(frozen=True)
 class ApprovalRequest:
-    """What a person signs about a blueprint.
+    """Everything that is asked for a signature.
 
     ``key`` is a key of the store, opened by ``passphrase``. ``verdict`` is approved, conditions or
-    rejected; empty means approved, and with ``conditions`` that becomes conditions. ``met`` are
-    conditions of others that are met. ``dispositions`` are texts ``RULE@ADDRESS=TEXT`` about
-    warnings. ``expires`` is a date. ``worlds`` are those whose code is signed too. ``relies_on``
-    are imported files that were not looked at again. ``record`` is the file that gets the record
-    (None: the one beside the blueprint). ``now`` is the clock.
+    rejected. Empty means approved, or conditions if there are ``conditions``. ``met`` are
+    conditions of other signers that are met now. ``dispositions`` are texts ``RULE@ADDRESS=TEXT``
+    about warnings. ``expires`` is a date. ``worlds`` are those whose code is signed too.
+    ``relies_on`` are imported files that the signer did not check again. ``record`` is the file for
+    the record; None means the one beside the blueprint. ``now`` is the time of the signature.
 
     >>> ApprovalRequest(read("hanoi-2.json"), "brandt", b"a passphrase").checked().verdict
     'approved'
@@ -89,7 +89,7 @@ class ApprovalRequest:
     now: datetime = field(default_factory=lambda: datetime.now(UTC))
 
     def checked(self) -> ApprovalRequest:
-        """Return the request with its verdict. UsageError if its parts do not fit together."""
+        """Return the request with its verdict set. UsageError if the parts do not fit together."""
         verdict = self.verdict or APPROVED
         if verdict not in VERDICTS:
             raise UsageError(f"the verdict is {verdict!r}, not one of {', '.join(VERDICTS)}")
@@ -117,7 +117,7 @@ class ApprovalRequest:
 
 @dataclass(frozen=True)
 class SignedApproval:
-    """A record that was signed, the file that has it, and the findings that it tells."""
+    """A signed record, its file, and the findings that it has."""
 
     record: SignedRecord
     file: Path
@@ -125,11 +125,12 @@ class SignedApproval:
 
 
 def approve(request: ApprovalRequest) -> SignedApproval:
-    """Sign what the check says about a blueprint, and what a person says about it.
+    """Sign the result of the check, and a person's decision about it.
 
     ApprovalRefused, with every reason, if an error is open, if a warning has no disposition, if the
-    key is revoked, or if the clock stands before an earlier record. A rejection needs neither.
-    SealError if the passphrase is wrong, SaveError if the record cannot be written.
+    key is revoked, or if an earlier record has a later time than the clock. A rejection may have
+    open errors and warnings. SealError if the passphrase is wrong, SaveError if the record cannot
+    be written.
 
     >>> key = make_key("L. Brandt", "engineer", b"a passphrase").id
     >>> blueprint = read("hanoi-corrected.json")
@@ -211,7 +212,7 @@ def approve(request: ApprovalRequest) -> SignedApproval:
 
 
 def _verdict(word: str) -> Literal["approved", "conditions", "rejected"]:
-    """Return a verdict that was checked as one of the three."""
+    """Return a verdict with its exact type. It was checked before."""
     return "approved" if word == APPROVED else "conditions" if word == CONDITIONS else "rejected"
 
 
@@ -229,7 +230,7 @@ def _former(present: RecordFile, path: Path) -> tuple[SignedRecord, ...]:
 def _last_of(
     asked: ApprovalRequest, key: StoredKey, former: Sequence[SignedRecord]
 ) -> SignedRecord | None:
-    """Return the newest record of the same person for this file, whatever the key."""
+    """Return the newest record of the same person for this file, with any of the person's keys."""
     person = name_of(key.person)
     own = [one for one in former if name_of(one.statement.predicate.person) == person]
     closure = signed_file("", asked.blueprint).digest.closure
@@ -249,7 +250,7 @@ def _check_clock(now: datetime, before: Iterable[SignedRecord]) -> None:
 
 
 def _relied(asked: ApprovalRequest, parts: Sequence[tuple[str, Blueprint]]) -> set[str]:
-    """Return the names of the files that were not looked at again."""
+    """Return the names of the imported files that the signer did not check again."""
     real = {os.path.realpath(part.file): name for name, part in parts[1:]}
     found = set()
     for file in asked.relies_on:
@@ -264,7 +265,7 @@ def _relied(asked: ApprovalRequest, parts: Sequence[tuple[str, Blueprint]]) -> s
 
 
 def _answer(asked: ApprovalRequest, surveys: Mapping[str, WorldSurvey]) -> CheckAnswer:
-    """Return the whole check, with what has changed since the newest record."""
+    """Return the result of the whole check, with the changes since the newest record."""
     worlds = {world: one.loaded for world, one in surveys.items() if one.loaded is not None}
     answer = whole_check(asked.blueprint, asked.options, worlds)
     rules = asked.options.rules
@@ -282,7 +283,10 @@ def _dispositions(asked: ApprovalRequest, answer: CheckAnswer) -> list[Dispositi
 
 
 def _disposition(text: str, known: Iterable[tuple[str, str]]) -> Disposition:
-    """Read ``RULE@ADDRESS=TEXT``. An address may hold ``=`` itself, so known ones come first."""
+    """Read ``RULE@ADDRESS=TEXT``.
+
+    An address may have a ``=`` in it, so the addresses of known findings are tried first.
+    """
     for rule, address in sorted(known, key=lambda one: -len(one[1])):
         start = f"{rule}@{address}="
         if text.startswith(start) and text[len(start) :].strip():
@@ -311,7 +315,7 @@ def _refuse_open(answer: CheckAnswer, dispositions: Sequence[Disposition], apart
 
 
 def _rules(answer: CheckAnswer, options: InspectionOptions) -> list[SignedRule]:
-    """Return each rule that was asked, with its code and the gravest of its findings."""
+    """Return each rule that was checked, with the digest of its code and its worst finding."""
     words = {Severity.ERROR: "failed", Severity.WARNING: "warned", Severity.NOTE: "noted"}
     gravest: dict[str, str] = {}
     for severity in (Severity.NOTE, Severity.WARNING, Severity.ERROR):
@@ -326,7 +330,7 @@ def _rules(answer: CheckAnswer, options: InspectionOptions) -> list[SignedRule]:
 
 
 def _surveys(asked: ApprovalRequest) -> dict[str, WorldSurvey]:
-    """Return what each world has. ApprovalRefused if there is no such world."""
+    """Return the code of each world. ApprovalRefused if a world does not exist."""
     found = {world: surveyed(asked.blueprint, world) for world in asked.worlds}
     for one in found.values():
         if one.missing:

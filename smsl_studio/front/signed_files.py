@@ -1,4 +1,4 @@
-"""The signed files of a bundle: the record, the policy with its register, and public keys."""
+"""Reads the signed files for a bundle: record, policy, register and public keys."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ from smsl_studio.seal.canonical import canonical
 from smsl_studio.smsl.inputs import read_ordinary
 
 MOST = 1 << 30
-"""The largest number of bytes of a file."""
+"""The largest file that is read, in bytes."""
 
 
 class SignedPaths(NamedTuple):
-    """The record and the policy that somebody names. None: the record beside the blueprint, and no
-    policy.
+    """The record and the policy that the user has named.
+
+    None means: the record beside the blueprint, and no policy.
     """
 
     record: str | None = None
@@ -29,7 +30,7 @@ class SignedPaths(NamedTuple):
 
     @property
     def given(self) -> tuple[str, ...]:
-        """The files that are named. No output may replace them."""
+        """The files that the user has named. No output may replace them."""
         return tuple(one for one in self if one is not None)
 
 
@@ -37,8 +38,9 @@ UNSIGNED = SignedPaths()
 
 
 def signed_files(blueprint: Blueprint, paths: SignedPaths) -> Iterator[tuple[str, bytes]]:
-    """Yield the names and the bytes of the files that signatures need. ReadError if one cannot be
-    read.
+    """Yield name and bytes of each file that is needed to verify the signatures.
+
+    ReadError if one cannot be read.
     """
     record = paths.record
     if record is None and os.path.lexists(record_beside(blueprint.file)):
@@ -74,8 +76,10 @@ def bytes_of(file: str, what: str) -> bytes:
 
 
 def _keys(record: bytes) -> bytes:
-    """Return the public keys of this user's store that have signed a record, as a register lists
-    them."""
+    """Return the public keys in the user's store that have signed a record.
+
+    The form is that of a register.
+    """
     from smsl_studio.inspection.approval.key_store import stored_keys
     from smsl_studio.seal.strict_json import base64_text
 

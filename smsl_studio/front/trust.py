@@ -1,4 +1,4 @@
-"""Asks whether a run may start: the approval of its blueprint, before any code is loaded."""
+"""Asks whether a run may start. This happens before any plugin code is loaded."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ Json = Any
 
 
 def with_trust(request: RunRequest) -> RunRequest:
-    """Return a request with the answer whether it may start.
+    """Return the request with the answer whether it may start.
 
-    PluginError if the policy cannot be read. No code of a plugin runs in this process.
+    No plugin code runs in this process. PluginError if the policy cannot be read.
     """
     question = ApprovalQuestion(
         request.blueprint,
@@ -48,7 +48,7 @@ def with_trust(request: RunRequest) -> RunRequest:
 
 
 def _changed(blueprint: Blueprint) -> Iterator[Refusal]:
-    """Yield the files whose bytes are not those that were read."""
+    """Yield a refusal for each file that has changed on the disk since it was read."""
     for document in blueprint.documents:
         try:
             same = read_content(document.file).raw == document.encoded()

@@ -1,4 +1,4 @@
-"""Asks whether a blueprint is approved: one question of command line, window, Python and runs."""
+"""Answers whether a blueprint is approved. Command line, window, Python and runs all use it."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class ApprovalQuestion:
 
 @dataclass(frozen=True)
 class ApprovalAnswer:
-    """The judgement, the files that it rests on, and what the world has for the blueprint."""
+    """The decision, the files that were read for it, and the code of the world."""
 
     judgement: Judgement
     trust: TrustFiles | None = None
@@ -75,9 +75,10 @@ def verify_approval(
 ) -> Judgement:
     """Return whether a blueprint is approved: ``approved``, ``conditions`` or ``refused``.
 
-    ``record`` is a record's file; None is the one beside the blueprint. Without a ``policy`` one
-    person whose key is in this user's store is enough. ``world`` asks also about the code there.
-    PluginError if the policy cannot be read, SealError if a file of the store is not believed.
+    ``record`` is the file of a record; None means the one beside the blueprint. Without a
+    ``policy``, one person whose key is in this user's store is enough. If a ``world`` is given, its
+    code must be the signed code. PluginError if the policy cannot be read. SealError if another
+    user could have written a file of the store.
 
     >>> found = verify_approval(read("hanoi-corrected.json"))
     >>> found.verdict, [one.code for one in found.refusals]
@@ -94,12 +95,12 @@ def verify_approval(
 
 
 def path_of(name: Name | None) -> Path | None:
-    """Return the path of a name, None for None."""
+    """Return a name as a path. None stays None."""
     return None if name is None else Path(name)
 
 
 def answered(question: ApprovalQuestion) -> ApprovalAnswer:
-    """Answer a question. Records with a right signature are noted as seen in the store."""
+    """Answer a question. Store each record with a valid signature as seen."""
     trust = trust_files(question.policy)
     if isinstance(trust, Refusal):
         return ApprovalAnswer(refused(trust))
@@ -132,7 +133,7 @@ def _asking(question: ApprovalQuestion, found: WorldSurvey) -> Asking:
 def _present(
     question: ApprovalQuestion, trust: TrustFiles, record: RecordFile, found: WorldSurvey
 ) -> PresentState:
-    """Return what is there now. The rules are asked only if there is a record to compare with."""
+    """Return the present state. The check runs only if there is a record to compare with."""
     blueprint, records = question.blueprint, record.records
     present = PresentState(digests(blueprint), {}, question.world, found.code, found.missing)
     if isinstance(records, Refusal) or not records:
@@ -147,7 +148,7 @@ def _present(
 
 
 def _options(records: Sequence[SignedRecord]) -> InspectionOptions:
-    """Return the options of the newest record. All rules are asked, whatever it asked."""
+    """Return the check options of the newest record, but for all rules."""
     options = records[-1].statement.predicate.options
     return WHOLE.model_copy(
         update={
@@ -159,7 +160,7 @@ def _options(records: Sequence[SignedRecord]) -> InspectionOptions:
 
 
 def _keep(question: ApprovalQuestion, judgement: Judgement) -> None:
-    """Note the records that were not seen before."""
+    """Store the records that were not seen before."""
     new = [one for one in judgement.signers if not has_seen(one.record.digest)]
     if not new:
         return
@@ -169,14 +170,14 @@ def _keep(question: ApprovalQuestion, judgement: Judgement) -> None:
 
 
 class _Parts:
-    """The imported files that were not looked at again, each with an answer of its own."""
+    """Decides whether imported files that the signer did not check have valid records."""
 
     def __init__(self, question: ApprovalQuestion, trust: TrustFiles) -> None:
         self._question, self._trust = question, trust
         self._known: dict[str, str] = {}
 
     def uncovered(self, file: SignedFile) -> str:
-        """Say why a file has no valid record of its own. Empty if it has one."""
+        """Return why a file has no valid record of its own, or the empty text if it has one."""
         if file.name not in self._known:
             self._known[file.name] = self._reason(file)
         return self._known[file.name]

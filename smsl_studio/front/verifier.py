@@ -1,7 +1,7 @@
-"""The checks of ``verify.py``, the file that every bundle of evidence holds.
+"""Runs the checks of ``verify.py``, the program that every bundle of evidence has.
 
-It stands once, in ``resources``. A bundle has a copy of its bytes, and Studio runs this same file.
-So Studio and a bare Python never disagree about a log.
+The program is in ``resources``. A bundle gets a copy of its bytes, and Studio runs the same file.
+So Studio and plain Python always agree about a log.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ def verifier_file() -> Path:
 
 
 def content_texts(blueprint: Blueprint) -> Texts:
-    """Return the canonical texts that the digests of a blueprint's file are made of.
+    """Return the canonical texts from which the digests of a blueprint's file are computed.
 
-    ``behaviour`` has its SBs, ``brought`` those of its imports, ``meaning`` its annotations.
-    ``closure`` names the digests of these three, and has the annotations of the imports. The
-    SHA-256 of ``behaviour``, ``meaning`` and ``closure`` are the three digests.
+    ``behaviour`` has its SBs, ``brought`` those of its imports, and ``meaning`` its annotations.
+    ``closure`` has the digests of these three, and the annotations of the imports. The three
+    digests of the file are the SHA-256 of ``behaviour``, ``meaning`` and ``closure``.
     """
     content = content_of(blueprint)
     brought, *said = content["imported"]
@@ -49,8 +49,9 @@ def content_texts(blueprint: Blueprint) -> Texts:
 
 
 def told_again(raw: bytes, blueprint: Blueprint) -> str:
-    """Tell the run of a log again, from a blueprint. Return why the log is not believed, or the
-    empty text. ``raw`` are the bytes of the log.
+    """Compute the run of a log again from a blueprint, and compare.
+
+    Return why the log is wrong, or the empty text. ``raw`` has the bytes of the log.
     """
     checks = _checks()
     texts = content_texts(blueprint)

@@ -1,4 +1,4 @@
-"""The code of a world for a blueprint: what is bound there, with the SHA-256 of each plugin."""
+"""Finds the code that a world binds to a blueprint, with the SHA-256 of each plugin."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from smsl_studio.world.engines import TABLE
 
 @dataclass(frozen=True)
 class WorldSurvey:
-    """What a world has for a blueprint. ``code`` is None for the table world, which has no code.
+    """What a world has for a blueprint.
 
-    ``locations`` has the SHA-256 of the code at each location, for the process that loads it.
-    ``rates`` has the readings a second (Hz) of the quickest sensor of each fact. ``missing`` says
-    why there is no such world. ``loaded`` are the plugins, as they were described,
-    and ``bindings`` is the bindings file.
+    ``code`` is None for the table world, which has no code. ``locations`` has the SHA-256 of the
+    code at each location; the process that loads the code compares it. ``rates`` has for each fact
+    the readings a second (Hz) of its quickest sensor. ``missing`` says why there is no such world.
+    ``loaded`` has the plugins, and ``bindings`` the bindings file.
     """
 
     code: WorldCode | None = None
@@ -38,11 +38,11 @@ class WorldSurvey:
 
 
 NOWHERE = WorldSurvey()
-"""No world was asked about."""
+"""The result if no world is asked about."""
 
 
 def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()) -> WorldSurvey:
-    """Return what a world has for a blueprint. No plugin's code runs in this process."""
+    """Return what a world has for a blueprint. No plugin code runs in this process."""
     try:
         loaded = loaded_for(world, plugin_paths)
         file = bindings_beside(blueprint.file)

@@ -23,10 +23,10 @@ Json = Any
 
 
 class FlatBranch:
-    """A blueprint as one SB that behaves alike.
+    """A blueprint written as one SB with the same behaviour.
 
     PlanningError if it has more than ``limit`` configurations, RunRefused if it has no start.
-    EditRefused by ``values`` if two operations of one state would have one name.
+    ``values`` raises EditRefused if two operations of one state would get the same name.
     """
 
     def __init__(self, blueprint: Blueprint, limit: int) -> None:

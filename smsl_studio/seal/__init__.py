@@ -1,2 +1,4 @@
-"""Canonical bytes, digests, chains, and signatures. This package knows neither blueprints nor
-runs."""
+"""Canonical bytes, digests, chains of hashes, and signatures.
+
+This package does not use blueprints or runs.
+"""

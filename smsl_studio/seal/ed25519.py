@@ -1,8 +1,8 @@
-"""Ed25519 keys and signatures. This module loads ``cryptography``, so only the commands that sign
-or check signatures import it.
+"""Ed25519 keys and signatures.
 
-Keys are the 32 raw bytes of RFC 8032. The identity of a key is ``sha256:`` and the SHA-256 of its
-public half, in hexadecimal digits.
+This module loads ``cryptography``, which takes time. So only commands that sign or verify import
+it. A key is the 32 raw bytes of RFC 8032. The identity of a key is ``sha256:`` and the SHA-256 of
+its public half, in hexadecimal digits.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.seal.envelope import Envelope, pae
 
 LENGTH = 32
-"""The number of bytes of either half of a key."""
+"""The length of the private half and of the public half of a key, in bytes."""
 
 
 def new_private() -> bytes:
@@ -33,13 +33,13 @@ def identity(public: bytes) -> str:
 
 
 def sealed(private: bytes, kind: str, payload: bytes) -> Envelope:
-    """Return an envelope of some bytes, signed with a private key."""
+    """Sign some bytes with a private key. Return the envelope with the bytes and the signature."""
     signature = Ed25519PrivateKey.from_private_bytes(private).sign(pae(kind, payload))
     return Envelope(kind, payload, identity(public_of(private)), signature)
 
 
 def is_signed(envelope: Envelope, public: bytes) -> bool:
-    """Whether the envelope names this key and has its signature."""
+    """Whether the envelope names this key, and its signature is valid for this key."""
     if envelope.keyid != identity(public):
         return False
     try:

@@ -1,8 +1,8 @@
-"""DSSE envelopes: some bytes, their type, and one signature of both.
+"""DSSE envelopes: some bytes, their type, and one signature for both.
 
-What is signed is PAE(type, bytes): both with their lengths, so that neither can be taken for the
-other. An envelope has exactly the members that are written here. ``keyid`` is the identity of the
-key (see ``ed25519``).
+The signature is for PAE(type, bytes). PAE writes both with their lengths, so that no part of one
+can be read as a part of the other. An envelope has exactly the members that are defined here.
+``keyid`` is the identity of the key (see ``ed25519``).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Json = Any
 
 @dataclass(frozen=True, slots=True)
 class Envelope:
-    """The signed bytes with their type, the identity of the key, and the signature."""
+    """Signed bytes with their type, the identity of the key, and the signature."""
 
     kind: str
     payload: bytes
@@ -27,7 +27,7 @@ class Envelope:
 
     @property
     def signed(self) -> bytes:
-        """The bytes that the signature is of."""
+        """The bytes for which the signature is made."""
         return pae(self.kind, self.payload)
 
     def as_json(self) -> dict[str, Json]:
@@ -47,8 +47,11 @@ def pae(kind: str, payload: bytes) -> bytes:
 
 
 def read_envelope(values: Json, kind: str) -> Envelope:
-    """Return the envelope in plain values. SealError unless it has this type, exactly one
-    signature, no unknown member, and canonical base64."""
+    """Return the envelope in plain values.
+
+    SealError if the type is not ``kind``, if there is not exactly one signature, if a member is
+    unknown, or if base64 is not canonical.
+    """
     _members(values, ("payload", "payloadType", "signatures"), "the envelope")
     if values["payloadType"] != kind:
         raise SealError(f"the envelope has another type than {kind}")

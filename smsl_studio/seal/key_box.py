@@ -1,7 +1,8 @@
-"""The box around a private key: scrypt makes a key of a passphrase, ChaCha20-Poly1305 encrypts.
+"""Encrypts a private key with a passphrase. The result is called a box.
 
-What stands beside the private half in a file (its person and role) is authenticated with it, so
-nobody can change it without the passphrase.
+scrypt computes a key from the passphrase. ChaCha20-Poly1305 encrypts with this key. It also
+protects the other values in the key's file, person and role. So nobody can change these without the
+passphrase.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from smsl_studio.seal.strict_json import base64_text, from_base64
 
 Json = Any
 _N, _R, _P = 1 << 15, 8, 1
-"""scrypt takes 32 MB, and about a tenth of a second."""
+"""The cost of scrypt. A call needs 32 MB of memory and about 0.1 s."""
 
 _LEAST_N, _MOST_N = 1 << 14, 1 << 18
 _MEMBERS = {"kdf", "n", "r", "p", "salt", "cipher", "nonce", "box"}
@@ -26,7 +27,10 @@ WRONG = "the passphrase does not open this key"
 
 
 def boxed(private: bytes, passphrase: bytes, beside: bytes) -> dict[str, Json]:
-    """Return a private key in its box, as plain values. ``beside`` is authenticated with it."""
+    """Encrypt a private key. Return the box as plain values.
+
+    A later change of ``beside`` makes the box invalid.
+    """
     if not passphrase:
         raise SealError("the passphrase is empty", advice="Choose one that nobody guesses.")
     salt, nonce = os.urandom(16), os.urandom(12)
@@ -44,8 +48,10 @@ def boxed(private: bytes, passphrase: bytes, beside: bytes) -> dict[str, Json]:
 
 
 def unboxed(values: Json, passphrase: bytes, beside: bytes) -> bytes:
-    """Return the private key of a box. SealError if the passphrase is wrong, if the box is none, or
-    if what stands ``beside`` has changed."""
+    """Decrypt the private key in a box.
+
+    SealError if the passphrase is wrong, if the values are no box, or if ``beside`` has changed.
+    """
     salt, nonce, box, cost = read_box(values)
     try:
         return ChaCha20Poly1305(_key(passphrase, salt, cost)).decrypt(nonce, box, beside)
@@ -56,7 +62,7 @@ def unboxed(values: Json, passphrase: bytes, beside: bytes) -> bytes:
 
 
 def read_box(values: Json) -> tuple[bytes, bytes, bytes, int]:
-    """Return salt, nonce, encrypted key and the cost N of scrypt. SealError if it is no box."""
+    """Return salt, nonce, encrypted key, and the cost N of scrypt. SealError if there is no box."""
     if not isinstance(values, dict) or set(values) != _MEMBERS:
         raise SealError("the private half of the key has not the form that Studio writes")
     cost = values["n"]

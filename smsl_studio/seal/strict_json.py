@@ -1,4 +1,4 @@
-"""JSON and base64 from outside, read strictly: one value has one spelling."""
+"""Reads JSON and base64 from other programs. Only one spelling of each value is accepted."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from smsl_studio.errors import SealError
 
 Json = Any
 LARGEST = 64 << 20
-"""The largest number of bytes that are read."""
+"""The longest text that is read, in bytes."""
 
 
 def read_strictly(raw: bytes, what: str) -> Json:
-    """Return the values of a JSON text. ``what`` names it in messages.
+    """Return the values of a JSON text. Messages call the text ``what``.
 
-    SealError if it is no JSON in UTF-8, if a key stands twice, if a number is none (``NaN``), or if
-    it is too large.
+    SealError if it is no JSON in UTF-8, if a key appears twice, if a number is not finite
+    (``NaN``), or if the text is too long.
     """
     if len(raw) > LARGEST:
         raise SealError(f"{what} is larger than {LARGEST >> 20} MB")
@@ -36,7 +36,7 @@ def base64_text(raw: bytes) -> str:
 
 
 def from_base64(text: Json, what: str) -> bytes:
-    """Return the bytes of a base64 text. SealError if it is not spelled as ``base64_text`` does."""
+    """Return the bytes of a base64 text. SealError if ``base64_text`` writes it differently."""
     if not isinstance(text, str):
         raise SealError(f"{what} is no text")
     try:

@@ -144,7 +144,7 @@ def _mapped(sides: Sides, entry: Json) -> Json:
         return entry
 
     def pattern(text: str) -> str:
-        """Return a pattern of operations with the later name of its SB."""
+        """Return a pattern of operations with the new name of its SB."""
         name, slash, rest = text.partition("/")
         return f"{names.get(name, name)}/{rest}" if slash else text
 

@@ -217,7 +217,7 @@ def renamed_branches(
 
 
 class _Sided(NamedTuple):
-    """One version: its SBs, the ``names`` that only it has, and the facts that sub-SBs expand."""
+    """One version of a blueprint: its SBs, the ``names`` that only it has, the expanded facts."""
 
     branches: Mapping[str, StateBranch]
     names: list[str]
@@ -227,7 +227,7 @@ class _Sided(NamedTuple):
 def _places(
     branches: Mapping[str, StateBranch], others: Mapping[str, StateBranch]
 ) -> dict[str, set[tuple[str, int]]]:
-    """Return for each sub-SB the facts that it expands, of bases whose name both versions have."""
+    """Return for each sub-SB the facts that it expands. Bases with other names are left out."""
     found: dict[str, set[tuple[str, int]]] = {}
     for base, branch in branches.items():
         for digit, sub in branch.subs.items() if base in others else ():
@@ -257,7 +257,7 @@ def _pair_branches(before: _Sided, after: _Sided) -> dict[str, str]:
 
 
 def _equal_branches(before: _Sided, after: _Sided) -> dict[str, str]:
-    """Pair only SBs with equal tables, because there are many."""
+    """Pair only SBs with equal tables. This is for many SBs, because it is quick."""
     one, other = (
         _unique((_print_of(side.branches[name]), name) for name in side.names)
         for side in (before, after)
@@ -270,7 +270,10 @@ def _equal_branches(before: _Sided, after: _Sided) -> dict[str, str]:
 
 
 def _share(one: StateBranch, other: StateBranch) -> float:
-    """Return the share that two SBs have in common: of states, operations or words, the least."""
+    """Return how much two SBs have in common (0 to 1).
+
+    It is the smallest of three shares: of states, of operations, and of names and titles.
+    """
     states, operations = (
         max(len(one.table), len(other.table)),
         max(one.edge_count, other.edge_count),

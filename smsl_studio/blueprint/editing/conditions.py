@@ -38,8 +38,10 @@ def conditions_follow(draft: Draft, follow: Callable[[Facts], Facts]) -> None:
 
 
 def moved_facts(facts: Facts, moved: Mapping[tuple[str, int], tuple[str, int]]) -> Facts:
-    """Return the facts of a condition at their new places (SB, digit); the same object if none of
-    them moves."""
+    """Return the facts of a condition at their new places (SB, digit).
+
+    If no fact moves, the result is the same object.
+    """
     texts = {}
     for text in facts:
         fact = split_fact(text)

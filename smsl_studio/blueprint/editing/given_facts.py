@@ -1,4 +1,4 @@
-"""Facts in ``_states``: those that a person gives, and those of a new state beside such states."""
+"""Writes facts into ``_states``: values that a person gives, and values for new states."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def give_facts(before: Blueprint, after: Blueprint) -> Blueprint:
 
 
 def give_values(blueprint: Blueprint, branch: str, given: Mapping[str, Sequence[str]]) -> Blueprint:
-    """Give states of an SB their facts in ``_states``, whatever their names are.
+    """Give states of an SB their facts in ``_states``, independent of their names.
 
-    Facts in ``_states`` count if every state has some. So the states whose names carry facts get
-    the same facts there. EditRefused if a value is empty, or if another state has another number of
-    facts.
+    Facts in ``_states`` only count if every state has some. So states whose names carry facts get
+    the same facts there. EditRefused if a value is empty, or if the states would have different
+    numbers of facts.
     """
     found = branch_of(blueprint, branch)
     for state in given:

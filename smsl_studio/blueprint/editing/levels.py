@@ -61,10 +61,10 @@ def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None
 
 
 def levels_spread(draft: Draft, spread: Callable[[Names], Iterable[Names]]) -> None:
-    """Let the keys of every ``_levels`` follow an edit after which one element may be several.
+    """Rewrite the keys of every ``_levels`` after an edit that may turn one element into several.
 
-    ``spread`` gets the names in a key as ``levels_follow`` has them, and returns those of all
-    elements that have its level afterwards.
+    ``spread`` takes the names in a key, as ``levels_follow`` has them. It returns the names of all
+    elements that get the level of this key.
     """
     for document in draft.before.documents:
         written = document.values.get("_levels")

@@ -82,8 +82,9 @@ def _made(
 
 
 def _open(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> list[Json]:
-    """Return the conflicts that former merges left open, each once. One that was open in the base
-    and is gone on a side was decided there.
+    """Return the conflicts that earlier merges left open, each once.
+
+    A conflict that was open in the base and is gone on one side was decided there.
     """
     before, *sides = (_entries(one) for one in (base, ours, theirs))
     found: list[Json] = []

@@ -43,10 +43,10 @@ def _ends(values: Json) -> tuple[Json, Json]:
 
 
 def _says_two_things(path: Path, base: Json, ours: Json, theirs: Json) -> bool:
-    """Return whether both sides changed what a hazard or a property says, in different ways.
+    """Return whether both sides changed a hazard or property in different ways.
 
-    Its facts or conditions are one sentence. If two such sentences were merged key by key, the
-    result would be a third sentence, which nobody wrote. So it is a conflict instead.
+    Its facts or conditions belong together, like one sentence. A merge key by key could make a new
+    sentence that nobody wrote. So this is a conflict.
     """
     if len(path) != 2 or path[0] not in NAMED:
         return False

@@ -1,4 +1,4 @@
-"""Lets formulas and properties follow an edit: other names, and every other character as it was."""
+"""Rewrites names in formulas and properties after an edit. The rest of the text stays."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ def property_followed(
     goal: Callable[[Address], Address] | None = None,
     operation: Callable[[str], str] | None = None,
 ) -> Json:
-    """Return an entry of ``_properties`` with other names.
+    """Return an entry of ``_properties`` with new names.
 
     ``term`` returns a comparison with its new names, ``goal`` the new address of a goal, and
-    ``operation`` the new pattern of an operation. What cannot be read stays as it is.
+    ``operation`` the new pattern of an operation. Text that cannot be read stays as it is.
     """
     if not isinstance(entry, dict):
         return entry
@@ -96,7 +96,7 @@ def _conditions(value: Json, term: Callable[[Term], Term]) -> Json:
 
 
 def _addressed(change: Callable[[Address], Address]) -> Callable[[str], str]:
-    """Return the change of a written address. One without an SB stays so."""
+    """Return a function that changes a written address. An address without an SB still has none."""
 
     def changed(text: str) -> str:
         """Return the text of the address after the edit."""

@@ -20,7 +20,7 @@ Json = Any
 KEY = "_properties"
 SEVERITIES = ("E", "W")
 MOST = 1e15
-"""The largest number in a property."""
+"""The largest number that a property may have."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""A run that is told by the labels of its operations, step by step in one blueprint."""
+"""Finds the steps of a run that is given by labels of operations."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ def labelled_run(
     labels: Sequence[str],
     label: Callable[[Address], str] | None = None,
 ) -> tuple[RunStep, ...]:
-    """Return the start and a step for each label, by the first operation that has it.
+    """Return the start, and one step for each label.
 
-    Without ``label`` it is the operation's name, with its SB if there are several SBs. It ends
-    early where no permitted operation has the label. RunRefused if there is no start.
+    Each step takes the first permitted operation with the label. If there is none, the result ends
+    there. ``label`` gives the label of an operation; None means its name, with its SB if there are
+    several SBs. RunRefused if there is no start.
     """
     several = len(blueprint.branches) > 1
     named = label or (lambda address: label_of(address, several))

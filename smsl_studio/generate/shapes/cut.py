@@ -89,10 +89,11 @@ class Cut:
         return tuple(sorted(found))
 
     def condition(self, states: Collection[str]) -> dict[int, str]:
-        """Return values of facts that ``states`` have, and no other chosen state has.
+        """Return fact values that all of ``states`` have, and that no other chosen state has.
 
-        They are the fewest that were found, by the digit of the fact in the base. CutRefused if
-        another chosen state has all values that ``states`` have in common.
+        The keys are the digits of the facts in the base. As few facts as possible are taken, as far
+        as a quick search finds. CutRefused if another chosen state has all the values that
+        ``states`` share.
         """
         if len(states) == len(self.chosen.states):
             return {}

@@ -1,7 +1,8 @@
-"""Writes a blueprint with one more SB: a sub-SB that has the chosen states of another SB.
+"""Moves chosen states of an SB into a new sub-SB, and writes the result.
 
-An operation that only brings the sub-SB to ACTIVATING stands in both SBs; an operation that changes
-other facts of the base too brings those of the sub-SB about by itself (``"subs": "load"``).
+Some operations only bring the sub-SB to ACTIVATING. Both SBs have such an operation. Other
+operations also change further facts of the base. Only the base has them, and they set the facts of
+the sub-SB themselves (``"subs": "load"``).
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ def extracted(blueprint: Blueprint, cut: Cut, name: str) -> Blueprint:
 
 
 def fact_moves(blueprint: Blueprint, cut: Cut, name: str) -> FactMoves:
-    """Return where the facts of the base stand when the states are cut out."""
+    """Return the new place of each fact of the base after the states were moved into ``name``."""
     base = cut.chosen.branch.name
     facts = {(base, digit): (base, at) for at, digit in enumerate(cut.kept)}
     facts |= {(base, digit): (name, at) for at, digit in enumerate(cut.digits)}
@@ -144,7 +145,8 @@ class _Extraction:
             if self._chosen.contains(edge.source):
                 own = self._same_note(written, edge)
             if edge in driven:
-                # The function of the sub-SB runs. One bound to this edge would run once more.
+                # The operation of the sub-SB runs the function. A second binding would run it
+                # twice.
                 own.pop("binding", None)
             needs = self._needed(edge)
             if needs:
@@ -225,8 +227,11 @@ class _Extraction:
             yield replace(edge, source=done, target=entry)
 
     def _crossing(self) -> tuple[Operation, ...]:
-        """Return the operations that lead to ACTIVATING. If the sub-SB can be asked for none, all
-        are drawn, so that it is seen how it ends."""
+        """Return the operations of the sub-SB that lead to ACTIVATING.
+
+        If the base does all of them itself, return all that leave the chosen states, so that the
+        drawing shows how the sub-SB ends.
+        """
         leaving = (edge for edge in self._chosen.leaving if edge.target in self._cut.on)
         return self._cut.exits or tuple(leaving)
 
@@ -256,14 +261,16 @@ class _Extraction:
         return found
 
     def _sub_states(self) -> Iterator[tuple[Operation, str]]:
-        """Yield the operations that the sub-SB has, as they were, with their states in it."""
+        """Yield each operation of the sub-SB as it was before, with the new name of its source
+        state.
+        """
         for edge in (*self._chosen.inner, *self._crossing()):
             yield edge, self._inner[edge.source]
         for edge in self._cut.returns:
             yield edge, self._inner[self._done]
 
     def _spread(self, key: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-        """Yield the keys in ``_levels`` of what an element has become."""
+        """Yield the new keys in ``_levels`` for the key of an element that has moved."""
         base = self._base
         if key[0] != base or len(key) not in (2, 3):
             yield key

@@ -125,8 +125,11 @@ class _Inlined:
                 )
 
     def _refuse_people(self) -> None:
-        """Raise EditRefused if an operation of the base drives operations with which people are
-        concerned. In one SB it would be one operation, and these people would not be asked."""
+        """Raise EditRefused if people would no longer be asked after the change.
+
+        An operation of the base may drive operations of the sub-SB that people carry out or
+        confirm. In one SB all of them are one operation, and nobody would ask these people.
+        """
         before = (self._base.name, self._sub.name)
         edges = Edges(Hierarchy(self._before))
         digit = next(d for d, name in self._base.subs.items() if name == self._sub.name)
@@ -197,8 +200,11 @@ class _Inlined:
     def _edge_notes(
         self, values: Mapping[str, Json], has_subs: bool
     ) -> Iterator[tuple[str, dict[str, Json]]]:
-        """Yield the notes of single operations. With other sub-SBs, one whose function brings facts
-        of them about still does."""
+        """Yield the notes of single operations, by their keys.
+
+        If the base has other sub-SBs, an operation that sets their facts itself keeps ``"subs":
+        "load"``.
+        """
         for state, here in self._flat.places.items():
             for branch in (self._base, self._sub):
                 at = here[branch.name]
@@ -211,7 +217,7 @@ class _Inlined:
                         yield note_key(label, state), note
 
     def _spread(self, key: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-        """Yield the keys in ``_levels`` of what an element has become."""
+        """Yield the new keys in ``_levels`` for the key of an element that has moved."""
         if key[0] not in (self._base.name, self._sub.name) or len(key) not in (2, 3):
             yield key
             return
@@ -226,7 +232,7 @@ class _Inlined:
 
 
 def _kept(branch: StateBranch, key: str) -> dict[str, Json]:
-    """Return a note of operations without what the edges of one SB show by themselves."""
+    """Return the note of an operation, without the words that the flat SB already expresses."""
     written = branch.fields.get("_operations")
     note = written.get(key) if isinstance(written, Mapping) else None
     kept = note if isinstance(note, Mapping) else {}

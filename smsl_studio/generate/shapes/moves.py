@@ -1,6 +1,7 @@
-"""FactMoves: where each fact stands after the shape of a blueprint has changed.
+"""FactMoves: the new place of each fact after the shape of a blueprint has changed.
 
-``requires``, hazards and properties follow, and the facts of both shapes can be compared.
+With it every ``requires``, hazard and property is rewritten for the new shape. It also pairs the
+facts of both shapes, so that their behaviour can be compared.
 """
 
 from __future__ import annotations
@@ -25,14 +26,14 @@ from smsl_studio.inspection.equivalence.equivalence import Keys
 from smsl_studio.inspection.equivalence.transitions import FactAt
 
 NewState = Callable[[str, str], str]
-"""Gives the name that a state (SB, state) has afterwards."""
+"""Takes an SB and a state. Returns the name of the state in the new shape."""
 
 
 class FactMoves:
-    """The new place of each fact that moves, and how conditions follow.
+    """The new places of facts, to rewrite conditions.
 
-    ``facts`` has the places of the moved facts. ``renamed`` says that facts get other plain names,
-    so that conditions have to name them by their digits.
+    ``facts`` maps the old place of each moved fact to the new one. ``renamed`` says that plain
+    names of facts change. Then conditions must refer to facts by their digits.
     """
 
     def __init__(
@@ -42,11 +43,13 @@ class FactMoves:
         self.facts = facts
 
     def follow(self, draft: Draft, state: NewState = lambda branch, state: state) -> None:
-        """Let every ``requires``, hazard and property follow."""
+        """Rewrite every ``requires``, hazard and property in the draft for the new places."""
         first = next(iter(self._before.branches))
 
         def term(one: Term) -> Term:
-            """Return a comparison with the new place of its fact, or the new name of its state."""
+            """Return a comparison for the new shape: with the fact's new place, or the state's new
+            name.
+            """
             if not isinstance(one, FactTerm):
                 return replace(one, state=state(one.branch or first, one.state))
             return self._moved(one)
@@ -69,7 +72,7 @@ class FactMoves:
         return moved if term.digit is None else replace(moved, digit=digit)
 
     def must_be_named(self, after: Blueprint) -> None:
-        """Raise CutRefused if a property does not name the same facts afterwards."""
+        """Raise CutRefused if a property would refer to other facts in the new shape."""
         pairs = zip(properties_of(self._before), properties_of(after), strict=True)
         for one, other in pairs:
             named = _facts_of(one, self._before)
@@ -83,7 +86,10 @@ class FactMoves:
                 )
 
     def keys(self, part: Blueprint) -> Keys:
-        """Return the facts of a part before and after, under the same keys."""
+        """Return the facts before and after the change, each by a common key.
+
+        The behaviour of both shapes can be compared with these keys.
+        """
         before: dict[str, FactAt] = {}
         after: dict[str, FactAt] = {}
         for branch in part:
@@ -94,6 +100,6 @@ class FactMoves:
 
 
 def _facts_of(claim: Property, blueprint: Blueprint) -> list[FactAt | None]:
-    """Return the facts that a property names, None for one that does not exist."""
+    """Return the facts to which a property refers. None stands for a fact that does not exist."""
     terms = (term for formula in claim.formulas for term in terms_of(formula))
     return [fact_of(term, blueprint) for term in terms if isinstance(term, FactTerm)]

@@ -1,9 +1,9 @@
-"""States of an SB that cannot be told apart, and the blueprint in which they are one state.
+"""Finds states of an SB that behave in the same way, and merges them into one state.
 
-Two states are alike if the same operations leave them, on the same conditions, and lead to states
-that are alike again. Whatever is asked next, they behave as one. Only the ways that sub-SBs choose
-by themselves among ways of the same cost may differ, because names decide there; so the result is
-compared.
+Two states behave in the same way if they have the same operations, with the same conditions, and
+these lead to states that again behave in the same way. There is one exception: a sub-SB may choose
+between routes of the same cost, and there the names of states decide. So the result of a merge is
+compared with the blueprint before.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from smsl_studio.inspection.explorer.part import restricted, touching
 from smsl_studio.stop import heed
 
 MOST_LOOKED = 5_000_000
-"""The largest number of operations that are looked at, over all rounds."""
+"""The largest number of operations that are compared, over all rounds."""
 Row = Sequence[tuple[Hashable, int]]
-"""For each operation of a state what it is, and the number of the state that it leads to."""
+"""For each operation of a state: what it does, and the number of its target state."""
 
 
 @dataclass(frozen=True)
 class SameStates:
-    """Some states of an SB that behave alike, in file order.
+    """Some states of an SB that behave in the same way, in file order.
 
-    ``facts`` are the names of the facts in which they differ; without one nothing tells them apart.
-    ``why_not`` says in a sentence why they cannot be one state; it is empty if they can.
+    ``facts`` names the facts in which they differ; it is empty if they have the same facts.
+    ``why_not`` says in a sentence why they cannot be merged; it is empty if they can.
     """
 
     branch: str
@@ -45,10 +45,11 @@ class SameStates:
 
 
 def same_states(blueprint: Blueprint) -> tuple[SameStates, ...]:
-    """Return the states that behave alike, those that can be merged first, else in file order.
+    """Return groups of states that behave in the same way. Groups that can be merged come first.
 
-    A state stands in at most one answer. ACTIVATING is like no other state, and so is a failure.
-    PlanningError if it takes too long, RunRefused if the SBs go round in a circle.
+    Otherwise the order is that of the file. A state is in at most one group. ACTIVATING is in no
+    group. A failure state is in no group with a state that is no failure. PlanningError if the
+    search takes too long, RunRefused if the SBs refer to each other in a circle.
     """
     edges = Edges(Hierarchy(blueprint))
     named = {(one.branch, one.state): one.claim for one in named_places(blueprint) if one.state}
@@ -57,11 +58,11 @@ def same_states(blueprint: Blueprint) -> tuple[SameStates, ...]:
 
 
 def merged(blueprint: Blueprint, same: SameStates, limit: int) -> Blueprint:
-    """Return the blueprint in which some states are one: INITIAL if it is among them, else the
-    first.
+    """Return the blueprint after some states were merged into one.
 
-    What led to the others leads to it. CutRefused if they cannot be one, or if the result would
-    behave otherwise; PlanningError if more than ``limit`` configurations can be reached.
+    The state that remains is INITIAL if it is among them, else the first one. Operations that led
+    to the other states lead to it. CutRefused if the states cannot be merged, or if the result
+    would behave differently. PlanningError if more than ``limit`` configurations can be reached.
     """
     if same.why_not:
         raise CutRefused(same.why_not, advice="Merge them by hand if they mean the same.")
@@ -87,7 +88,11 @@ def merged(blueprint: Blueprint, same: SameStates, limit: int) -> Blueprint:
 def _of_branch(
     branch: StateBranch, edges: Edges, named: dict[tuple[str, str], str]
 ) -> Iterator[SameStates]:
-    """Yield what is alike in one SB: first by all facts, then by the facts of sub-SBs alone."""
+    """Yield the groups of one SB.
+
+    First come groups of states with the same facts. Then come groups in which only the facts of
+    sub-SBs must be the same.
+    """
     names = list(branch.table)
     number = {name: at for at, name in enumerate(names)}
     fails = failing_states(branch)
@@ -98,7 +103,7 @@ def _of_branch(
         rows.append([(_what(edge), number[edge.target]) for edge in out])
 
     def apart(name: str) -> Hashable:
-        """What tells a state from others before any step."""
+        """Return what must be equal in two states before their operations are compared."""
         facts = branch.facts(name)
         subs = tuple(facts[digit : digit + 1] for digit in sorted(branch.subs))
         return name == branch.activating, fails.get(name), len(facts), subs
@@ -117,12 +122,15 @@ def _of_branch(
 
 
 def _what(edge: Edge) -> Hashable:
-    """Return what must be the same of two operations that do the same."""
+    """Return everything that must be equal in two operations with the same effect."""
     return edge.name, edge.requires, edge.load, edge.kind, edge.falls, edge.rises
 
 
 def _classes(first: Sequence[Hashable], rows: Sequence[Row]) -> list[int]:
-    """Return the number of the class of each state, by partition refinement."""
+    """Return a class number for each state. States of one class behave in the same way.
+
+    Classes are divided until nothing changes (partition refinement).
+    """
     classes, looked = _numbered(first), 0
     size = 1 + len(rows) + sum(map(len, rows))
     while True:
@@ -150,7 +158,7 @@ def _numbered(values: Iterable[Hashable]) -> list[int]:
 
 
 def _groups(names: Sequence[str], classes: Sequence[int]) -> Iterator[tuple[str, ...]]:
-    """Yield the classes that have several states."""
+    """Yield the names of the states of each class with several states."""
     found: dict[int, list[str]] = {}
     for name, number in zip(names, classes, strict=True):
         found.setdefault(number, []).append(name)
@@ -165,7 +173,7 @@ def _differing(branch: StateBranch, states: Sequence[str]) -> tuple[str, ...]:
 
 
 def _why_not(branch: StateBranch, states: Sequence[str], named: dict[tuple[str, str], str]) -> str:
-    """Return why states with the same facts and operations are not merged."""
+    """Return why states with the same facts and operations cannot be merged. Empty if they can."""
     for name in states:
         claim = named.get((branch.name, name))
         if claim is not None:

@@ -1,4 +1,4 @@
-"""Names of states in an SB that has other facts than before."""
+"""Chooses names for the states of an SB whose facts have changed."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ Values = tuple[str, ...]
 def named_by_facts(
     states: Iterable[str], facts: Mapping[str, Values], branch: StateBranch
 ) -> dict[str, str]:
-    """Return a name for each state in ``facts``. Names that show facts show those of now; other
-    names stay.
+    """Return a name for each state in ``facts``.
 
-    ``states`` are states of the SB. A state that is none of it is named like the first of them.
+    If the old names show facts, the new names show the new facts. Else the names stay. ``states``
+    are states of the SB. A state that the SB does not have yet is named like the first of them.
     """
     kept = {state: state for state in facts}
     if branch.shape.width != 1 or branch.shape.opaque:
@@ -32,12 +32,12 @@ def named_by_facts(
 
 
 def written_count(branch: StateBranch, facts: Mapping[str, Values]) -> int | None:
-    """Return NUM_FACTS, if it was written before too."""
+    """Return the new NUM_FACTS, or None if the SB was written without it."""
     return None if branch.header.num_facts is None else len(next(iter(facts.values())))
 
 
 def free_name_beside(name: str, taken: Iterable[str]) -> str:
-    """Return a name that none of ``taken`` has, with a number if that is needed."""
+    """Return ``name``, or with a number behind it if ``taken`` has it already."""
     found, number = name, 1
     while found in set(taken):
         number += 1

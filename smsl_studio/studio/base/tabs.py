@@ -77,12 +77,12 @@ class Tabs(QWidget):
         page.deleteLater()
 
     def leave_out_tools(self, left_out: bool) -> None:
-        """Leave out the tools, where the tabs need all the room, or show them again."""
+        """Hide the tools if the tabs need all the space, or show them again."""
         self._bare = left_out
         self._show(self.bar.currentIndex())
 
     def set_close(self, close: bool) -> None:
-        """Put the tabs close together, where there is little room, or in their usual places."""
+        """Put the tabs close together if there is little space, or at their usual distance."""
         if close == (self.bar.property("role") == "close"):
             return
         self.bar.setProperty("role", "close" if close else "")
@@ -139,7 +139,8 @@ class Tabs(QWidget):
         if not count:
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
             badge.deleteLater()
-        # A bar that is hidden would not tell that it needs another width, and cut its last tab.
+        # A hidden bar does not report that its width has changed, and its last tab would be cut
+        # off.
         self.bar.updateGeometry()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

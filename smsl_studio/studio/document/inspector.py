@@ -1,10 +1,11 @@
 """Inspector: inspects the blueprint in a second thread after every change.
 
-The rules are pure functions of a frozen blueprint, so a large one does not freeze the window. After
-them the hazards and properties are answered, which may take longer. If a person has chosen a world,
-the rules about it are checked too. Findings of a blueprint that is
-no longer shown are dropped. Those of the last ones are kept, because an undo shows the same
-blueprint again.
+The rules are pure functions of a frozen blueprint. So the window does not freeze while a large
+blueprint is inspected. After the rules, the hazards and properties are answered, which may take
+longer. If a person has chosen a world, the rules about worlds are checked, too.
+
+Findings of a blueprint that is no longer shown are dropped. The findings of the last blueprints are
+kept, because an undo shows the same blueprint again.
 """
 
 from __future__ import annotations
@@ -79,7 +80,7 @@ class Inspector(QObject):
         self.stopped = False
         """Whether a person has stopped the search for verdicts about this blueprint."""
         self.world = ""
-        """The world that a person has chosen for this file; empty if none was chosen."""
+        """The world that a person has chosen for this file. Empty if no world is chosen."""
         self._loaded: Loaded | None = None
         session.opened.connect(self._forget)
         session.blueprint_changed.connect(lambda *_: self._changed())
@@ -125,7 +126,7 @@ class Inspector(QObject):
         self._changed(0)
 
     def look_in(self, world: str, loaded: Loaded | None) -> None:
-        """Check the rules about a world too (R24 to R26), with the plugins that are known."""
+        """Check the rules about worlds, too (R24 to R26). ``loaded`` has the known plugins."""
         if (world, loaded) != (self.world, self._loaded):
             self.world, self._loaded = world, loaded
             self._known.clear()
@@ -193,7 +194,7 @@ class Inspector(QObject):
 
 
 def _inspected(blueprint: Blueprint, world: str, loaded: Loaded | None) -> tuple[Finding, ...]:
-    """Inspect a blueprint, in a world if there is one. It is called in the worker thread."""
+    """Inspect a blueprint, also in a world if there is one. The worker thread calls this."""
     found = inspect(blueprint)
     if not world:
         return found

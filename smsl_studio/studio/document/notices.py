@@ -12,8 +12,9 @@ def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, str]:
 
 
 def values_given(before: Blueprint, after: Blueprint) -> str:
-    """The sentence if new states got fact values that nobody typed, because all others have theirs
-    in ``_states``. Empty if there are none.
+    """A sentence that new states got fact values that nobody typed. Empty if there are none.
+
+    New states get values if all other states have theirs in ``_states``.
     """
     for name, branch in after.branches.items():
         old = before.branches.get(name)

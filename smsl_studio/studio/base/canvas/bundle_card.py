@@ -93,8 +93,10 @@ class BundleCard(Card):
         self.keep(True)
 
     def step(self, by: int) -> bool:
-        """Open the card of the next bundle (1) or the former one (-1), with the keyboard focus in
-        its first row. False if no operations are bundled."""
+        """Open the card of the next bundle (``by`` 1) or the previous one (-1).
+
+        The first row gets the keyboard focus. Return False if there are no bundles.
+        """
         sheet = self._canvas.sheet
         every = sorted(sheet.picture.bundles.members) if sheet is not None else []
         if not every or sheet is None:
@@ -125,9 +127,12 @@ class BundleCard(Card):
                 self._canvas.setFocus()
 
     def follow(self, moved: bool = True) -> None:
-        """Stay beside the chip after the view has ``moved`` or has other marks. A card hides if its
-        chip is out of view or if its bundle has other operations now. One that is not pinned hides
-        as soon as the view moves."""
+        """Keep the card beside its chip after the view has ``moved``, or after other marks are
+        drawn.
+
+        The card hides if its chip is out of view, or if its bundle has other operations now. A card
+        that is not pinned hides as soon as the view moves.
+        """
         sheet, edge = self._canvas.sheet, self.edge
         if edge < 0 or sheet is None:
             return
@@ -148,8 +153,11 @@ class BundleCard(Card):
             self._hide.start()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape closes the card, L goes to the next bundle and Shift+L to the former one, Enter
-        chooses the operation of the row that has the focus."""
+        """Handle the keys of the card.
+
+        Escape closes the card. L goes to the next bundle, and Shift+L to the previous one. Enter
+        selects the operation in the focused row.
+        """
         row = next((row for row in self.rows if row.hasFocus()), None)
         if event.key() == Qt.Key.Key_Escape:
             self.go()
@@ -197,8 +205,10 @@ class BundleCard(Card):
             row.update()
 
     def _choose(self, line: BundleLine) -> None:
-        """Choose an operation, as a click on its line does. The card goes, because a selected
-        operation is drawn by itself."""
+        """Select an operation, as a click on its line does.
+
+        The card closes, because a selected operation is drawn by itself.
+        """
         self.go()
         self._canvas.selection_wanted.emit((line.address,))
         if not self._canvas.editing:
@@ -249,7 +259,7 @@ def _places(chip: QRect, wide: int, high: int) -> Iterator[QRect]:
 
 
 def _own(picture: Picture, edge: int) -> tuple[int, ...]:
-    """The operations of the bundle of an edge; empty if it is in none."""
+    """The operations in the bundle of an edge. Empty if the edge is in no bundle."""
     return picture.bundles.members.get(picture.bundles.first.get(edge, -1), ())
 
 

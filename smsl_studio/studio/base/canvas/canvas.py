@@ -130,7 +130,7 @@ class Canvas(BranchView):
             self._draw_again()
 
     def _draw_again(self) -> None:
-        """Draw the same SB once more, in another way."""
+        """Draw the same SB again, because the way to draw it has changed."""
         sheet = self.sheet
         if sheet is not None:
             name, places = sheet.picture.branch.name, self.positions
@@ -337,9 +337,10 @@ class Canvas(BranchView):
         return self.viewport().event(QHelpEvent(event.type(), event.pos(), at))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Emit ``context_wanted`` with the element under the pointer, or ``drawn_menu_wanted``.
+        """Emit ``context_wanted`` or ``drawn_menu_wanted`` to open a menu.
 
-        The menu key means what is selected, wherever the pointer is.
+        The mouse opens the menu of the element under the pointer. The menu key opens the menu of
+        the selected element.
         """
         by_key = event.reason() is QContextMenuEvent.Reason.Keyboard
         at = self.mapToScene(event.pos())

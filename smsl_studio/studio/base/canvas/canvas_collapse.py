@@ -1,4 +1,4 @@
-"""CanvasCollapse: whether one canvas draws its SB collapsed."""
+"""CanvasCollapse: decides whether a canvas draws bundles of operations as one line."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 
 
 class CanvasCollapse(QObject):
-    """Collapses the SB of a canvas as the person chose for its file, else if names have no room.
+    """Decides whether a canvas draws all operations between two states as one line.
 
-    A canvas that shares no ``Collapsing`` with others draws every operation by itself.
+    The person's choice for the file decides. Without a choice, an SB is collapsed if there is no
+    space for the names. A canvas without a shared ``Collapsing`` draws every operation by itself.
     """
 
     def __init__(self, canvas: BranchView, draw_again: Callable[[], None]) -> None:
@@ -27,25 +28,28 @@ class CanvasCollapse(QObject):
         self._name = ""
         self._judged: str | None = None
         self.on = False
-        """Whether operations between the same two states are drawn as one line."""
+        """Whether all operations between the same two states are drawn as one line now."""
         canvas.collapse_wanted.connect(self._choose)
 
     def join(self, shared: Collapsing, name: str = "") -> None:
-        """Agree with other canvases, from the next picture on. With a ``name`` the choice is kept
-        under it, else under the file of the blueprint that is shown."""
+        """Share the choices of the other canvases, from the next drawing on.
+
+        The choice is kept under ``name``. Without a name it is kept under the file of the shown
+        blueprint.
+        """
         self._shared, self._judged, self._name = shared, None, name
         shared.chosen.connect(self._chosen)
 
     def forget(self) -> None:
-        """Another file comes next: it is collapsed or not whatever the present one is."""
+        """Forget the decision, because the canvas shows another file next."""
         self._judged = None
 
     def knows(self, branch: str) -> bool:
-        """Whether it was found out for the SB of this name."""
+        """Whether it has been decided for the SB of this name."""
         return self._judged == branch
 
     def judge(self, picture: Picture, positions: Mapping[str, Position]) -> None:
-        """Find out whether an SB that opens is to be collapsed."""
+        """Decide whether an SB is drawn collapsed, when the canvas opens it."""
         canvas, shared, branch = self._canvas, self._shared, picture.branch
         self._judged = branch.name
         if shared is None:
@@ -62,14 +66,14 @@ class CanvasCollapse(QObject):
         canvas.crowded = crowded or self.on
 
     def turn(self, on: bool) -> None:
-        """Draw operations between the same two states as one line, or each by itself."""
+        """Draw the operations between two states as one line, or each by itself."""
         if on != self.on:
             self.on, self._canvas.crowded = on, True
             self._draw_again()
 
     @property
     def _file(self) -> str:
-        """The name under which the choice for the SB that is shown is kept."""
+        """The name under which the choice for the shown SB is kept."""
         sheet = self._canvas.sheet
         return self._name or (sheet.picture.blueprint.file if sheet is not None else "")
 

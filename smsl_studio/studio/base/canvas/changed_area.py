@@ -23,9 +23,9 @@ Edge = tuple[str, str]
 
 
 class PaintedParts:
-    """What the states, the operations and the marks of a small drawing look like, by their names.
+    """What the states, operations and marks of a small drawing look like, by their names.
 
-    Make it when the layout of the drawing is done. A drag that comes later makes it out of date.
+    Create it after the layout of the drawing is done. A later drag makes it invalid.
     """
 
     def __init__(self, sheet: Sheet) -> None:

@@ -1,4 +1,4 @@
-"""Collapsing: what several canvases know of which drawings are collapsed, so that all agree."""
+"""Collapsing: lets several canvases agree on which drawings are collapsed."""
 
 from __future__ import annotations
 
@@ -8,13 +8,17 @@ from smsl_studio.blueprint.model import StateBranch
 
 
 class Collapsing(QObject):
-    """Knows what a person chose for each file, and which SBs are crowded.
+    """Remembers two things for all canvases: the person's choice for each file, and the crowded
+    SBs.
 
-    It forgets both when it is gone. ``CollapseChoice`` keeps the choices for files on the disk.
+    A drawing is collapsed if all operations between two states are one line. An SB is crowded if
+    its drawing has no space for the names of operations. This object keeps both in memory only.
+    ``CollapseChoice`` also stores the choices in the settings.
     """
 
     chosen = Signal(str, bool)
-    """(file, on): the drawings of a file shall be collapsed, or show every operation."""
+    """(file, on): the drawings of this file are collapsed from now on (True), or show every
+    operation (False)."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -22,7 +26,7 @@ class Collapsing(QObject):
         self._crowded: dict[str, tuple[StateBranch, bool]] = {}
 
     def wish(self, file: str) -> bool | None:
-        """What the person chose for a file; None if there was no choice."""
+        """The person's choice for a file. None if the person has not chosen."""
         return self._wishes.get(file)
 
     def keep(self, file: str, on: bool) -> None:
@@ -30,15 +34,17 @@ class Collapsing(QObject):
         self._wishes[file] = on
 
     def choose(self, file: str, on: bool) -> None:
-        """Collapse the drawings of a file or show all operations, in every canvas, from now on."""
+        """Collapse the drawings of a file (True), or show all operations, in every canvas from now
+        on.
+        """
         self.keep(file, on)
         self.chosen.emit(file, on)
 
     def crowded(self, branch: StateBranch) -> bool | None:
-        """Whether this very SB is known to be crowded; None if no canvas has looked."""
+        """Whether this SB is crowded. None if no canvas has found out yet."""
         known = self._crowded.get(branch.name)
         return known[1] if known is not None and known[0] is branch else None
 
     def learn(self, branch: StateBranch, crowded: bool) -> None:
-        """Note what a canvas has found out about an SB."""
+        """Remember whether an SB is crowded, as a canvas has found out."""
         self._crowded[branch.name] = branch, crowded

@@ -71,8 +71,8 @@ def _held(at: float, size: float, low: float, high: float) -> float:
 def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     """The frame of compact nodes.
 
-    Labels and signs keep their size on the screen, so a second step corrects the zoom of the first.
-    Where they have no room, the frame is that of a far picture, which has no labels.
+    Labels and signs keep their size on the screen. So a second step corrects the zoom of the first
+    one. If there is no space for labels, the frame is that of a far picture, which has none.
     """
     centres = _centres(sheet)
     most = FULL_FROM - 0.01 if sheet.spacing.roomy else 1.0
@@ -114,7 +114,7 @@ def about(sheet: Sheet) -> QRectF:
 def bounds_of(sheet: Sheet) -> QRectF:
     """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units).
 
-    A far picture has the lines and labels only of highlighted operations.
+    A far picture has lines and labels for highlighted operations only.
     """
     half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)

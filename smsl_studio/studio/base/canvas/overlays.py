@@ -32,7 +32,7 @@ EDGE = 14
 WIDE, TALL = 720, 420
 """In a view smaller than this (pixels) there is no mini-map."""
 LOWEST = 140
-"""In a view lower than this there are no tools over the drawing (pixels)."""
+"""A view lower than this shows no tools over the drawing (pixels)."""
 SPOKEN = 6000
 """How long a sentence at the pointer stays (ms)."""
 
@@ -124,7 +124,7 @@ class Overlays:
             opened, back = len(pairs) - whole, len(sheet.picture.all_bundles.back)
             self.dense.show_counts(sheet.picture.collapsed, len(pairs), opened, back)
             quiet = sheet.looks.quiet
-            # A run and a comparison dim everything that they do not mark.
+            # A run and a comparison dim all elements that they do not mark.
             mixed = len(sheet.picture.mixed) if self._canvas.editing else 0
             self.dense.show_mixed(mixed, bool(quiet))
         return before != (self.dense.empty, self.dense.size())
@@ -326,7 +326,7 @@ class Overlays:
 
     @property
     def _has_tools(self) -> bool:
-        """Whether there is room over the drawing for tools, and somebody edits it."""
+        """Whether tools are shown over the drawing: it can be edited, and there is space."""
         return self._canvas.editing and self._canvas.height() >= LOWEST
 
     def _place_zoom(self) -> None:

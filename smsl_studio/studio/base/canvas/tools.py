@@ -27,7 +27,7 @@ from smsl_studio.studio.base.canvas.operation_gestures import Connect, Retarget
 from smsl_studio.studio.base.canvas.overlays import Overlays
 
 NO_BUNDLE = "No operations are bundled here. The menu View bundles them."
-"""What is said where a key would open the card of a bundle."""
+"""The message for the key L if there are no bundles."""
 
 
 class Hand:
@@ -283,7 +283,7 @@ class Hand:
         return self.line.key(event) or keys.press(self._canvas, event)
 
     def _lists_bundle(self, event: QKeyEvent) -> bool:
-        """Whether a key opens the card of a bundle: L the next one, Shift+L the former one."""
+        """Whether a key opens the card of a bundle: L the next one, Shift+L the previous one."""
         shift = Qt.KeyboardModifier.ShiftModifier
         if event.key() != Qt.Key.Key_L or event.modifiers() & ~shift:
             return False
@@ -291,7 +291,7 @@ class Hand:
         return True
 
     def list_bundle(self, by: int) -> None:
-        """Open the card of the next (1) or the former (-1) bundle, or say that there is none."""
+        """Open the card of the next bundle (1) or the previous one (-1). Say if there is none."""
         if not self._overlays.bundle.step(by):
             self._canvas.say(NO_BUNDLE)
 

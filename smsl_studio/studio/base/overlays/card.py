@@ -19,7 +19,7 @@ from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
 ICON, GAP = 16.0, 8.0
-"""The side of an icon, and the room left of one that stands before words (pixels)."""
+"""The size of an icon, and the space to the left of an icon before words (pixels)."""
 
 
 class Card(QWidget):
@@ -69,8 +69,9 @@ class PassingCard(Card):
         self.float_up()
 
     def settle(self) -> None:
-        """Take over what was typed into the card, because the person leaves it or saves. A card
-        without a text has nothing to take over.
+        """Use the text that was typed into the card, because the person leaves it or saves.
+
+        A card without a text does nothing here.
         """
 
     def close_field(self) -> None:

@@ -23,14 +23,15 @@ BACK = (
 )
 MIXED = "They change several facts at once, or load a sub-SB."
 WIDEST = 10_000
-"""More room than the legend ever needs (pixels)."""
+"""A width that is more than the legend ever needs (pixels)."""
 ROOM = 24
 """The room at the sides of a button with words (pixels)."""
 
 
 class DenseLegend(Card):
-    """Counts the bundles of a drawing and explains them. Its last button shows all operations, or
-    collapses them again.
+    """Says how many bundles a drawing has, and what they are.
+
+    Its last button shows all operations, or collapses them again.
     """
 
     collapse_wanted = Signal(bool)
@@ -38,7 +39,7 @@ class DenseLegend(Card):
     lane_wanted = Signal()
     """List the operations that lead back to the start."""
     bundle_wanted = Signal()
-    """List the operations of the next bundle."""
+    """The person wants a list of the operations in the next bundle."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
@@ -100,13 +101,13 @@ class DenseLegend(Card):
         self.fit(self._room)
 
     def _say(self, button: IconButton, words: str, tip: str) -> None:
-        """Set the words of a button, and what it tells the pointer and assistive tools."""
+        """Set the words of a button, its tooltip, and its name for screen readers."""
         self._words[button] = words
         button.setAccessibleName(plain_text(words))
         button.setToolTip(tip_text(tip))
 
     def fit(self, room: int) -> None:
-        """Take at most this width (pixels), if that is possible without the words at the icons."""
+        """Take at most this width (pixels). If needed, hide the words beside the icons."""
         self._room = room
         key = room, *self._words.values(), self.mixed.isHidden(), self.back.isHidden()
         if key == self._fitted:
@@ -120,7 +121,7 @@ class DenseLegend(Card):
         self.resize(self.sizeHint())
 
     def _write(self, button: IconButton, words: str) -> None:
-        """Write on a button, and give it the room that this needs."""
+        """Set the words of a button, and the width that they need."""
         button.setText(words)
         icon = 0 if button is self.all else round(ICON + GAP / 2)
         button.setFixedSize(round(self._type.width(words)) + ROOM + icon, 30)
@@ -143,5 +144,5 @@ class DenseLegend(Card):
 
 
 def _number(words: str) -> int:
-    """Where the number in some words begins; 0 if they have none."""
+    """The place in the text where the number begins. 0 if there is none."""
     return next((at for at, letter in enumerate(words) if letter.isdigit()), 0)

@@ -1,1 +1,1 @@
-"""Approval in the window: the badge that says who has signed the blueprint, and why that counts."""
+"""The feature Approval: a badge that says who has signed the blueprint, and whether that counts."""

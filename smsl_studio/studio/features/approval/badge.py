@@ -1,4 +1,4 @@
-"""The badge of trust in the top row, and the card below it with the reasons in words."""
+"""The badge of trust in the top row of the window, and the card with the reasons."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ WIDE = 420
 
 
 class ApprovalBadge(QAbstractButton):
-    """Says in a few words whether the blueprint is approved. A dashed border means that it is not
-    settled. A click opens the reasons."""
+    """Says in a few words whether the blueprint is approved. A click shows the reasons.
+
+    A dashed border means that the blueprint is not approved, or that this is not known yet.
+    """
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -31,7 +33,7 @@ class ApprovalBadge(QAbstractButton):
         self.show_words(UNINSPECTED)
 
     def show_words(self, said: ApprovalWords) -> None:
-        """Show other words."""
+        """Show the words for another state of the approval."""
         self.said = said
         self.setText(said.words)
         self.setAccessibleName(plain_text(said.words))
@@ -40,7 +42,7 @@ class ApprovalBadge(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Wide enough for the words."""
+        """The size that the icon and the words need."""
         return QSize(round(QFontMetricsF(self._font).horizontalAdvance(self.text())) + 38, 22)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -49,7 +51,9 @@ class ApprovalBadge(QAbstractButton):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a box with icon and words: green and whole if it is approved, else dashed."""
+        """Paint the icon, the words and the border: a full green one if approved, else a dashed
+        one.
+        """
         tokens, painter = self._tokens, QPainter(self)
         good = self.said.is_good
         ink, ground = (tokens.ok, tokens.oks) if good else (tokens.risk, tokens.risks)
@@ -69,7 +73,10 @@ class ApprovalBadge(QAbstractButton):
 
 
 class ReasonCard(QFrame):
-    """The reasons of a badge. It closes when something else is clicked, or with Escape."""
+    """The reasons for what the badge says.
+
+    The card closes if the person clicks elsewhere or presses Escape.
+    """
 
     def __init__(self, parent: QWidget, said: ApprovalWords) -> None:
         super().__init__(parent, Qt.WindowType.Popup)

@@ -1,5 +1,4 @@
-"""Approval as a feature: a badge that follows the open blueprint, verified when the window is
-idle."""
+"""The feature Approval. Its badge shows the approval of the open blueprint."""
 
 from __future__ import annotations
 
@@ -17,12 +16,15 @@ from smsl_studio.studio.features.approval.badge import LOOKING, ApprovalBadge, R
 from smsl_studio.studio.running.window_parts import WindowParts
 
 IDLE = 400
-"""Milliseconds without an edit after which the record is verified."""
+"""The record is verified after this time without an edit (milliseconds)."""
 
 
 class ApprovalFeature(Feature):
-    """The badge of trust. Signatures are verified in a second thread; until then the badge is
-    dashed and says that it looks."""
+    """The badge of trust.
+
+    A second thread verifies the signatures. Until the result is known, the border is dashed, and
+    the badge says that the check is running.
+    """
 
     def __init__(self, parts: WindowParts) -> None:
         self._session, self._files = parts.session, parts.files
@@ -40,7 +42,7 @@ class ApprovalFeature(Feature):
         self._wait()
 
     def actions(self) -> tuple[Action, ...]:
-        """The row of the menu Blueprint."""
+        """The command in the menu Blueprint that shows the reasons."""
         return (
             Action("approval_reasons", "Who has signed this", self.show, "Blueprint", "", (),
                    lambda: not self.badge.isHidden(), section=4,
@@ -62,8 +64,10 @@ class ApprovalFeature(Feature):
         self._beside.stop()
 
     def _wait(self) -> None:
-        """Look again when nothing happens any more. Most files have no record: this is told at
-        once."""
+        """Verify the record again once the person has made no edit for ``IDLE`` milliseconds.
+
+        Most files have no record. Then there is nothing to verify, and the badge says so at once.
+        """
         self._beside.drop()
         if not may_have_record(self._session.blueprint.file):
             self._later.stop()

@@ -1,4 +1,4 @@
-"""BackKey: Alt+Left inside a page, before any other part of the window gets it."""
+"""BackKey: handles Alt+Left inside a page before other parts of the window can use it."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ from PySide6.QtWidgets import QWidget
 
 
 class BackKey(QObject):
-    """Watches widgets for Alt+Left. Buttons and scroll areas would move the focus or scroll, and
-    the window has an action of the same key for the drawing."""
+    """Watches widgets for Alt+Left, and emits ``pressed``.
+
+    Without it, buttons would move the focus, scroll areas would scroll, and the window would go
+    back in the drawing.
+    """
 
     pressed = Signal()
 
     def watch(self, widget: QWidget) -> None:
-        """Watch a widget and everything in it, as it is now."""
+        """Watch a widget and all widgets that are in it now. Later ones need another call."""
         for one in (widget, *widget.findChildren(QWidget)):
             one.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take the key, and emit ``pressed``."""
+        """Keep the key from the widget, and emit ``pressed``."""
         kind = event.type()
         if kind not in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
             return False

@@ -1,4 +1,4 @@
-"""One column for each SB: its state is lit, and a line joins the states of all SBs."""
+"""Shows a configuration: a column of states for each SB, and a line through the active states."""
 
 from __future__ import annotations
 
@@ -25,16 +25,17 @@ from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.features.inspection.column_rows import BranchColumn, ColumnState
 
 WIDE, PADDING, GAP = 96, 18, 14
-"""The width of a column, the room of a button beside its words, and that between columns (px)."""
+"""The width of a column, the space beside a button's words, and the space between columns
+(pixels)."""
 
 
 class BranchColumns(QScrollArea):
-    """The columns. A click on a state goes there, and so does Enter."""
+    """The columns of a configuration. A click or Enter on a state lets its SB go there."""
 
     picked = Signal(str, str)
-    """(SB, state): the person wants this SB to stand there."""
+    """(SB, state): the person wants this SB to be in this state."""
     list_wanted = Signal(str)
-    """str: the SB of which all states are wanted."""
+    """str: the person wants a list of all states of this SB."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,7 +54,7 @@ class BranchColumns(QScrollArea):
         self.show_columns(self._columns, self._hidden)
 
     def show_columns(self, columns: Sequence[BranchColumn], hidden: int) -> None:
-        """Show columns; ``hidden`` counts the SBs that have none."""
+        """Show columns. ``hidden`` is the number of SBs without a column."""
         self._columns, self._hidden = tuple(columns), hidden
         at, focused = self.horizontalScrollBar().value(), self._focused()
         inner = _JoinedColumns(self._tokens)
@@ -74,12 +75,12 @@ class BranchColumns(QScrollArea):
                 button.setFocus()
 
     def buttons(self) -> Iterator[QPushButton]:
-        """The buttons of all states that are shown."""
+        """The buttons of all states, column by column."""
         inner = self.widget()
         yield from inner.findChildren(QPushButton, "place") if inner else ()
 
     def _focused(self) -> str:
-        """The place of the button that has the focus; empty if none has it."""
+        """The SB and state of the button with the keyboard focus. Empty if none has it."""
         focus, inner = QApplication.focusWidget(), self.widget()
         if focus is None or inner is None or not inner.isAncestorOf(focus):
             return ""
@@ -132,12 +133,12 @@ class BranchColumns(QScrollArea):
 
 
 def _place(button: QWidget) -> str:
-    """The SB and the state of a button."""
+    """The SB and the state of a button, as one text."""
     return str(button.property("place"))
 
 
 class _JoinedColumns(QWidget):
-    """The ground of the columns, with the line that joins the lit states."""
+    """The background of the columns. It has the line that joins the active states."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -146,7 +147,7 @@ class _JoinedColumns(QWidget):
         self.lit: list[QPushButton] = []
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the line from column to column."""
+        """Paint the line through the active states."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self._ink, 2))

@@ -1,4 +1,4 @@
-"""What the columns of a configuration show: for each SB its state, and the states one step away."""
+"""Chooses what the columns of a configuration show: each SB's state, and those one step away."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ MOST_STATES, MOST_COLUMNS = 4, 24
 
 @dataclass(frozen=True)
 class ColumnState:
-    """One state. ``near`` says that it is one step away, ``hazard`` that this step meets one."""
+    """One state in a column.
+
+    ``near`` says that a permitted step leads to it. ``hazard`` says that this step meets a hazard.
+    """
 
     name: str
     words: str
@@ -26,7 +29,10 @@ class ColumnState:
 
 @dataclass(frozen=True)
 class BranchColumn:
-    """One SB with at most ``MOST_STATES`` states in file order; ``more`` counts the others."""
+    """One SB with at most ``MOST_STATES`` of its states, in file order.
+
+    ``more`` is the number of states that are left out.
+    """
 
     branch: str
     states: tuple[ColumnState, ...]
@@ -38,7 +44,7 @@ def columns_of(
 ) -> tuple[BranchColumn, ...]:
     """Return the columns in the order of the file.
 
-    Of more than ``MOST_COLUMNS`` SBs first those that have moved or can move are taken.
+    If there are more than ``MOST_COLUMNS`` SBs, those that have moved or can move are shown first.
     """
     here = trail[-1].configuration
     near: dict[str, dict[str, bool]] = {name: {} for name in here}

@@ -1,4 +1,6 @@
-"""The tab Configuration: where each SB stands, what is permitted there, and how to come there."""
+"""The tab Configuration: the state of each SB, the operations that are permitted, and a run to
+there.
+"""
 
 from __future__ import annotations
 
@@ -30,17 +32,21 @@ from smsl_studio.studio.features.inspection.typed_configuration import (
 )
 
 LATE = 150
-"""Milliseconds after which a step is shown although what follows it is not known yet."""
+"""If the steps out of a configuration are not known after this time, the configuration is shown
+without them (milliseconds)."""
 END = "Nothing is permitted here."
 UPPER, LOWER, HEAD = 230, 206, 62
-"""Heights of the columns and of the run below them, and of what is around its cards (pixels)."""
+"""Heights (pixels): the columns, the run below them, and the space around the cards of the run."""
 
 
 class ConfigurationPage(QWidget):
-    """A walk by hand. It runs nothing and edits nothing. ``lit`` shows it on the drawing."""
+    """Lets a person walk from configuration to configuration. It runs nothing and edits nothing.
+
+    ``lit`` shows the walk on the drawing.
+    """
 
     start_wanted = Signal(object)
-    """tuple[str]: the states in which a run shall start, as addresses."""
+    """tuple[str]: the next run shall start in these states (addresses)."""
 
     def __init__(self, session: Session, lit: LitRun, tokens: Tokens) -> None:
         super().__init__()
@@ -48,9 +54,10 @@ class ConfigurationPage(QWidget):
         self._entered = False
         self._lit_trail: tuple[RunStep, ...] | None = None
         self._held = False
-        """Whether a run is shown until it is known where the walk stands."""
+        """True while a run is shown although the explorer is still looking. The next result does
+        not hide the run."""
         self._written = ""
-        """What was typed last, until it is the place or another one is picked."""
+        """The last text that was typed, if it is not yet a configuration that is shown."""
         self.explorer = Explorer(session, self)
         self.columns, self.steps = BranchColumns(tokens), StepList(tokens)
         self.run, self.looking = RunView(lit, tokens), LookLine()
@@ -143,14 +150,14 @@ class ConfigurationPage(QWidget):
         self.back_key.watch(self)
 
     def enter(self) -> None:
-        """Begin to show the walk, here and on the drawing."""
+        """Show the walk on this page and on the drawing, because the person has opened this tab."""
         self._entered, self._lit_trail = True, self.explorer.trail
         self.explorer.look()
         self._lit.show_steps(self.explorer.trail, max(len(self.explorer.trail) - 1, 0))
         self._show_place()
 
     def leave(self) -> None:
-        """Show nothing on the drawing, because nobody looks here."""
+        """Show nothing on the drawing, because the person has left this tab."""
         if self._entered:
             self._entered = False
             self._end_run()
@@ -164,7 +171,7 @@ class ConfigurationPage(QWidget):
             return
         explorer = self.explorer
         if explorer.is_outdated:
-            # The drawing has changed, so nothing old is shown as true.
+            # The drawing has changed, so the old steps may be wrong and are not shown.
             self._end_run()
             explorer.look()
             return
@@ -176,7 +183,7 @@ class ConfigurationPage(QWidget):
         self._show_place()
 
     def _show_place(self) -> None:
-        """Show where the explorer stands now."""
+        """Show the configuration in which the explorer is now."""
         self._late.stop()
         explorer, trail = self.explorer, self.explorer.trail
         self.looking.show_work(explorer.work)
@@ -201,7 +208,10 @@ class ConfigurationPage(QWidget):
         self._light()
 
     def _light(self) -> None:
-        """Light the walk on the drawing. A run that was shown is of another place, so it goes."""
+        """Show the walk on the drawing.
+
+        A run that was shown before ends, because it belongs to another configuration.
+        """
         trail = self.explorer.trail
         if not self._entered or trail is self._lit_trail:
             return
@@ -220,15 +230,15 @@ class ConfigurationPage(QWidget):
         self.run.hide()
 
     def show_steps(self, steps: tuple[RunStep, ...], title: str, bad: bool = True) -> None:
-        """Show a run from the start, until it goes on from elsewhere."""
+        """Show a run from the start. It stays until the person takes a step."""
         if self._entered and steps:
-            # What is still looked for says where it stands, and must not end this run.
+            # A search may still find the present configuration. Its result must not end this run.
             self._held = self.explorer.is_outdated or bool(self.explorer.work)
             hidden = self.run.isHidden()
             self.run.show()
             self.run.show_steps(self._session.blueprint, steps, title, bad)
             if hidden:
-                # The run has as many rows as it needs, and the columns the rest.
+                # The run gets the height of its rows, and the columns get the rest.
                 low = HEAD + self.run.strip.height()
                 self.split.setSizes([max(self.split.height() - low, UPPER // 2), low])
 
@@ -266,7 +276,10 @@ class ConfigurationPage(QWidget):
             self.explorer.place(wanted)
 
     def _refused(self, words: str) -> None:
-        """Say why the configuration cannot be. What was typed stays, so that it can be mended."""
+        """Say why the configuration is not possible.
+
+        The typed text stays, so that it can be corrected.
+        """
         if self._written:
             self.field.setText(self._written)
         self._refuse(words)

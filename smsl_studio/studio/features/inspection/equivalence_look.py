@@ -1,5 +1,4 @@
-"""EquivalenceLook: compares the drawing with another version by what they do, in a second
-thread."""
+"""EquivalenceLook: compares the behaviour of the drawing and another version."""
 
 from __future__ import annotations
 
@@ -25,9 +24,10 @@ DRAWING = "the drawing"
 
 @dataclass(frozen=True)
 class ComparedRuns:
-    """The answer, with the run after which the two differ in each of them: the other version first.
+    """The result of a comparison, with a run that shows a difference.
 
-    The last operation may be missing in one of them.
+    ``before`` has the steps of this run in the other version, and ``after`` those in the drawing.
+    One of them may lack the last step: there the operation is not permitted.
     """
 
     told: Equivalence
@@ -36,20 +36,20 @@ class ComparedRuns:
 
 
 class EquivalenceLook(QObject):
-    """Compares when somebody asks. An edit calls it off, and takes the answer away."""
+    """Compares when the person asks. An edit ends the comparison and removes its result."""
 
     changed = Signal()
-    """Another answer, or none."""
+    """``answer`` has changed."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._beside = session, Beside(self)
         self.version: Version | None = None
         self.answer: ComparedRuns | StudioError | None = None
-        """The answer for what is drawn now; None as long as it is not known."""
+        """The result for the present drawing. None until it is known."""
         self.works = False
         self.stopped = False
-        """Whether a person has called the search off."""
+        """Whether a person has ended the comparison."""
         session.blueprint_changed.connect(lambda *_: self._forget())
         session.opened.connect(self._opened)
 
@@ -59,7 +59,7 @@ class EquivalenceLook(QObject):
         self.again()
 
     def again(self) -> None:
-        """Compare with the same version once more."""
+        """Compare the drawing with the same version again."""
         if self.version is None:
             return
         self._forget()
@@ -68,7 +68,7 @@ class EquivalenceLook(QObject):
         self.changed.emit()
 
     def call_off(self) -> None:
-        """Stop comparing."""
+        """End the comparison, because the person wants it."""
         self._forget()
         self.stopped = True
         self.changed.emit()
@@ -91,7 +91,7 @@ class EquivalenceLook(QObject):
 
 
 def _compared(version: Version, drawn: Blueprint) -> ComparedRuns | StudioError:
-    """It is called in the worker thread."""
+    """Compare two blueprints. The worker thread calls this."""
     from smsl_studio.front.inputs import must_be_whole
     from smsl_studio.front.views.labelled_run import labelled_run
     from smsl_studio.inspection.equivalence.equivalence import equivalence

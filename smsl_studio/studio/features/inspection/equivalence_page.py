@@ -1,5 +1,4 @@
-"""The tab Equivalence: whether the drawing behaves as another version, and which of its states
-behave alike."""
+"""The tab Equivalence: compares the behaviour of versions, and that of states."""
 
 from __future__ import annotations
 
@@ -33,24 +32,28 @@ if TYPE_CHECKING:
     from smsl_studio.studio.document.versions import Version
 
     Choose = Callable[[Callable[[Version], object]], object]
-    """Asks for a version, and gives it to a function."""
+    """Asks the person for a version, and calls the function with it."""
 
 NOTHING = (
     "Choose a version. The answer is “Same behaviour”, or the shortest run after which the two "
     "differ."
 )
 MOST = 300
-"""So many rows of states are shown."""
+"""The largest number of rows of states that are shown."""
 UPPER, LOWER = 230, 206
 
 
 class EquivalencePage(QWidget):
-    """Compares behaviour. ``lit`` shows a run on the drawing."""
+    """Compares the behaviour of the drawing with another version, and of its states with each
+    other.
+
+    ``lit`` shows a run on the drawing.
+    """
 
     play_wanted = Signal(object, object)
-    """(Version, runs): walk both sides of the compare view through their runs."""
+    """(Version, runs): open the compare view, and walk both sides through their runs."""
     merge_wanted = Signal(object)
-    """SameStates: make one state of them."""
+    """SameStates: merge these states into one."""
 
     def __init__(self, session: Session, lit: LitRun, tokens: Tokens) -> None:
         super().__init__()
@@ -58,9 +61,10 @@ class EquivalencePage(QWidget):
         self._entered = False
         self.look, self.same = EquivalenceLook(session, self), SameLook(session, self)
         self.choices: tuple[Choose, ...] = ()
-        """Ask for a file, the saved version and a revision; another feature has them."""
+        """Three functions: they ask for a file, take the saved version, and ask for a revision.
+        Another feature sets them."""
         self.has_file: Callable[[], bool] = lambda: False
-        """Whether the drawing was saved or read, so that there are former versions."""
+        """Whether the drawing has a file. Only then are there earlier versions."""
         self.file = _button("File…", "Compare the behaviour with that of a file")
         self.saved = _button("Saved version", "Compare with what was saved or read last")
         self.revision = _button("Revision…", "Compare with a commit of git")
@@ -131,7 +135,7 @@ class EquivalencePage(QWidget):
         self._show_answer()
 
     def enter(self) -> None:
-        """Begin to show the run, here and on the drawing."""
+        """Show the run on this page and on the drawing, because the person has opened this tab."""
         self._entered = True
         for button in (self.saved, self.revision):
             button.setEnabled(self.has_file())
@@ -139,7 +143,7 @@ class EquivalencePage(QWidget):
         self._show_answer()
 
     def leave(self) -> None:
-        """Show nothing on the drawing, because nobody looks here."""
+        """Show nothing on the drawing, because the person has left this tab."""
         if self._entered:
             self._entered = False
             self.run.clear()
@@ -152,13 +156,13 @@ class EquivalencePage(QWidget):
 
     @property
     def chosen(self) -> SameStates | None:
-        """The chosen row of the states that behave alike."""
+        """The states in the selected row. None if no row is selected."""
         index = self.rows.currentIndex()
         found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
         payload: SameStates | None = found.payload if found else None
         return payload
 
-    # The comparison.
+    # The comparison with a version.
 
     def _show_answer(self) -> None:
         look = self.look
@@ -181,7 +185,7 @@ class EquivalencePage(QWidget):
         self._show_run(answer if isinstance(answer, ComparedRuns) and runs else None)
 
     def _said(self, answer: ComparedRuns | StudioError | None) -> tuple[str, QColor, str, str]:
-        """The sign and its ink, the verdict and the reason."""
+        """The icon and its colour, the verdict and the reason, for an answer."""
         tokens, version = self._tokens, self.look.version
         name = version.words if version else ""
         if isinstance(answer, StudioError):
@@ -257,7 +261,7 @@ def _row(same: SameStates, several: bool) -> ListRow:
 
 
 def _column(*parts: QWidget | QLayout) -> QWidget:
-    """Widgets and rows below each other."""
+    """A widget that holds the parts in one column."""
     made = QWidget()
     down = QVBoxLayout(made)
     down.setContentsMargins(12, 8, 12, 8)

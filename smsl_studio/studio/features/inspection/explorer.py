@@ -1,5 +1,4 @@
-"""Explorer: stands in one configuration of the blueprint that is drawn, and knows what is permitted
-there."""
+"""Explorer: a walk through the configurations of the drawing, with the steps that are permitted."""
 
 from __future__ import annotations
 
@@ -29,7 +28,7 @@ NOTHING = "There is no State Branch yet. Draw one, then walk through what it per
 
 @dataclass(frozen=True)
 class _KnownPlace:
-    """What came of a look: the walk, where it stands, and the steps out of there."""
+    """What a search has found: the walk, the configuration, and the steps out of it."""
 
     walk: ConfigurationWalk
     here: Mapping[str, str]
@@ -39,17 +38,17 @@ class _KnownPlace:
 class Explorer(QObject):
     """Walks through the configurations of the drawing. It runs nothing and edits nothing.
 
-    Everything is looked up in a second thread. ``trail`` has the steps since the last jump, the
-    place where they began first. ``steps`` are the operations out of here, None as long as they are
-    not known.
+    All searches run in a second thread. ``trail`` has the configuration where the walk began, and
+    the steps from there. ``steps`` has the operations out of the present configuration. It is None
+    until they are known.
     """
 
     changed = Signal()
-    """It stands elsewhere, or something became known."""
+    """The configuration has changed, or a search has ended or begun."""
     refused = Signal(str)
-    """str: the configuration that was asked for cannot be, and why."""
+    """str: why there is no configuration with the wanted states."""
     found = Signal(object)
-    """Counterexample: the shortest run to where it stands."""
+    """Counterexample: the shortest run from the start to the present configuration."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -60,30 +59,32 @@ class Explorer(QObject):
         self.trail: tuple[RunStep, ...] = ()
         self.steps: tuple[OnwardStep, ...] | None = None
         self.work = ""
-        """What is being looked for, in words; empty if nothing is."""
+        """What the present search looks for, in words. Empty if there is no search."""
         self.said = ""
-        """A sentence about why it stands here or nowhere."""
+        """A sentence for the person, for example why there is no configuration. It may be empty."""
         session.blueprint_changed.connect(self._edited)
         session.broken_changed.connect(self._forget)
         session.opened.connect(self._opened)
 
     @property
     def configuration(self) -> Mapping[str, str]:
-        """The active state of each SB; empty if it stands nowhere."""
+        """The active state of each SB. Empty if there is no configuration."""
         return self.trail[-1].configuration if self.trail else {}
 
     @property
     def is_outdated(self) -> bool:
-        """Whether what is drawn now was not looked at yet."""
+        """Whether the drawing has changed since the last search began."""
         return self._asked is not self._session.blueprint
 
     @property
     def can_go_back(self) -> bool:
-        """Whether there is a configuration before this one."""
+        """Whether the walk can go back to an earlier configuration."""
         return bool(self._past)
 
     def look(self) -> None:
-        """Look at what is drawn now, unless that is known or under way."""
+        """Search the steps out of the present configuration, if the drawing has changed since the
+        last search.
+        """
         if not self.is_outdated:
             return
         blueprint = self._asked = self._session.blueprint
@@ -96,12 +97,12 @@ class Explorer(QObject):
         self._do("Looking at the steps", partial(_stood, blueprint, here), self._stood)
 
     def look_again(self) -> None:
-        """Look once more, after a look was called off."""
+        """Search again after the person has ended a search."""
         self._asked = None
         self.look()
 
     def take(self, step: OnwardStep) -> None:
-        """Go where a permitted step leads."""
+        """Take a permitted step. Other steps are ignored."""
         if self.steps is None or step not in self.steps or not step.permitted:
             return
         here = {**self.configuration, **step.after}
@@ -110,31 +111,31 @@ class Explorer(QObject):
         self._go((*self.trail, RunStep(step.address, here, moved, step.edges)))
 
     def back(self) -> None:
-        """Go back to where it stood before the last step or jump."""
+        """Go back to the configuration before the last step or jump."""
         if self._past:
             self._go(self._past.pop())
 
     def to_start(self) -> None:
-        """Go to where a run starts."""
+        """Go to the configuration in which a run starts."""
         walk = self._walk
         if walk is not None and self.trail:
             self._jump(partial(_placed, walk, walk.start(), {}))
 
     def place(self, wanted: Mapping[str, str]) -> None:
-        """Go to the configuration in which some SBs stand as wanted, if there is one."""
+        """Go to a configuration in which some SBs are in the wanted states, or emit ``refused``."""
         walk = self._walk
         if walk is not None and self.trail:
             self._jump(partial(_placed, walk, wanted, self.configuration))
 
     def find_run(self) -> None:
-        """Look for the shortest run from the start to here."""
+        """Search the shortest run from the start to the present configuration."""
         blueprint, here = self._session.blueprint, self.configuration
         if here and self._asked is blueprint:
             work = partial(_run_there, blueprint, here)
             self._do("Looking for the shortest run", work, self._found)
 
     def call_off(self) -> None:
-        """Stop looking. What was known stays."""
+        """End the present search, because the person wants it. Earlier results stay."""
         if not self.work:
             return
         self._beside.drop()
@@ -205,7 +206,10 @@ class Explorer(QObject):
         self._forget()
 
     def _edited(self, before: Blueprint, after: Blueprint) -> None:
-        """Keep the place under its new names; what led there may not be possible any more."""
+        """Keep the present configuration after an edit, with the new names of its states.
+
+        The steps that led there are forgotten, because they may not be possible any more.
+        """
         here = {}
         for name, state in self.configuration.items():
             now = now_named(before, after, Address(name, state))
@@ -221,11 +225,11 @@ class Explorer(QObject):
         self.changed.emit()
 
 
-# These are called in the worker thread.
+# The worker thread calls the functions below.
 
 
 def _stood(blueprint: Blueprint, here: Mapping[str, str]) -> _KnownPlace | StudioError:
-    """Look at a blueprint from the place where it stood; from the start if that is gone."""
+    """Search the steps out of a configuration. If it no longer exists, search from the start."""
     try:
         walk = ConfigurationWalk(blueprint)
         known = {

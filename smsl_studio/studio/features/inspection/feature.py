@@ -32,7 +32,7 @@ class InspectionFeature(Feature):
         self.play: Callable[[str, str], None] = lambda text, name: None
         """Runs the text of a script with a name; another feature has the runs."""
         self.start_at: Callable[[tuple[str, ...]], None] = lambda states: None
-        """Lets the next run start in these states; another feature has the runs."""
+        """Lets the next run start in these states. The feature Run sets it."""
         panel = self.panel
         for run in (panel.run, panel.configuration.run, panel.equivalence.run):
             run.play_wanted.connect(lambda text: self.play(text, self._name))
@@ -65,7 +65,7 @@ class InspectionFeature(Feature):
         (panel.table if panel.table.isVisible() else panel.add_empty).setFocus()
 
     def show_run(self, steps: tuple[RunStep, ...], title: str) -> None:
-        """Show a run that another feature found, on the page and on the drawing."""
+        """Show a run that another feature has found, on the page and on the drawing."""
         self._shell.show_tab(NAME)
         self.panel.tabs.setCurrentIndex(CONFIGURATION)
         self.panel.configuration.show_steps(steps, title)

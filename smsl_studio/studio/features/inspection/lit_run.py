@@ -13,10 +13,10 @@ from smsl_studio.studio.document.session import Session
 
 
 class LitRun(QObject):
-    """Lights the active state of each SB at a step: base and subs.
+    """Shows one step of a run on the drawing: the active state of each SB.
 
-    The states before it have the marks of visited ones, and the operations so far those of a trail.
-    The states after it have those of next ones, so that their names can be read in a far picture.
+    Earlier states are marked as visited, and the operations so far as a trail. Later states are
+    marked as next states, so that a small picture shows their names, too.
     """
 
     moved = Signal(int)

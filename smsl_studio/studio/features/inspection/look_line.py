@@ -1,4 +1,4 @@
-"""LookLine: tells that something is being looked for, and calls it off."""
+"""LookLine: says that a search is running, and lets the person cancel it."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QWidget
 from smsl_studio.studio.base.controls import label
 
 PATIENCE = 300
-"""Milliseconds for which a search is not mentioned, because most end before."""
+"""A search is shown only if it takes longer than this, because most are shorter (milliseconds)."""
 BAR = 90
-"""The width of the bar that shows that work goes on (pixels)."""
+"""The width of the moving bar (pixels)."""
 
 
 class LookLine(QWidget):
-    """A sentence, a moving bar and Cancel. It is hidden while nothing lasts."""
+    """A sentence, a moving bar and the button Cancel. The line is hidden if there is no search."""
 
     cancelled = Signal()
 
@@ -43,7 +43,7 @@ class LookLine(QWidget):
         self.hide()
 
     def show_work(self, words: str) -> None:
-        """Say what is being looked for, in a moment; empty words end it."""
+        """Show what is searched, after ``PATIENCE``. An empty text hides the line."""
         self.words.setText(words)
         if not words:
             self._later.stop()

@@ -46,7 +46,7 @@ NO_FAILURE = (
     "panel Facts; the failure states and the ways out of them stand here then."
 )
 CLOSE = 420
-"""Below this width the tabs need the room of the tools (pixels)."""
+"""In a panel narrower than this the tools are hidden, because the tabs need the space (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
 
@@ -200,7 +200,7 @@ class InspectionPanel(QWidget):
             self._apart.enter()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out the tools where the tabs need their room."""
+        """Hide the tools if the tabs need the space."""
         super().resizeEvent(event)
         self.tools.setMaximumWidth(ANY if self.width() >= CLOSE else 0)
 
@@ -253,8 +253,10 @@ class InspectionPanel(QWidget):
         self._show_tools()
 
     def _choose_first(self) -> None:
-        """Choose the first row that fails if none is chosen, so that its run is shown; in the tab
-        of recoverability the first of all."""
+        """If no row is selected, select one, so that its run is shown.
+
+        It is the first row that fails. In the tab Recoverability it is the first row of all.
+        """
         if self._recovering and self.isVisible():
             self.recovery.choose_first()
             return
@@ -270,7 +272,7 @@ class InspectionPanel(QWidget):
 
     @property
     def _apart(self) -> ConfigurationPage | EquivalencePage | None:
-        """The page that is no table, if its tab is chosen."""
+        """The page of the chosen tab, if that page is not a table."""
         at = self.tabs.currentIndex()
         if at == CONFIGURATION:
             return self.configuration

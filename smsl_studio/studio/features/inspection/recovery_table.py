@@ -62,7 +62,7 @@ class RecoveryTable(RowTable):
         self.row_chosen.emit(self.chosen)
 
     def choose_first(self) -> None:
-        """Choose the first row if none is chosen."""
+        """If no row is selected, select the first one."""
         if self.chosen is None and self.rows:
             self.setCurrentIndex(self._model.index(0, 0))
 

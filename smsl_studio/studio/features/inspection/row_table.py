@@ -1,4 +1,4 @@
-"""RowTable: what the tables of the page Inspection share."""
+"""RowTable: the common base of the tables on the page Inspection."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from smsl_studio.studio.features.inspection.claim_model import HIGH
 
 
 class RowTable(QTableView):
-    """A table in which whole rows are chosen, one at a time, and nothing is edited in place."""
+    """A table in which one whole row is selected at a time. Nothing can be edited in it."""
 
     def __init__(self, words: str, parent: QWidget | None) -> None:
-        """``words`` name the table for those who do not see it."""
+        """``words`` is the name of the table for screen readers."""
         super().__init__(parent)
         self.setProperty("role", "table")
         self.setAccessibleName(words)
@@ -35,4 +35,7 @@ class RowTable(QTableView):
         name_parts(self)
 
     def keyboardSearch(self, search: str, /) -> None:
-        """Do nothing: letters are keys of the window."""
+        """Do nothing.
+
+        Qt would use a letter to search a row, but letters are shortcuts of the window.
+        """

@@ -20,7 +20,7 @@ from smsl_studio.studio.features.inspection.run_cards import RunCards
 from smsl_studio.studio.features.inspection.run_strip import BranchNames, RunStrip
 
 NARROW = 560
-"""In a page narrower than this the buttons have no words (pixels)."""
+"""In a page narrower than this the buttons show icons only (pixels)."""
 PACE = 800
 """Milliseconds that a step is shown while the run is walked."""
 BAD_END = ("hazard", "never", "before", "after", "way_back")
@@ -112,7 +112,7 @@ class RunView(QWidget):
     def show_steps(
         self, blueprint: Blueprint, steps: tuple[RunStep, ...], title: str, bad: bool = False
     ) -> None:
-        """Show a run from the start; ``bad`` marks its end."""
+        """Show a run from the start. ``bad`` marks its end as a fault."""
         self._begins_at_start = True
         self.title.setText(title)
         self._show(blueprint, RunCards(blueprint, steps), steps, bad)
@@ -182,7 +182,7 @@ class RunView(QWidget):
             self._dress()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """In a narrow page the buttons have pictures without words, and the room of the title."""
+        """Show icons only on the buttons of a narrow page, so that the title has space."""
         super().resizeEvent(event)
         narrow = self.width() < NARROW
         if narrow != self._narrow:

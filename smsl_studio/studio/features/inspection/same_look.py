@@ -1,4 +1,4 @@
-"""SameLook: asks in a second thread which states of the drawing cannot be told apart."""
+"""SameLook: finds the states of the drawing that behave alike, in a second thread."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 class SameLook(QObject):
-    """Answers for the blueprint that is drawn, when somebody looks. An edit calls it off."""
+    """Finds the states that behave alike when the person looks. An edit ends the search."""
 
     changed = Signal()
-    """Another ``answer``, or none as long as it is not known."""
+    """``answer`` has changed. It is None until the result is known."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -31,11 +31,11 @@ class SameLook(QObject):
 
     @property
     def works(self) -> bool:
-        """Whether the answer is being looked for."""
+        """Whether a search is running."""
         return self._asked is not None and self.answer is None
 
     def look(self) -> None:
-        """Ask, if the answer for this blueprint is neither known nor under way."""
+        """Search, unless this blueprint has been searched or the search is running."""
         blueprint = self._session.blueprint
         if self._asked is not blueprint:
             self._asked = blueprint
@@ -56,7 +56,7 @@ class SameLook(QObject):
 
 
 def _same(blueprint: Blueprint) -> tuple[SameStates, ...] | StudioError:
-    """It is called in the worker thread."""
+    """Find the states that behave alike. The worker thread calls this."""
     from smsl_studio.generate.shapes.same_states import same_states
 
     try:

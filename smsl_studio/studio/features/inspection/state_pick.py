@@ -1,4 +1,4 @@
-"""Asks for a state of one SB."""
+"""A dialog that asks for a state of one SB."""
 
 from __future__ import annotations
 
@@ -16,10 +16,13 @@ from smsl_studio.studio.base.words import counted
 
 
 class StatePick(QDialog):
-    """A list of states that gets shorter while one types; Enter or a double click chooses."""
+    """A list of states to choose from. Text in the field above hides the states that do not match.
+
+    Enter or a double click chooses a state.
+    """
 
     chosen = Signal(str, str)
-    """(SB, state)"""
+    """(SB, state): the person has chosen this state."""
 
     def __init__(self, branch: StateBranch, here: str, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -66,7 +69,7 @@ class StatePick(QDialog):
         self.go.setEnabled(bool(shown))
 
     def _mark(self, state: str) -> None:
-        """Choose the state where it stands now."""
+        """Select the present state of the SB."""
         for at, one in enumerate(self.rows.rows.rows):
             if one.payload == state:
                 self.rows.setCurrentIndex(self.rows.rows.index(at))
@@ -74,7 +77,8 @@ class StatePick(QDialog):
 
     def _choose(self) -> None:
         index = self.rows.currentIndex()
-        # Enter in the list presses the default button too, after the dialog was accepted.
+        # Enter in the list also presses the default button, when the dialog is already closed. The
+        # second call must do nothing.
         if index.isValid() and self.isVisible():
             state: str = index.data(Qt.ItemDataRole.UserRole).payload
             self.accept()

@@ -1,4 +1,4 @@
-"""The operations out of a configuration: permitted ones as buttons, others with the reason."""
+"""A list of the operations out of a configuration. Refused ones show the reason."""
 
 from __future__ import annotations
 
@@ -29,17 +29,20 @@ from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.inspection.tab_order import in_order
 
 MOST = 100
-"""So many permitted and so many refused operations are shown."""
+"""At most this many permitted and this many refused operations are shown."""
 HIGH = 30
 WHERE = 170
-"""The most that where a step leads may take (pixels)."""
+"""The largest width of the text that says where a step leads (pixels)."""
 
 
 class StepList(QScrollArea):
-    """Every operation out of the active states. The focus stays in the list when it changes."""
+    """All operations of the active states. Permitted ones are buttons.
+
+    If the list changes while it has the keyboard focus, the focus stays in it.
+    """
 
     step_wanted = Signal(object)
-    """OnwardStep: the person wants to go there."""
+    """OnwardStep: the person wants to take this step."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,17 +64,17 @@ class StepList(QScrollArea):
     def show_steps(
         self, blueprint: Blueprint, steps: Sequence[OnwardStep], empty: str = ""
     ) -> None:
-        """Show other steps; ``empty`` is said if there are none."""
+        """Show other steps. If there are none, show the text ``empty``."""
         self._blueprint, self._steps, self._empty = blueprint, tuple(steps), empty
         self._rebuild()
 
     def buttons(self) -> Iterator[QPushButton]:
-        """The buttons of the permitted steps, in order."""
+        """The buttons of the permitted operations, in order."""
         inner = self.widget()
         yield from inner.findChildren(QPushButton, "step") if inner else ()
 
     def refusals(self) -> Iterator[QWidget]:
-        """The rows of the refused ones, in order."""
+        """The rows of the refused operations, in order."""
         inner = self.widget()
         yield from inner.findChildren(QFrame, "refused") if inner else ()
 
@@ -138,7 +141,7 @@ class StepList(QScrollArea):
         return button
 
     def _where(self, step: OnwardStep) -> str:
-        """Where a permitted step leads, in a few words."""
+        """Say in a few words where a permitted step leads."""
         assert self._blueprint is not None
         address, more = step.address, len(step.after) - 1
         words = short_name(self._blueprint[address.branch], step.target)
@@ -163,8 +166,8 @@ class StepList(QScrollArea):
 
 
 class _RefusedLine(QFrame):
-    """A refused operation. Tab stops here, so that the reason can be heard."""
+    """A refused operation. It takes the keyboard focus so that a screen reader can read it."""
 
     def minimumSizeHint(self) -> QSize:
-        """As high as its text; a list may be narrow."""
+        """The height of the text, and no minimum width, so that the list can be narrow."""
         return QSize(0, super().minimumSizeHint().height())

@@ -1,4 +1,4 @@
-"""The line above the page Inspection: its tabs, and what every verdict is based on."""
+"""The line above the page Inspection: the tabs, and the assumptions of all verdicts."""
 
 from __future__ import annotations
 
@@ -12,16 +12,17 @@ from smsl_studio.studio.document.inspector import LIMIT
 
 SHOWN = "Shown for this blueprint as written, if every operation does what its edge says."
 NARROW = 1000
-"""Below this width the sentence has no room for the limit beside it (pixels)."""
+"""In a line narrower than this the limit is hidden, because the sentence needs the space
+(pixels)."""
 SIDES = 20
-"""The room at the sides of the tabs (pixels)."""
+"""The space at both sides of the tabs (pixels)."""
 VERDICTS, RECOVERABILITY, CONFIGURATION, EQUIVALENCE = range(4)
-"""The tabs."""
+"""The numbers of the tabs."""
 NAMES = ("Verdicts", "Recoverability", "Configuration", "Equivalence")
 
 
 class TabLine(QWidget):
-    """``tabs`` chooses what the page shows, ``shown`` is the sentence."""
+    """The tabs (``tabs``), and the sentence beside them (``shown``)."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -46,8 +47,10 @@ class TabLine(QWidget):
         self.setLayout(line)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the limit out if the sentence needs its place. In a very narrow page the tabs can
-        be scrolled, or the last would be cut."""
+        """Hide the limit if the sentence needs the space.
+
+        In a very narrow page the tabs can be scrolled. Else the last one would be cut off.
+        """
         super().resizeEvent(event)
         self.tabs.setUsesScrollButtons(self.width() < self.tabs.sizeHint().width() + SIDES)
         self.tabs.setMaximumWidth(max(self.width() - SIDES, 1))

@@ -1,4 +1,4 @@
-"""The order in which Tab goes through widgets that are made anew."""
+"""Sets the order in which the key Tab goes through widgets that were made later."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QWidget
 
 
 def in_order(after: QWidget, widgets: Sequence[QWidget]) -> None:
-    """Let Tab go from ``after`` through some widgets, and then to what followed it.
+    """Let the key Tab go from ``after`` through some widgets in their order.
 
-    Qt puts a new widget behind all others of its window.
+    Qt places every new widget at the end of the window's order.
     """
     for widget in widgets:
         QWidget.setTabOrder(after, widget)

@@ -1,4 +1,4 @@
-"""A configuration as it is typed: states with commas between them."""
+"""Reads and writes a configuration as text: states with commas between them."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ HOW = "Write states with commas between them, such as SB1/State_0, SB2/State_1."
 
 
 def written_configuration(configuration: Mapping[str, str]) -> str:
-    """Return a configuration as it may be typed."""
+    """Return the text of a configuration. ``typed_configuration`` can read it."""
     return ", ".join(str(Address(name, state)) for name, state in configuration.items())
 
 
 def typed_configuration(blueprint: Blueprint, text: str) -> dict[str, str]:
     """Return the states that a text names, by their SBs.
 
-    A state is written ``SB/State``. The SB may be left out if only one has such a state, and
-    instead of a name its facts may stand. UsageError for anything else.
+    A state is written ``SB/State``. The SB may be left out if only one SB has such a state. The
+    facts of a state may be written instead of its name. UsageError if the text is anything else.
     """
     found: dict[str, str] = {}
     for part in filter(None, (one.strip() for one in text.split(","))):

@@ -41,10 +41,10 @@ def free_of_all(
 def least_covering(
     canvas: Canvas, size: QSize, near: QPoint, spared: Sequence[QRect] = ()
 ) -> QPoint:
-    """The place nearest to a point where a card covers the fewest states and notes.
+    """The nearest place to a point where a card covers the fewest states and notes.
 
-    It covers nothing of ``spared`` and no other floating part if there is another place. In a view
-    with no such place it rather covers a floating part than one of ``spared``.
+    If possible, the card covers no floating part and nothing of ``spared``. If that is not
+    possible, it covers a floating part before it covers anything of ``spared``.
     """
     return _best(canvas, size, near, spared)[0]
 
@@ -58,7 +58,7 @@ def _best(
     if not len(spots) or len(drawn) > CROWD:
         return near, 1.0
     floats, kept = _sides(canvas.overlays.floats()), _sides(spared)
-    # One floating part weighs more than all states, and one of the spared more than both.
+    # A floating part counts more than all states, and a spared part counts more than both.
     part = len(drawn) + 1
     hidden = (
         _covered(drawn, spots, size)
@@ -72,7 +72,7 @@ def _best(
 
 
 def _spots(canvas: Canvas, size: QSize) -> Floats:
-    """The left upper corners of a card that is whole in the view, (n, 2), row by row."""
+    """The possible upper left corners of a card fully inside the view, (n, 2), row by row."""
     across = np.arange(EDGE, canvas.width() - EDGE - size.width() + 1, STEP, dtype=np.float64)
     down = np.arange(EDGE, canvas.height() - EDGE - size.height() + 1, STEP, dtype=np.float64)
     x, y = np.meshgrid(across, down)

@@ -30,7 +30,7 @@ class ConnectCard(PassingCard):
 
     target_picked = Signal(str)
     target_named = Signal(str)
-    """The target has another name now: it was typed, suggested or clicked."""
+    """The name of the target has changed: it was typed, suggested or clicked."""
     gone_on = Signal()
 
     def __init__(
@@ -101,7 +101,10 @@ class ConnectCard(PassingCard):
         return not reason
 
     def settle(self) -> None:
-        """Add the operation if something was typed. A card without an own word stays as it is."""
+        """Add the operation if something was typed.
+
+        A card in which the person has typed nothing stays as it is.
+        """
         if self._touched:
             self.commit()
 

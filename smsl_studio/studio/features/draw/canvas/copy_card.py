@@ -99,7 +99,7 @@ class CopyCard(PassingCard):
             self.close_field()
 
     def settle(self) -> None:
-        """Make the copy if something was chosen or typed."""
+        """Make the copy if the person has chosen or typed something."""
         if not self.untouched:
             self.commit()
 

@@ -29,7 +29,7 @@ from smsl_studio.studio.features.draw.canvas.card_places import (
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 RIM = 8
-"""Pixels between the card and what is selected above it in a low view."""
+"""In a low view, the space between the card and the selected element above it (pixels)."""
 
 
 class FixCard(Card):
@@ -164,10 +164,9 @@ class FixCard(Card):
         self.raise_()
 
     def _place(self) -> None:
-        """Move the card to the first corner where it covers no state, no note and nothing that is
-        selected.
+        """Move the card to a corner where it covers no state, no note and nothing that is selected.
 
-        If there is none, it goes to the place where it covers the fewest.
+        If there is no such corner, move it to the place where it covers the fewest.
         """
         chosen = selected_places(self._canvas)
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
@@ -189,7 +188,7 @@ class FixCard(Card):
             self._rise()
 
     def _rise(self) -> None:
-        """Stand at the foot of a low view, and scroll what is selected above the card."""
+        """Put the card at the bottom of a low view, and scroll the selected element above it."""
         canvas = self._canvas
         top = canvas.height() - self.height() - RIM
         self.move(self.x(), max(top, RIM))
@@ -199,7 +198,7 @@ class FixCard(Card):
             canvas.camera.pan(0.0, -over)
 
     def _make_way(self) -> None:
-        """The view has moved: do not lie on what is selected."""
+        """Move the card away from the selected element after the view has moved."""
         places = selected_places(self._canvas)
         if not self.isHidden() and any(map(self.geometry().intersects, places)):
             self._place()

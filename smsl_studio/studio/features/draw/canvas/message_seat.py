@@ -51,8 +51,11 @@ class MessageSeat:
         return is_clear(canvas, area)
 
     def _spared(self) -> list[QRect]:
-        """What is selected, the open fields and cards, a drawer over the canvas, and where the
-        pointer is."""
+        """The areas that a message should not cover.
+
+        They are the selected element, open fields and cards, a drawer over the canvas, and the
+        pointer.
+        """
         canvas = self._canvas
         cards = [c.geometry() for c in canvas.findChildren(Card) if c.isVisible()]
         at = canvas.mapFromGlobal(QCursor.pos())
@@ -60,7 +63,7 @@ class MessageSeat:
         return [*selected_places(canvas), *cards, *self._drawers(), pointer]
 
     def _drawers(self) -> list[QRect]:
-        """The panels that lie over the canvas now, in pixels of the canvas."""
+        """The areas of the panels that lie over the canvas now, in pixels of the canvas."""
         window, direct = self._canvas.window(), Qt.FindChildOption.FindDirectChildrenOnly
         found = [one for one in window.findChildren(QFrame, options=direct) if one.isVisible()]
         floats = [one for one in found if one.property("role") == "float"]

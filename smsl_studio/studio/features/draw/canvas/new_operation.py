@@ -73,7 +73,7 @@ class NewOperation:
             self._canvas.show_pending(source, Address(branch, state), at)
 
         def preview(state: str) -> None:
-            """Show the line to the state that is named, or to a new one."""
+            """Show a preview of the line to the state of this name, or to a new state."""
             there = state.strip() in self._session.blueprint[branch].table
             known = Address(branch, state.strip()) if there else None
             point = at if known is not None else QPointF(*place)

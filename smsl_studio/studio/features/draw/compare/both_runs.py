@@ -1,4 +1,4 @@
-"""BothRuns: walks both sides of the compare view through a run after which they differ."""
+"""BothRuns: walks through a run on both sides of the compare view, up to a difference."""
 
 from __future__ import annotations
 
@@ -14,18 +14,19 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 
 PACE = 800
-"""Milliseconds that a step is shown while the run is walked."""
+"""How long each step is shown while the run plays (milliseconds)."""
 Steps = tuple[RunStep, ...]
 
 
 class BothRuns(QWidget):
-    """A line with the step, and buttons to go on and back. It is hidden without a run.
+    """A line with the present step, and buttons to go on and back. Without a run it is hidden.
 
-    ``steps`` are those of both sides. The last operation may be missing on one of them.
+    ``steps`` has the steps of both sides. One side may lack the last step: there the operation is
+    not permitted.
     """
 
     step_shown = Signal(int)
-    """int: the step that both sides show, 0 at the start."""
+    """int: the number of the step that both sides show. 0 is the start."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +69,7 @@ class BothRuns(QWidget):
         self._dress()
 
     def show_runs(self, before: Sequence[RunStep], after: Sequence[RunStep]) -> None:
-        """Show a run of each side, at its start."""
+        """Show a run of each side, beginning at its start."""
         self.steps = tuple(before), tuple(after)
         self.show()
         self._go(0)
@@ -94,7 +95,7 @@ class BothRuns(QWidget):
         self.step_shown.emit(at)
 
     def _said(self) -> str:
-        """The step in words, with the side that does not have it."""
+        """Describe the step. If one side does not have it, say which."""
         where = f"{counted(self.last, 'operation')}, shown at "
         if not self.at:
             return f"{where}the start"

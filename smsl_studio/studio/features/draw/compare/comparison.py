@@ -62,7 +62,8 @@ class Comparison(QObject):
         self._session, self._files, self.ask_file = session, files, ask_file
         self._tokens, self._window = tokens, parent
         self.wish: Callable[[str], bool | None] = lambda file: None
-        """Called with the file of the drawing: whether the person wants it collapsed."""
+        """A function that takes the file of the drawing. It returns whether the person wants this
+        drawing collapsed."""
         self._version: Version | None = None
         self._dialog: CompareDialog | None = None
         # git may take long if the history is long.
@@ -99,11 +100,11 @@ class Comparison(QObject):
         self.choose_saved(self._compare)
 
     def with_revision(self) -> None:
-        """Ask for a commit and compare with the file as it was in that commit."""
+        """Ask for a commit, and compare the drawing with the file of that commit."""
         self.choose_revision(self._compare)
 
     def choose_file(self, then: Callable[[Version], object]) -> None:
-        """Ask for a file; ``then`` gets it as a version."""
+        """Ask for a file, and call ``then`` with it as a version."""
         from smsl_studio.studio.document.versions import in_file
 
         self._files.settling.emit()
@@ -113,7 +114,7 @@ class Comparison(QObject):
             self._hand_over(then, _tried(partial(in_file, path)))
 
     def choose_saved(self, then: Callable[[Version], object]) -> None:
-        """Give the text that was last saved or read to ``then``, as a version."""
+        """Call ``then`` with the text that was last saved or read, as a version."""
         from smsl_studio.studio.document.versions import as_saved
 
         self._files.settling.emit()
@@ -122,7 +123,7 @@ class Comparison(QObject):
         self._hand_over(then, _tried(partial(as_saved, text, file, name)))
 
     def choose_revision(self, then: Callable[[Version], object]) -> None:
-        """Ask for a commit; ``then`` gets the file as it was in that commit."""
+        """Ask for a commit, and call ``then`` with the file of that commit as a version."""
         from smsl_studio.front.revisions import revisions
 
         self._files.settling.emit()
@@ -139,7 +140,7 @@ class Comparison(QObject):
         self._compare(version)
 
     def play(self, version: Version, runs: Runs) -> None:
-        """Compare with a version, and walk both sides through a run after which they differ."""
+        """Compare with a version, and walk through a run on both sides up to a difference."""
         self._compare(version)
         if self._dialog is not None:
             self._dialog.show_runs(*runs)

@@ -67,7 +67,7 @@ class CompareDialog(QDialog):
         self.setWindowTitle("Compare")
         self._stands_alone = False
         self.marked = True
-        """Whether the drawings have the signs of changes."""
+        """Whether the drawings show marks of changes."""
         self._difference: Difference | None = None
         self._pairs: list[Pair] = []
         self._shown: Pair | None = None
@@ -166,12 +166,14 @@ class CompareDialog(QDialog):
         self._light()
 
     def show_runs(self, before: Sequence[RunStep], after: Sequence[RunStep]) -> None:
-        """Offer to walk both sides through a run after which they differ. Another difference ends
-        it."""
+        """Show buttons to walk through a run on both sides, up to a difference.
+
+        Another comparison removes them.
+        """
         self.runs.show_runs(before, after)
 
     def _show_step(self, at: int) -> None:
-        """Show a step of the run on both sides, in the SB in which it happens."""
+        """Show a step of the run on both sides, in the SB that moves."""
         steps = self.runs.steps
         for number, side in enumerate(steps):
             operation = side[at].operation if at < len(side) else None
@@ -208,14 +210,17 @@ class CompareDialog(QDialog):
         self._places = places
 
     def _agree(self) -> None:
-        """Collapse both sides if one of them is crowded, so that they can be compared."""
+        """If one side is crowded, collapse both, so that they look alike."""
         sides = self.before.canvas.collapse, self.after.canvas.collapse
         if any(side.on for side in sides):
             for side in sides:
                 side.turn(True)
 
     def collapse(self, on: bool | None) -> None:
-        """Bundle operations on both sides or on none, as for the drawing; None: as they need it."""
+        """Draw the bundles as one line on both sides (True), or on none (False).
+
+        With None, the drawings are collapsed if they are crowded.
+        """
         if on is not None:
             self.collapsing.keep(BOTH, on)
 

@@ -7,9 +7,9 @@ from PySide6.QtCore import QObject, QPointF, QRectF
 from smsl_studio.studio.base.canvas.canvas import Canvas
 
 DOTS = 0.2
-"""Below this zoom nothing can be read."""
+"""At a zoom below this, no text can be read."""
 AROUND = 170, 100
-"""Width and height of a state, in scene units, with some room around it."""
+"""The width and height of a state with some space around it (scene units)."""
 
 
 class LinkedViews(QObject):

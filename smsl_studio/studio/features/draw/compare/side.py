@@ -21,7 +21,7 @@ from smsl_studio.studio.base.tips import tip_text
 
 LEAST = 280
 BOTH = "both sides"
-"""The name under which both sides keep their choice of bundles."""
+"""The name under which the choice of bundles is kept for both sides."""
 
 
 class Side(QWidget):

@@ -1,1 +1,4 @@
-"""Other shapes of a blueprint with the same behaviour: computed, shown on both sides, applied."""
+"""Changes the shape of a blueprint and keeps its behaviour.
+
+A change is computed, shown as a preview of both sides, and then made.
+"""

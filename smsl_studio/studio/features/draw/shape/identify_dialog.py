@@ -1,4 +1,4 @@
-"""Lists the states that could be a sub-SB, with what each cut saves and why."""
+"""A dialog with groups of states that could become a sub-SB, and what each group would save."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from smsl_studio.studio.base.words import capital, counted, series
 
 
 class IdentifyDialog(QDialog):
-    """The cuts that were found, the best first. Enter or a double click shows one on both sides."""
+    """The groups that were found, the best one first. Enter or a double click shows a preview."""
 
     chosen = Signal(object)
-    """FoundCut: the person wants to see this cut."""
+    """FoundCut: the person wants a preview of this group."""
 
     def __init__(self, found: Identification, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -67,7 +67,8 @@ class IdentifyDialog(QDialog):
 
     def _choose(self) -> None:
         found = self._current()
-        # Enter in the list presses the default button too, after the dialog was accepted.
+        # Enter in the list also presses the default button, when the dialog is already closed. The
+        # second call must do nothing.
         if found is not None and self.isVisible():
             self.accept()
             self.chosen.emit(found)

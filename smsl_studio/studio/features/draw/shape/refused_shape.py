@@ -1,4 +1,4 @@
-"""Tells why a shape cannot be changed, with the run that shows it."""
+"""A dialog that says why a shape cannot be changed, with a run that shows the reason."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class RefusedShape(QDialog):
     """The reason, and the operations of the shortest run that shows it."""
 
     run_wanted = Signal()
-    """Walk through the run on the drawing."""
+    """The person wants to see the run on the drawing."""
 
     def __init__(self, refusal: ShapeRefusal, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""ShapeEdit: an edit that changes the shape and not the behaviour, computed and not yet made."""
+"""ShapeEdit: a change of the shape with the same behaviour. It is computed here, but not made."""
 
 from __future__ import annotations
 
@@ -26,8 +26,12 @@ PROVED = "It behaves as before, for this blueprint as written."
 
 @dataclass(frozen=True, eq=False)
 class ShapeEdit:
-    """``words`` name the step in the history, ``result`` the side after it. ``sentence`` tells what
-    the edit does. ``marked`` says whether the drawings show single changes."""
+    """A computed change of the shape.
+
+    ``words`` is its name in the history. ``result`` is the title of the preview's right side.
+    ``sentence`` says what the change does. ``marked`` says whether the preview marks single
+    differences.
+    """
 
     before: Blueprint
     after: Blueprint
@@ -38,7 +42,7 @@ class ShapeEdit:
 
 
 def flat_edit(blueprint: Blueprint) -> ShapeEdit:
-    """Make one SB of all, in the written form of the file."""
+    """Compute the blueprint with all SBs as one. It is written in the form of the present file."""
     flat = flatten(blueprint, None, LIMIT)
     home = blueprint.document
     after = read_blueprint(convert(flat.document, home.form, home.file).document)
@@ -48,20 +52,20 @@ def flat_edit(blueprint: Blueprint) -> ShapeEdit:
 
 
 def extract_edit(blueprint: Blueprint, branch: str, states: tuple[str, ...]) -> ShapeEdit:
-    """Make a sub-SB of some states of an SB."""
+    """Compute the blueprint with some states of an SB as a new sub-SB."""
     name = fresh_branch_name(blueprint)
     after = extract(blueprint, branch, states, name, LIMIT)
     return _extracted(blueprint, after, branch, states, name)
 
 
 def found_edit(blueprint: Blueprint, found: FoundCut) -> ShapeEdit:
-    """Make a sub-SB that was found."""
+    """Compute the blueprint with a found group of states as a new sub-SB."""
     states = found.cut.chosen.states
     return _extracted(blueprint, found.after, found.branch.name, states, found.name)
 
 
 def inline_edit(blueprint: Blueprint, sub: str) -> ShapeEdit:
-    """Put a sub-SB back into its base."""
+    """Compute the blueprint with a sub-SB put back into its base."""
     base = blueprint.bases[sub][0][0] if blueprint.bases.get(sub) else ""
     after = inline(blueprint, sub, LIMIT)
     sentence = f"{sub} and its base {base} are one State Branch. {PROVED}"
@@ -69,7 +73,7 @@ def inline_edit(blueprint: Blueprint, sub: str) -> ShapeEdit:
 
 
 def merge_edit(blueprint: Blueprint, same: SameStates) -> ShapeEdit:
-    """Make one state of several that cannot be told apart."""
+    """Compute the blueprint with states that behave alike merged into one."""
     after = merged(blueprint, same, LIMIT)
     kept = next(name for name in same.states if name in after[same.branch].table)
     names = series([name for name in same.states if name != kept])
@@ -91,8 +95,11 @@ def _extracted(
 
 @dataclass(frozen=True, eq=False)
 class ShapeRefusal:
-    """Why there is no edit. ``run`` has the names of the operations of a run that shows it, and
-    ``steps`` the same as far as the drawing permits it."""
+    """Why a change of the shape is not possible.
+
+    ``run`` has the names of the operations of a run that shows the reason. ``steps`` has the steps
+    of this run, as far as the drawing permits them.
+    """
 
     error: StudioError
     run: tuple[str, ...] = ()
@@ -100,12 +107,12 @@ class ShapeRefusal:
 
 
 def identified(blueprint: Blueprint) -> Identification:
-    """Return the states that could be a sub-SB."""
+    """Return the groups of states that could become a sub-SB."""
     return identify(blueprint, LIMIT)
 
 
 def tried(work: Callable[[Blueprint], Any], blueprint: Blueprint) -> Any:
-    """Return the result of a work, or a ShapeRefusal instead of the StudioError that it raised."""
+    """Return the result of ``work``. If it raises a StudioError, return a ShapeRefusal."""
     try:
         return work(blueprint)
     except CutRefused as error:
@@ -115,7 +122,7 @@ def tried(work: Callable[[Blueprint], Any], blueprint: Blueprint) -> Any:
 
 
 def _walked(blueprint: Blueprint, run: tuple[str, ...]) -> tuple[RunStep, ...]:
-    """The steps of a run that is told by the names of its operations, with or without SBs."""
+    """Return the steps of a run from the names of its operations, which may include SBs."""
 
     def short(address: Address) -> str:
         """Return the name of an operation without its SB."""

@@ -1,4 +1,4 @@
-"""ShapePreview: both sides of an edit before it is made, with the button that makes it."""
+"""ShapePreview: shows a change of the shape before it is made, with a button to make it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from smsl_studio.studio.features.draw.shape.shape_edit import ShapeEdit
 
 
 class ShapePreview(CompareDialog):
-    """The drawing as it is and as it would be. It blocks the window until it is answered."""
+    """The present drawing beside the changed one. It blocks the window until the person decides."""
 
     apply_wanted = Signal()
 
@@ -38,7 +38,7 @@ class ShapePreview(CompareDialog):
         whole = self.layout()
         assert isinstance(whole, QVBoxLayout)
         whole.addLayout(line)
-        # Where nearly all names are new, signs of changes would only hide the drawings.
+        # If nearly all names are new, marks of changes would only hide the drawings.
         self.marked = edit.marked
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -48,7 +48,7 @@ class ShapePreview(CompareDialog):
         self.setWindowTitle(plain_text(f"Preview: {edit.words}"))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fit both sides once they have their sizes, and give Apply the keyboard focus."""
+        """Fit both drawings into their sides, and give the button Apply the keyboard focus."""
         super().showEvent(event)
         self._soon.start(0)
         self.apply.setFocus()

@@ -1,4 +1,4 @@
-"""The verbs that change the shape of a blueprint and not its behaviour."""
+"""The commands that change the shape of a blueprint and keep its behaviour."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ NONE = (
 
 
 class ShapeVerbs(QObject):
-    """Computes an edit in a second thread, shows both sides, and makes it if the person agrees.
+    """Computes a change in a second thread, shows a preview, and makes the change on request.
 
-    An edit of the drawing in the meantime ends it. ``window`` is blocked by the preview.
+    An edit of the drawing in the meantime ends all of this. The preview blocks ``window``.
     """
 
     said = Signal(str)
-    """str: a hint, for a toast."""
+    """str: a hint for the person, shown for a short time."""
     run_wanted = Signal(object, str)
     """(steps, title): show this run on the drawing."""
 
@@ -43,36 +43,36 @@ class ShapeVerbs(QObject):
         self._session, self._canvas, self._window = session, canvas, window
         self._beside = Beside(self)
         self.card: WorkCard | None = None
-        """Tells that an edit is being computed, and calls it off."""
+        """The card that says that a change is being computed. The person can cancel it there."""
         self.dialog: QDialog | None = None
-        """What is asked now."""
+        """The dialog that is open now."""
         session.blueprint_changed.connect(lambda *_: self._outdated())
         session.broken_changed.connect(self._outdated)
 
-    # What can be done now.
+    # Which commands are possible now.
 
     def can_flatten(self) -> bool:
-        """Whether there are several SBs."""
+        """Whether the blueprint has several SBs."""
         return self._session.broken is None and len(self._session.blueprint) > 1
 
     def can_extract(self) -> bool:
-        """Whether states of one SB are selected, and not all of them."""
+        """Whether some states of one SB are selected, but not all."""
         states = self._states()
         branch = self._session.blueprint.branches.get(self._session.branch)
         return bool(states) and branch is not None and len(states) < len(branch.table)
 
     def can_inline(self) -> bool:
-        """Whether the SB that is shown is a sub-SB."""
+        """Whether the shown SB is a sub-SB."""
         return self._session.branch in self._session.blueprint.bases
 
     def can_identify(self) -> bool:
-        """Whether there is an SB with states to look at."""
+        """Whether an SB has states from which a sub-SB could be made."""
         return any(len(branch.table) > 1 for branch in self._session.blueprint)
 
-    # The verbs.
+    # The commands.
 
     def flatten(self) -> None:
-        """Make one SB of all SBs."""
+        """Replace all SBs by one SB."""
         from smsl_studio.studio.features.draw.shape.shape_edit import flat_edit
 
         self._compute("Making one State Branch of all", flat_edit)
@@ -86,20 +86,20 @@ class ShapeVerbs(QObject):
         self._compute("Looking whether these states can be a sub-SB", work)
 
     def inline(self) -> None:
-        """Put the sub-SB that is shown back into its base."""
+        """Put the shown sub-SB back into its base."""
         from smsl_studio.studio.features.draw.shape.shape_edit import inline_edit
 
         sub = self._session.branch
         self._compute(f"Putting {sub} back", partial(inline_edit, sub=sub))
 
     def identify(self) -> None:
-        """List the states that could be a sub-SB."""
+        """List the groups of states that could become a sub-SB."""
         from smsl_studio.studio.features.draw.shape.shape_edit import identified
 
         self._begin("Looking for states that could be a sub-SB", identified, self._identified)
 
     def merge(self, same: SameStates) -> None:
-        """Make one state of several that cannot be told apart."""
+        """Merge states that behave alike into one."""
         from smsl_studio.studio.features.draw.shape.shape_edit import merge_edit
 
         self._compute("Merging states", partial(merge_edit, same=same))
@@ -108,7 +108,7 @@ class ShapeVerbs(QObject):
         """End all work, because the window closes."""
         self._beside.stop()
 
-    # The work.
+    # Computing, showing and making a change.
 
     def _states(self) -> list[str]:
         chosen = self._session.selection
@@ -199,7 +199,7 @@ class ShapeVerbs(QObject):
             self.dialog = None
 
     def _outdated(self) -> None:
-        """Drop what is computed or shown, because the drawing is another one now."""
+        """Drop the change that is computed or shown, because it belongs to an earlier drawing."""
         self._give_up()
         dialog, self.dialog = self.dialog, None
         if dialog is not None:
