@@ -150,18 +150,18 @@ class HostError(StudioError):
 
 
 class SealError(StudioError):
-    """Signed bytes, an envelope or a key are not as they must be."""
+    """An envelope, a signature, a key or another signed file is not valid."""
 
 
 class ApprovalRefused(StudioError):  # noqa: N818
-    """An approval was refused, because something is open. Nothing was signed."""
+    """Nothing was signed, because an error, a warning or another point is still open."""
 
 
 class RunRefused(StudioError):  # noqa: N818
     """A check at the start of a run has refused it. Nothing has moved.
 
-    ``refusals`` are the reasons as pairs of a code and a sentence (see ``inspection.approval``).
-    They are told if a policy guards the run.
+    If a policy guards the run, ``refusals`` has the reasons. Each reason is a code and a sentence
+    (see ``inspection.approval``).
     """
 
     def __init__(
@@ -177,12 +177,12 @@ class RunRefused(StudioError):  # noqa: N818
 
     @property
     def words(self) -> str:
-        """The sentence with its advice, as the end of a run tells it."""
+        """The sentence with its advice, in the form for the end of a run."""
         return f"{self.sentence}. {self.advice}".strip()
 
     @property
     def told(self) -> tuple[dict[str, str], ...]:
-        """The refusals as the end of a run tells them."""
+        """The refusals, in the form for the end of a run."""
         return tuple({"code": code, "sentence": words} for code, words in self.refusals)
 
 

@@ -61,7 +61,8 @@ class Recipe:
     memory: int | None = None
     """The largest memory of the child in bytes. None means half of the machine's memory."""
     signed: tuple[tuple[str, str], ...] | None = None
-    """Locations of plugins, and the SHA-256 of the code there that was signed. None: of none."""
+    """Locations of plugins, each with the SHA-256 of its signed code. None means that no code was
+    signed."""
     bindings: BindingsFile | None = None
     """The bindings file that was signed. None means the one beside the blueprint."""
 

@@ -50,8 +50,8 @@ class LocalHost:
     """A world, and the library code that is bound to a blueprint in it.
 
     ``plugin_paths`` are plugin folders that are searched before all others. ``loaded`` are plugins
-    that were found already. ``file`` is a bindings file that was read before, and was signed; None:
-    the one beside the blueprint. The printed output of library code goes to standard error.
+    that were found before. ``file`` is the bindings file that was signed; None means the one beside
+    the blueprint. The printed output of library code goes to standard error.
     """
 
     def __init__(

@@ -47,13 +47,14 @@ _QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
 
 @dataclass(frozen=True, slots=True)
 class ChildTerms:
-    """What a child may load, how long it may take (wall seconds), and how much memory it may have.
+    """What a child may load, and its limits.
 
-    ``only`` are the places of the plugins that it loads; None: all there are. ``hang_limit`` holds
-    for one answer, ``open_limit`` for the first, ``silence_limit`` for the time without a pulse.
-    ``memory`` is in bytes; None: half of the machine's. ``signed`` has the SHA-256 of code that was
-    signed, by location: other code there is not loaded. ``bindings`` is the bindings file that was
-    signed; None: the one beside the blueprint.
+    ``only`` has the locations of the plugins to load; None means all plugins. The limits of time
+    are in seconds of wall time: ``hang_limit`` for one answer, ``open_limit`` for the first answer,
+    and ``silence_limit`` for the time without a pulse. ``memory`` is in bytes; None means half of
+    the computer's memory. ``signed`` has the SHA-256 of signed code, by location; other code at
+    these locations is not loaded. ``bindings`` is the bindings file that was signed; None means the
+    one beside the blueprint.
     """
 
     only: tuple[str, ...] | None = None

@@ -33,11 +33,11 @@ def discover(
 ) -> Loaded:
     """Load every plugin that may be loaded.
 
-    ``extra`` are plugin folders, or folders of plugins, that are searched first. With ``only``,
-    plugins at other locations are not loaded. ``begins`` is called with the name and the location
-    of each plugin before its code runs. ``signed`` has the SHA-256 of code by location: a plugin
-    there is loaded from exactly these bytes, or not at all. The printed output of plugins goes to
-    standard error, so that data on standard output stays intact.
+    ``extra`` are plugin folders, or folders of plugins, that are searched first. If ``only`` is
+    given, plugins at other locations are not loaded. ``begins`` is called with the name and the
+    location of each plugin before its code runs. ``signed`` has the SHA-256 of signed code, by
+    location; a plugin there is loaded only if its code has this SHA-256. The printed output of
+    plugins goes to standard error, so that data on standard output stays intact.
     """
 
     def load(found: FoundPlugin) -> Plugin | PluginFault:
@@ -75,9 +75,9 @@ def gathered(
 
 
 def load_signed(found: FoundPlugin, code: str) -> Plugin | PluginFault:
-    """Run the code of one plugin if its SHA-256 is ``code``. Return the plugin, or a fault.
+    """Load one plugin if the SHA-256 of its code is ``code``. Return the plugin, or a fault.
 
-    The modules of a folder are imported from the bytes that were hashed.
+    The modules of a folder are imported from exactly the bytes that were hashed.
     """
     try:
         if found.point is None:

@@ -1,4 +1,4 @@
-"""The code of plugins as one digest each, for approvals that sign it."""
+"""Computes one digest of the code of each plugin, so that an approval can sign it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ CHANGED = "its code is not the code that was signed"
 def code_at(locations: Sequence[str], extra: Sequence[Path] = ()) -> dict[str, str]:
     """Return the SHA-256 of the code of the plugins at some locations, by location.
 
-    PluginError if the code of one cannot be read.
+    PluginError if the code of a plugin cannot be read.
     """
     wanted = set(locations)
     return {one.location: code_of(one) for one in survey(extra) if one.location in wanted}

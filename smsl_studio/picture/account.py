@@ -171,7 +171,7 @@ def _header(header: Mapping[str, Json]) -> Iterator[tuple[str, str]]:
 
 
 def _approval(value: Json) -> Iterator[tuple[str, str]]:
-    """Yield who approved the blueprint. The value may be anything, because it comes from a log."""
+    """Yield who approved the blueprint. The value comes from a log, so it may have any type."""
     if not isinstance(value, dict):
         yield "Approval", "Uninspected: this run asked for no approval"
         return

@@ -52,7 +52,7 @@ def draw_count(figure: Figure, edge: int, colours: Colours) -> Iterator[str]:
 
 
 def draw_stubs(figure: Figure, states: Collection[int], colours: Colours) -> Iterator[str]:
-    """Yield the marks of those of some states from which operations lead back by the lane."""
+    """Yield marks for those of the states from which operations lead back through the lane."""
     drawn = set(states) if figure.shows_nodes else set()
     for state in (one for one in figure.picture.stubs if one in drawn):
         line = stub_of(figure.geometry.box(state), 1.0)

@@ -14,7 +14,8 @@ LONGEST_WORD = 10
 MOST_WORDED = 64
 """No more facts than this are looked at; a node has no room for the words of so many."""
 CHIP, GAP, CHIP_TEXT = 18.0, 4.0, 12.0
-"""The height and the least width of a chip, the room between two, and the size of their text."""
+"""The height of a chip, which is also its least width, the space between two chips, and the size of
+their text."""
 ROOM = FULL_MAX - 12.0
 """The room for the chips of the widest node (pixels)."""
 

@@ -27,8 +27,10 @@ BETWEEN = 12.0
 def draw_difference(
     difference: Difference, colours: Colours = LIGHT, collapsed: bool = False
 ) -> list[SvgPanel]:
-    """Return a panel with the words, then one for each SB that has changed. With ``collapsed``
-    unchanged operations between the same two states are one line. UsageError for too many SBs.
+    """Return a panel with words, and one panel for each SB that has changed.
+
+    With ``collapsed``, unchanged operations between the same two states are one line. UsageError if
+    there are too many SBs.
     """
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
@@ -57,12 +59,12 @@ def draw_difference(
 
 
 def _shown(picture: Picture, signs: Signs, collapsed: bool) -> Picture:
-    """Return the picture, collapsed if that is wanted. What has changed is drawn by itself."""
+    """Return the picture, collapsed if wanted. Changed operations are drawn by themselves."""
     return picture.collapse(_signed(picture, signs)) if collapsed else picture
 
 
 def _signed(picture: Picture, signs: Signs) -> dict[int, str]:
-    """Return the operations that have changed, by number, with their signs."""
+    """Return the number of each changed operation, with its sign."""
     edges = range(len(picture.operations))
     return {e: sign for e in edges if (sign := signs.of(picture.address(e)))}
 

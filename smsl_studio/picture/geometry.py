@@ -220,8 +220,10 @@ class Geometry:
             work.bent[pair.a, pair.b] = reach
 
     def _clear(self, pair: Between) -> bool:
-        """Return whether the lines of a pair need no detour. A very large or far picture has
-        none."""
+        """Return whether the lines of a pair are drawn without a detour.
+
+        The lines of a very large or far picture never have one.
+        """
         none = self.style.far or not self.picture.careful
         return none or self._clears.holds(pair, self._former)
 

@@ -60,8 +60,10 @@ def best_corner(
     lines: LinePieces,
     mark: Rect | None = None,
 ) -> Corner:
-    """Return the corner at which a node's loops and their labels cover least. ``sizes`` has the
-    size of each label, ``lines`` the other lines of the node, ``mark`` is that below the node.
+    """Return the corner of a node at which its loops and their labels cover the least.
+
+    ``sizes`` has the size of each label. ``lines`` has the other lines of the node. ``mark`` is the
+    mark below the node.
     """
     unit = places.unit
     best: tuple[float, Corner] | None = None
@@ -88,11 +90,12 @@ def placed(
     by_hand: Mapping[int, LabelPlace | None],
     mark: Rect | None = None,
 ) -> dict[int, tuple[EdgeShape, Rect | None]]:
-    """Return the lines of a node's loops, and the places of their labels, which are taken then.
+    """Return the lines of a node's loops and the places of their labels. Mark these places as
+    taken.
 
-    ``sizes`` has the size of each loop's label, ``lines`` the other lines of the node, ``by_hand``
-    the labels that somebody has moved, ``mark`` is a mark below the node. A label without a free
-    place has None.
+    ``sizes`` has the size of each loop's label. ``lines`` has the other lines of the node.
+    ``by_hand`` has the labels that a person has moved. ``mark`` is a mark below the node. A label
+    for which there is no free place gets None.
     """
     wanted, found = list(sizes.values()), dict[int, tuple[EdgeShape, Rect | None]]()
     corner = best_corner(box, wanted, places, lines, mark)

@@ -118,7 +118,7 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
 
 
 def _bundle_words(picture: Picture) -> Iterator[tuple[str, str]]:
-    """Yield the marks of bundles that the picture has, and what they mean."""
+    """Yield the marks of bundles in the picture, with their meanings."""
     laned = picture.bundles.lane >= 0
     if len(picture.bundles.members) > laned:
         yield "", "A number on a line: so many operations between these two states."

@@ -45,8 +45,10 @@ def chosen_part(picture: Picture, chosen: Iterable[Address]) -> PicturePart:
 
 
 def collapsed_part(picture: Picture, part: PicturePart) -> Picture:
-    """Return the picture, collapsed for a part of it. An operation of the part has a line of its
-    own if the part has not all of its bundle."""
+    """Return the collapsed picture for a part of it.
+
+    If only some operations of a bundle are in the part, each of them has its own line.
+    """
     bundles, edges = picture.all_bundles, set(part.edges)
     return picture.collapse(
         [

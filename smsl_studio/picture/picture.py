@@ -121,8 +121,11 @@ class Picture:
         return laned if back and self.bundled(laned).small else found
 
     def collapse(self, alone: Collection[int] = ()) -> Picture:
-        """Return the same picture, collapsed. Operations that are drawn ``alone`` are in no bundle,
-        and neither is a line that is drawn by hand."""
+        """Return the same picture, collapsed.
+
+        Operations in ``alone`` are in no bundle. Operations whose lines are drawn by hand are in
+        none, either.
+        """
         found = self.bundled(self.all_bundles.without({*alone, *self.edge_layouts()}))
         found.collapsed = True
         return found

@@ -23,5 +23,5 @@ def readable_of(
 
 
 def stub_at(picture: Picture, state: int, box: NodeBox, unit: float) -> Rect | None:
-    """Return the rectangle of the mark of a state from which operations lead back by the lane."""
+    """Return the area of the mark for a state from which operations lead back through the lane."""
     return stub_rect(box, unit) if state in picture.stubs else None

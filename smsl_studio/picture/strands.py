@@ -22,11 +22,11 @@ _LAST = len(_SHARES) - 1
 
 
 class LineStyle(NamedTuple):
-    """The style of lines: scene units in one pixel of a mark, whether nodes are compact, and how
-    many times as large as it is written the layout is drawn.
+    """The style of lines.
 
-    Lines of a ``far`` picture are straight, as its nodes are boxes or dots. Nodes that are compact
-    there overlap each other, so lines around them would lead far away.
+    It has the scene units in one pixel of a mark, whether nodes are compact, and by which factor
+    the layout is enlarged. The lines of a ``far`` picture are straight. Its compact nodes overlap
+    each other, so lines around them would make long detours.
     """
 
     unit: float = 1.0

@@ -81,11 +81,10 @@ class RunStarted(Event):
     behaviour: str = ""
     """SHA-256 of the blueprint's behaviour. It identifies the blueprint."""
     met: tuple[str, ...] = ()
-    """The typed conditions of its approval that were asked and are met."""
+    """The typed conditions of the approval that were checked and are met."""
     sensed: tuple[str, ...] = ()
-    """The facts (``SB/digit``) that have a source: a sensor, or people who tell them. All others
-    are believed. A log without such a list is older than it.
-    """
+    """The facts (``SB/digit``) that a sensor or a person reports. All others are assumed. Logs of
+    earlier versions do not have this list."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -292,7 +291,8 @@ class RunFinished(Event):
     """The last event of a run.
 
     ``reason`` is ``goal_reached``, ``no_route``, ``held``, ``refused``, ``stopped`` or ``failed``.
-    ``refusals`` have a code and a sentence each, where an approval was asked for and is missing.
+    If the run needed an approval and has none, ``refusals`` says why: each has a code and a
+    sentence.
     """
 
     event: ClassVar[str] = "run_finished"

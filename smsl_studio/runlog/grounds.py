@@ -17,15 +17,16 @@ from smsl_studio.errors import RunRefused
 
 Json = Any
 MOST = 1000
-"""The largest number of states, of sensed facts, and of operations in a header, because it is one
-line of a log.
-"""
+"""The largest number of states, of sensed facts, and of operations in a header. A header is one
+line of a log and must stay short."""
 
 
 @dataclass(frozen=True)
 class BoundCode:
-    """What a world offers to a run: the ``sensed`` facts, and the name of the ``function`` that is
-    bound to an edge (None if none is, or if nothing is known). ``exact`` are the edges whose
+    """What a world offers for a run.
+
+    ``sensed`` has the facts that sensors read. ``function`` takes an edge and returns the name of
+    its bound function; None if there is none, or if it is not known. ``exact`` has the edges whose
     binding names exactly this ``State/Operation``. ``priced`` says whether cost functions are
     bound.
     """
@@ -38,24 +39,25 @@ class BoundCode:
 
 NO_CODE = BoundCode()
 MOST_EDGES = 5_000
-"""The largest number of operations that are looked at for the header."""
+"""The largest number of operations that are read for the header."""
 
 
 def grounds_of(blueprint: Blueprint, code: BoundCode = NO_CODE) -> Mapping[str, Json]:
-    """Return the values that each state needs, the facts that sub-SBs expand, the sensed facts, and
-    the functions and costs of operations.
+    """Return everything in a blueprint that is needed to check the events of a log.
 
-    ``states`` has for each SB and state the value of every fact, digit 0 first, and null if a
-    sub-SB expands the digit. An SB that would exceed 1,000 states in total is left out. If more
-    than 1,000 facts are sensed, none is named. ``subs`` has for each of these SBs and each expanded
-    digit the sub-SB, its ACTIVATING and INITIAL, and the states of the SB in which the digit is on.
+    ``states`` has for each SB and state the value of every fact, digit 0 first. It is null if a
+    sub-SB expands the digit. SBs that would make more than 1,000 states in total are left out. The
+    sensed facts are left out if there are more than 1,000.
 
-    ``functions`` and ``costs`` have for each of these SBs its operations by name, or by
-    ``State/Operation`` where those of one name differ. A function is empty for an operation that
-    runs none of its own, and left out if none is bound. A cost of 1 is left out; null stands for an
-    operation that costs only what its sub-SBs do. An SB that would exceed 1,000 entries in total,
-    or 5,000 operations, is left out. ``priced`` says whether cost functions may change costs. All
-    three are left out if the functions are not known.
+    ``subs`` has for each of these SBs and each expanded digit: the sub-SB, its ACTIVATING and
+    INITIAL, and the states of the SB in which the digit is on.
+
+    ``functions`` and ``costs`` have for each of these SBs its operations by name. If operations of
+    one name differ, the key is ``State/Operation``. The function is empty for an operation that
+    runs none of its own. It is left out if none is bound. A cost of 1 is left out. A null cost
+    means that the operation only costs what its sub-SBs cost. SBs that would make more than 1,000
+    entries or 5,000 operations in total are left out. ``priced`` says whether cost functions may
+    change costs. All three are left out if the functions are not known.
     """
     states: dict[str, Json] = {}
     subs: dict[str, Json] = {}
@@ -73,8 +75,10 @@ def grounds_of(blueprint: Blueprint, code: BoundCode = NO_CODE) -> Mapping[str, 
 
 
 def _operations(blueprint: Blueprint, names: Iterable[str], code: BoundCode) -> dict[str, Json]:
-    """Return the functions and costs of the operations of some SBs, and whether the costs may
-    change by themselves. Nothing is told without functions, or if the SBs go round in a circle.
+    """Return the functions and costs of the operations of some SBs, and whether costs may change.
+
+    The result is empty if the functions are not known, or if the SBs refer to each other in a
+    circle.
     """
     function = code.function
     if function is None:
@@ -107,14 +111,16 @@ def _edges(edges: Edges, branch: StateBranch) -> Iterator[Edge]:
 
 
 def _cost(edge: Edge) -> float | None:
-    """Return the cost of an edge, None if it has none of its own (clause 12)."""
+    """Return the cost of an edge, or None if it has no cost of its own (clause 12)."""
     single = edge.kind in (EdgeKind.RISE, EdgeKind.FALL) and not edge.function
     return None if single else edge.price
 
 
 def _by_key(edges: Iterable[Edge], values: Iterable[Json], usual: Json) -> dict[str, Json]:
-    """Return the values of edges by the name of their operation, or by ``State/Operation`` where
-    the values of one name differ. Those with the usual value are left out.
+    """Return the values of edges by the names of their operations.
+
+    If edges of one name have different values, the key is ``State/Operation``. The ``usual`` value
+    is left out.
     """
     pairs = list(zip(edges, values, strict=True))
     by_name: dict[str, set[Json]] = {}

@@ -197,13 +197,13 @@ def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
 def renamed_branches(
     before: Mapping[str, StateBranch], after: Mapping[str, StateBranch]
 ) -> dict[str, str]:
-    """Return the new name of every SB that has another name.
+    """Return the new name of every SB that was renamed.
 
-    An SB is recognised by what it does. Two thirds of its states have the same names, and two
-    thirds of its operations the same source, name and target. If both have names of facts or
-    titles of states, two thirds of these are equal too. It expands the same facts of the same
-    bases. So an SB that was deleted and another one that was added stay two, though both have a
-    ``State_0`` and a ``State_1``.
+    An SB is recognised by its content. Two thirds of its states must have the same names. Two
+    thirds of its operations must have the same source, name and target. If both SBs have names of
+    facts or titles of states, two thirds of these must be equal, too. It must expand the same facts
+    of the same bases. So a deleted SB and an added SB are not taken for one, even if both have
+    ``State_0`` and ``State_1``.
     """
     gone = [name for name in before if name not in after]
     come = [name for name in after if name not in before]

@@ -23,7 +23,7 @@ class Conduct(Protocol):
     def finish(
         self, reason: str, sentence: str, refusals: Sequence[Mapping[str, str]] = ()
     ) -> None:
-        """End the run. ``refusals`` have a code and a sentence each."""
+        """End the run. Each of the ``refusals`` has a code and a sentence."""
 
     def arrived(self, new: bool, moved: bool, sentence: str) -> None:
         """Note that the run stands at goals, after a fresh check. ``new`` says that one of them is

@@ -86,7 +86,7 @@ class Senses:
 
     @property
     def sensed(self) -> tuple[FactKey, ...]:
-        """The facts that have a source, in order of SB and digit: a sensor or people."""
+        """The facts that a sensor or a person reports, in order of SB and digit."""
         return tuple(sorted(key for key, one in self.scene.readings.items() if one.sensed))
 
     @property

@@ -96,9 +96,10 @@ def run_finished(memory: Memory, event: run.RunFinished) -> Iterator[str]:
 
 
 def _late(memory: Memory, event: run.RunFinished) -> Iterator[str]:
-    """Check that a run ends in the moment in which nothing keeps it any more.
+    """Check that a run ends as soon as it is over.
 
-    A run that waits for a person may end at any later time, and so may one that is let go of.
+    A run that waits for a person may end at any later time. So may a run that the window has let go
+    of.
     """
     last = memory.last
     at = last.t if last is not None else 0.0

@@ -100,8 +100,9 @@ class Evidence:
         return branch not in self._drawn or (branch, state) in self._wanted
 
     def are_alike(self, branch: str, one: str, other: str) -> bool:
-        """Return whether two states are known to have the same facts, but for those that sub-SBs
-        expand.
+        """Return whether two states are known to have the same facts.
+
+        Facts that sub-SBs expand are not compared.
         """
         first, second = (self._wanted.get((branch, state)) for state in (one, other))
         return branch in self._drawn and first is not None and first == second

@@ -60,20 +60,23 @@ class Expansion:
                     yield one
 
     def bases_of(self, sub: str) -> Iterator[str]:
-        """Yield the bases of a sub-SB, as far as they are known."""
+        """Yield the known bases of a sub-SB."""
         return (one.base for one in self._of_sub.get(sub, ()))
 
     def apart(self, base: str, state: str, stands: Callable[[str], str]) -> Iterator[Expanded]:
-        """Yield the digits of a base in a state whose sub-SBs do not stand as they say. ``stands``
-        returns the state of a sub-SB.
+        """Yield the digits of a base's state that do not agree with their sub-SBs.
+
+        ``stands`` returns the state of a sub-SB.
         """
         for one in self._of_base.get(base, ()):
             if (state in one.on) != (stands(one.sub) == one.activating):
                 yield one
 
     def is_alone(self, branch: str) -> bool:
-        """Return whether an SB is known to have neither sub-SBs nor bases: each of its steps is one
-        operation."""
+        """Return whether an SB is known to have neither sub-SBs nor bases.
+
+        Then each of its steps is one operation.
+        """
         return self.told and branch not in self._of_base and branch not in self._of_sub
 
     def may_load(self, base: str, sub: str, state: str) -> bool:

@@ -99,7 +99,7 @@ def _is_mqtt(value: Json) -> bool:
 
 
 def _is_policy(value: Json) -> bool:
-    """Return whether a value says who has approved the blueprint, or null."""
+    """Return whether a value is a valid entry about the approval, or null."""
     if value is None:
         return True
     if not isinstance(value, dict) or not _has_texts(value, ("verdict", "keys")):

@@ -1,6 +1,6 @@
-"""The functions and costs of operations, as the header of a log has them.
+"""Reads the functions and costs of operations from the header of a log.
 
-Of what the header leaves out nothing is known, and then nothing is judged.
+If the header leaves something out, nothing is known about it, and it is not checked.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from smsl_studio.blueprint.address import note_key
 
 Json = Any
 USUAL = 1.0
-"""The cost of an operation that declares none."""
+"""The cost of an operation for which no cost is written."""
 
 
 class KnownOperations:
-    """The functions and costs in a header, and the costs that have changed since.
+    """The functions and costs in a header, and later changes of costs.
 
-    ``priced`` says whether cost functions may change costs; None if that is not known.
+    ``priced`` says whether cost functions may change costs. None means that this is not known.
     """
 
     def __init__(self, grounds: Json) -> None:
@@ -28,8 +28,9 @@ class KnownOperations:
         self._changed: dict[str, float] = {}
 
     def function(self, branch: str, state: str, operation: str) -> str | None:
-        """Return the name of the function that an operation runs, empty if it runs none. None if
-        the header does not say so.
+        """Return the name of the function that an operation runs, empty if it runs none.
+
+        None if the header does not say.
         """
         table = self._functions.get(branch)
         if table is None:
@@ -38,12 +39,13 @@ class KnownOperations:
         return found if isinstance(found, str) else None
 
     def reprice(self, costs: Mapping[str, float]) -> None:
-        """Note the new costs of operations."""
+        """Remember new costs of operations."""
         self._changed.update(costs)
 
     def cost(self, operations: Iterable[tuple[str, tuple[str, ...]]]) -> float | None:
-        """Return the cost of some operations together: pairs of an address and its three names.
-        None if the header does not say so.
+        """Return the total cost of some operations. None if the header does not say.
+
+        Each operation is an address and its three names.
         """
         total = 0.0
         for address, (branch, state, operation) in operations:
@@ -58,7 +60,10 @@ class KnownOperations:
 
 
 def _tables(said: Json) -> dict[str, Mapping[str, Json]]:
-    """Return the tables of SBs. Values of a wrong type are left out here and reported elsewhere."""
+    """Return the tables of SBs.
+
+    Values of a wrong type are left out here; another check reports them.
+    """
     pairs = said.items() if isinstance(said, dict) else ()
     return {branch: table for branch, table in pairs if isinstance(table, dict)}
 

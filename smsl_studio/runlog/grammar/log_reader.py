@@ -40,7 +40,7 @@ _DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
 _NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
 IMPOSSIBLE = "the story is impossible: "
-"""The first words of a doubt about the order of events."""
+"""The first words of a message that says that events are in an impossible order."""
 _UNWRITTEN = "the line has content that no run writes"
 
 
@@ -227,11 +227,11 @@ class LoggedRun:
 
 @dataclass(frozen=True, slots=True)
 class LogVerdict:
-    """Whether a log is unchanged: the number of its events, its head, the reason if it is not
-    verified, and the version of its format (0 without a header).
+    """Whether a log is unchanged and possible.
 
-    ``order`` is set where the story was told again from its blueprint and holds, and yet its events
-    stand in an unusual order.
+    It has the number of events, the head, the reason if the log is not verified, and the version of
+    its format (0 without a header). ``order`` is set if the run agrees with its blueprint, but its
+    events are in an unusual order.
     """
 
     events: int

@@ -116,8 +116,8 @@ def operation_ended(memory: Memory, event: run.OperationEnded) -> Iterator[str]:
 
 
 def _unproved(memory: Memory) -> Iterator[str]:
-    """Yield a fault if the step goes on before the states were checked to which its last operation
-    has led.
+    """Yield a fault if the step continues before the target states of its last operation are
+    checked.
     """
     for branch, state in memory.unproved.items():
         yield f"{branch}/{state} was not checked, and the step goes on"
@@ -295,7 +295,7 @@ def costs_changed(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
 
 
 def _unset(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
-    """Check that a person has set the costs, if no cost function can have done so."""
+    """Check that a person has set the costs, if no cost function can have set them."""
     said = memory.last
     is_set = isinstance(said, run.Commanded) and said.command == "set_cost" and not said.refused
     if isinstance(said, run.Commanded) and is_set:

@@ -67,8 +67,10 @@ def _state_checked(memory: Memory, event: run.StateChecked) -> None:
 
 
 def _owe_bases(memory: Memory, sub: str) -> None:
-    """Note the bases whose operations are done with this crossing of a sub-SB: those that run no
-    function and change nothing but digits of sub-SBs. Their targets are checked next.
+    """Remember the bases whose operations end with this crossing of a sub-SB.
+
+    Such an operation runs no function and changes only digits that sub-SBs expand. The target
+    states of these operations are checked next.
     """
     expansion = memory.expansion
     for base in expansion.bases_of(sub):
@@ -111,7 +113,7 @@ def _committed(memory: Memory, event: run.Committed) -> None:
             del memory.newest[one.branch]
     memory.committed, memory.proved = event.t, set()
     if not memory.begun and all(map(memory.expansion.is_alone, event.configuration)):
-        # Nothing of the step is left, so nobody has asked for what comes next.
+        # The step is complete. So nobody has asked for the next step yet.
         memory.chosen, memory.committed = False, None
     for branch, state in event.configuration.items():
         if memory.pending.get(branch) == state:

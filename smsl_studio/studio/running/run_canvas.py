@@ -42,10 +42,10 @@ SAID = ("stopped", "taken_over")
 """The phases whose sentence already names the phase."""
 TALLER = 1.2
 TOOLS, FOLLOW, PADDING = 180, 50, 16
-"""Pixels for the tools at the right, of which the word of one takes so many; and for each SB's
-button beside its words."""
+"""Widths (pixels): the tools at the right, the words of one tool in them, and the space beside the
+words of each SB's button."""
 NARROW = 280
-"""In a canvas narrower than this tools have no words (pixels)."""
+"""In a canvas narrower than this the tools have no words (pixels)."""
 NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 RESULTS = "The drawing has moved on. These are the results of the version that ran"
@@ -336,7 +336,7 @@ class RunCanvas(QWidget):
 
     @property
     def _is_narrow(self) -> bool:
-        """Whether the names of SBs need the room of words on tools."""
+        """Whether the words on the tools are hidden, because the names of SBs need the space."""
         return self.width() < NARROW
 
     def _button(self, index: int) -> QToolButton:

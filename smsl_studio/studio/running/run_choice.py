@@ -19,10 +19,11 @@ from smsl_studio.runlog.log import RunLog
 
 @dataclass(frozen=True)
 class RunChoice:
-    """What a person chose to run. ``start`` and ``goal`` are addresses; empty means the default.
+    """What a person has chosen for a run.
 
-    ``starts`` are start states of several SBs, instead of ``start``. ``levels`` are those that were
-    set for this run (see ``blueprint.levels``).
+    ``start`` and ``goal`` are addresses; empty means the default. ``starts`` are start states of
+    several SBs, and are used instead of ``start``. ``levels`` are the levels that were set for this
+    run (see ``blueprint.levels``).
     """
 
     world: str

@@ -103,7 +103,7 @@ class Features(QObject):
         self.run.pane.play_script(text, name)
 
     def _connect_shapes(self) -> None:
-        """The page Inspection compares with versions, and merges states, by means of Draw."""
+        """Let the page Inspection use the feature Draw to compare versions and to merge states."""
         page, comparing, shapes = (
             self.inspection.panel.equivalence, self.draw.comparing, self.draw.shapes
         )  # fmt: skip
@@ -141,7 +141,7 @@ class Features(QObject):
         pane.named.connect(self.named)
 
     def _inspect_in_world(self, pane: RunPane) -> None:
-        """Check also what the world lacks that a person has chosen."""
+        """Check also what is missing in the world that a person has chosen."""
         self._inspector.look_in(pane.transport.world.currentData() or "", pane.next.loaded)
 
     def _introduce_replay(self, verbs: ReplayVerbs) -> None:

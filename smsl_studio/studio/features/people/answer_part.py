@@ -69,7 +69,10 @@ class AnswerPart(QWidget):
         self.who.pin.returnPressed.connect(self._pin_typed)
 
     def put_enter(self, place: QVBoxLayout | None) -> None:
-        """Put ``enter`` into another layout; None puts it back below the choice of persons."""
+        """Put the button ``enter`` into another layout.
+
+        None puts it back below the choice of persons.
+        """
         if place is None:
             self._column.insertWidget(ENTER, self.enter)
         else:

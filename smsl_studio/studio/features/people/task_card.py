@@ -112,8 +112,11 @@ class TaskCard(QWidget):
         self.outcomes.clear()
 
     def set_low(self, low: bool) -> None:
-        """In a low page the button to enter persons stands first: below the answers one would have
-        to scroll to it, and nobody can answer before."""
+        """In a low page, move the button to enter persons to the top.
+
+        Nobody can answer before persons are entered. Below the answers one would have to scroll to
+        the button.
+        """
         if low != self._low:
             self._low = low
             self.answer.put_enter(self._first if low else None)

@@ -1,5 +1,7 @@
-"""LowPage: in a very low run page the world and the timeline are tabs, so that nothing lies below
-the edge of the window."""
+"""LowPage: shows the world and the timeline as tabs if the run page is very low.
+
+So nothing lies below the edge of the window.
+"""
 
 from __future__ import annotations
 
@@ -9,17 +11,17 @@ from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.tabs import Tabs
 
 LOWEST = 345
-"""A run page lower than this is a drawing beside tabs (pixels)."""
+"""In a run page lower than this, the drawing stands beside tabs (pixels)."""
 NARROW = 200
-"""The least width of the drawing beside all the tabs (pixels)."""
+"""The least width of the drawing beside the tabs (pixels)."""
 WORLD, TIMELINE = "World", "Timeline"
 
 
 class LowPage:
-    """Moves the world and the timeline from their splitters into the tabs of the lists, and back.
+    """Moves the world and the timeline from their splitters into the tabs, and back.
 
-    ``homes`` are the world and the timeline, each with the splitter in which it stands in a higher
-    page. ``drawing`` is beside the tabs.
+    ``homes`` has the world and the timeline, each with its splitter in a higher page. ``drawing``
+    is beside the tabs.
     """
 
     def __init__(
@@ -34,7 +36,7 @@ class LowPage:
         self._sizes: list[list[int]] = []
 
     def fit(self, height: int) -> None:
-        """Choose the arrangement for a run page of this height (pixels)."""
+        """Arrange the parts of a run page for its height (pixels)."""
         tabbed = height < LOWEST
         if tabbed == self.tabbed:
             return

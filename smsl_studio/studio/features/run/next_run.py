@@ -15,7 +15,7 @@ from smsl_studio.studio.running.run_session import RunSession
 
 Wanted = tuple[Blueprint, str, int, Loaded]
 GIVEN = "given states"
-"""The start that is several states; the data of its entry. No address is like it."""
+"""The data of the entry for a start of several states. No address has this text."""
 
 
 class NextRun:
@@ -73,13 +73,13 @@ class NextRun:
         self._offered = False
 
     def start_at(self, states: tuple[str, ...]) -> None:
-        """Choose a start that is several states, as addresses."""
+        """Select a start that consists of several states (addresses)."""
         self._given, self._offered = states, False
         self.offer()
         self._transport.choose_start(GIVEN)
 
     def _given_start(self, blueprint: Blueprint) -> Choices:
-        """Return the start that was given, as long as its states are drawn."""
+        """Return the start of several states, as long as all of them exist in the drawing."""
         words = []
         for text in self._given:
             names = Address.split(text)

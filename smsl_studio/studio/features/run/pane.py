@@ -208,7 +208,7 @@ class RunPane(QWidget):
             self._begin(stepping=False, script=script)
 
     def start_at(self, states: tuple[str, ...]) -> None:
-        """Let the next run start in these states, one for each SB. Nothing runs yet."""
+        """Let the next run start in these states, one for each SB. This starts no run."""
         if self.run.exists:
             self.canvas.say("There is a run already. End it first")
             return

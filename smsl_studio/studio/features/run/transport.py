@@ -94,7 +94,7 @@ class Transport(QWidget):
         _fill(self.goal, goals)
 
     def choose_start(self, start: str) -> None:
-        """Choose a start, if it is offered."""
+        """Select a start if it is in the list."""
         at = self.start.findData(start)
         if at >= 0:
             self.start.setCurrentIndex(at)

@@ -55,7 +55,7 @@ class SupervisePane(QWidget):
     begin_wanted = Signal()
     """The person wants to start a run."""
     low_changed = Signal(bool)
-    """bool: whether the page is so low now that its columns scroll."""
+    """bool: whether the page is now so low that its columns scroll."""
 
     def __init__(
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None

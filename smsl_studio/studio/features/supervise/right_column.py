@@ -16,10 +16,11 @@ WIDE, NARROW = 330, 240
 
 
 class RightColumn(QWidget):
-    """Task and hold card scroll if they need more room; Step in stays visible below.
+    """The right column. Task and hold card scroll if they need more space; Step in stays visible
+    below.
 
-    In a low page all of it scrolls as one, and what is asked comes into view. *Give back* does not
-    scroll there. ``task_slot`` is the layout for the task card.
+    In a low page the whole column scrolls, and a new question is scrolled into view. There, *Give
+    back* does not scroll. ``task_slot`` is the layout for the task card.
     """
 
     def __init__(self, hold: HoldCard, step_in: StepIn) -> None:
@@ -65,8 +66,9 @@ class RightColumn(QWidget):
         self._room.updateGeometry()
 
     def _pin(self) -> None:
-        """Let *Give back* stand below what scrolls, so that it is in view as long as it is the way
-        on."""
+        """Put *Give back* below the scrolled part while the person has control, so that it is
+        visible.
+        """
         pinned = self._low and self._step_in.taken
         if pinned != self._pinned:
             self._pinned = pinned
@@ -84,7 +86,7 @@ class RightColumn(QWidget):
         self._see()
 
     def _show_edge(self) -> None:
-        """Show the line below what can be scrolled, if something stands below it."""
+        """Show the line below the scrolled part, if something is below it."""
         scrolls = self._room.verticalScrollBar().maximum() > 0
         self._edge.setVisible(scrolls and (self._pinned or not self._low))
 

@@ -31,14 +31,14 @@ class StepIn(QWidget):
     wanted = Signal(object)
     """Decision: ask for its confirmation."""
     turned = Signal(bool)
-    """bool: whether a person has taken over now, so that ``hand`` gives back."""
+    """bool: whether a person has control now. Then the button ``hand`` gives it back."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self.setAccessibleName("Step in")
         self.asking = ConfirmBox()
         self.taken = False
-        """Whether a person has taken over."""
+        """Whether a person has control."""
         self._status: DispatchStatus | None = None
         self._subject: Address | None = None
         self._on = label("", "second")
@@ -91,7 +91,7 @@ class StepIn(QWidget):
             button.set_narrow(narrow)
 
     def put_hand(self, place: QVBoxLayout | None) -> None:
-        """Put ``hand`` into another layout; None puts it back below the other buttons."""
+        """Put the button ``hand`` into another layout. None puts it back to its place."""
         if place is None:
             self._column.insertWidget(HAND, self.hand)
         else:

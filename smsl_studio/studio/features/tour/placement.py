@@ -24,11 +24,13 @@ class BesideControl:
 
 
 def beside(target: QRect, size: QSize, room: QRect, spared: Sequence[QRect] = ()) -> BesideControl:
-    """The place of a callout inside ``room``. It never covers ``target``, the control it explains.
+    """The place of a callout inside ``room``. It never covers ``target``, the control that it
+    explains.
 
-    Tried first are the places below the target, above it, at its right and at its left. The first
-    that covers nothing of ``spared`` is taken. If there is none, other places in the room are
-    tried too, and the one that covers least of ``spared`` is taken; of equal ones the nearest.
+    The places below the target, above it, at its right and at its left are tried first, in this
+    order. The first place that covers nothing of ``spared`` is taken. If there is none, other
+    places in the room are tried, too. Then the place that covers the least of ``spared`` is taken.
+    Of several such places the nearest is taken.
     """
     found = list(_sides(target, size, room))
     clear = [one for one in found if not _covered(one.box, spared)]

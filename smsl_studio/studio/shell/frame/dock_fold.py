@@ -28,26 +28,25 @@ def usual_height(window: int) -> int:
 
 
 TALL, AT_LEAST = 0.558, 0.45
-"""The shares of the window that a tall panel has: at most, and also where the drawing has little
-room."""
+"""The height of a tall panel, as a share of the window: at most the first number, and at least the
+second one even if the drawing gets little space."""
 DRAWING = 394
-"""What the drawing and the bars of the window need beside a tall panel: 280 pixels for the drawing,
-so that its names can be read."""
+"""The height that the drawing and the bars of the window need above a tall panel (pixels). It
+leaves 280 pixels for the drawing, so that its names can be read."""
 
 
 def tall_height(window: int) -> int:
-    """The height of a tall panel in a window of this height, if no person has chosen one
-    (pixels)."""
+    """The usual height of a tall panel in a window of this height (both in pixels)."""
     room = min(round(TALL * window), window - DRAWING)
     return max(room, round(AT_LEAST * window), usual_height(window))
 
 
 class DockFold(QObject):
-    """Folds a dock to its tabs and unfolds it. A click on a tab unfolds it, too, and so does every
-    command that shows one of its panels.
+    """Folds a dock to its tabs, and unfolds it.
 
-    ``own`` is the height that a person has given the dock by dragging its edge (pixels); 0 if it
-    follows the height of the window. ``own_tall`` is the same for tall panels.
+    A click on a tab also unfolds it. So does every command that shows one of its panels. ``own`` is
+    the height that a person has given the dock by dragging its edge (pixels). It is 0 if the height
+    follows that of the window. ``own_tall`` is the same for tall panels.
     """
 
     changed = Signal()

@@ -54,8 +54,10 @@ class MenuRow(QWidget):
         self._title.set_tokens(tokens)
 
     def add_badge(self, badge: QWidget) -> None:
-        """Add a badge before the others. The first one, that of trust, stays at the right end. The
-        title does not cover it."""
+        """Add a badge to the left of the others.
+
+        The first badge, that of trust, stays at the right end. The title does not cover badges.
+        """
         layout = self.layout()
         assert isinstance(layout, QHBoxLayout)
         at = layout.indexOf(self._badges[0]) if self._badges else layout.count()
@@ -71,7 +73,10 @@ class MenuRow(QWidget):
         return super().eventFilter(watched, event)
 
     def show_unsettled(self, shown: bool) -> None:
-        """Show or hide the badge of trust: an unfinished drawing is not to be approved yet."""
+        """Show or hide the badge of trust.
+
+        It is hidden for an unfinished drawing, which nobody can approve yet.
+        """
         if self._badges:
             self._badges[-1].setVisible(shown)
         self._place()

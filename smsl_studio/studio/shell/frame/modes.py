@@ -17,8 +17,8 @@ from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 DRAW = "draw"
 FOLD, OWN, OWN_TALL = "panels/fold", "panels/lower", "panels/tall"
-"""The settings that say whether the lower panel is folded, and the heights that a person gave it:
-with a usual page and with a tall one, such as Inspection."""
+"""The keys of three settings: whether the lower panel is folded, and the heights that a person gave
+it. The second height is for tall pages, such as Inspection."""
 OWN_HEIGHT = re.compile("[1-9][0-9]{1,3}")
 """How a height stands in the settings (pixels)."""
 

@@ -9,8 +9,8 @@ from smsl_studio.studio.base.screens import room
 
 SIZE, SMALLEST = QSize(1440, 900), QSize(900, 560)
 FRAME_MS, TRIES = 200, 12
-"""Milliseconds after which a desktop has usually drawn the frame around a new window, and how often
-it is looked for: a busy one takes longer."""
+"""How long to wait for the desktop to draw the frame around a new window (milliseconds), and how
+often to try. A busy desktop takes longer."""
 
 
 class ScreenRoom(QObject):
@@ -33,7 +33,7 @@ class ScreenRoom(QObject):
             QTimer.singleShot(FRAME_MS, self, self._look)
 
     def _look(self) -> None:
-        """Fit the window, and again as long as its frame is not known."""
+        """Fit the window into the screen. Try again later if its frame is not known yet."""
         self.fit()
         self._tries -= 1
         if self._tries and self._window.frameGeometry() == self._window.geometry():

@@ -28,10 +28,10 @@ from smsl_studio.studio.base.words import counted
 
 ENDING = "Not a medical device"
 LONG = 36
-"""A part wider than this has all of its text in a tooltip (pixels)."""
+"""A part wider than this has a tooltip with its whole text (pixels)."""
 READABLE = 120
-"""A part wider than this may be shortened to this, so that the notice at the end is never cut
-(pixels)."""
+"""A part wider than this may be shortened to this width, so that the notice at the end is never cut
+off (pixels)."""
 GAP = 8
 """Pixels between two parts."""
 INSET = 6
@@ -62,7 +62,7 @@ class StatusLine(QStatusBar):
         self.nothing.setText("No file open")
         self.addWidget(self.nothing)
         self.counts = [_Segment() for _ in range(4)]
-        # Only sentences are shortened: a few letters of a short text tell nothing.
+        # Only sentences are shortened. A short text with letters cut off would say nothing.
         self.run = [_Segment(whole=at not in SENTENCES) for at in range(6)]
         for part in self.counts:
             self.addWidget(part)
@@ -153,8 +153,10 @@ class StatusLine(QStatusBar):
         painter.end()
 
     def minimumSizeHint(self) -> QSize:
-        """No width, so that its parts do not keep a window wide; they are left out in a narrow
-        one."""
+        """No least width, so that the parts do not keep the window wide.
+
+        A narrow line hides some parts.
+        """
         return QSize(0, STATUS_LINE)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -164,7 +166,10 @@ class StatusLine(QStatusBar):
         self._fit_message()
 
     def _follow_menu(self, message: str) -> None:
-        """Let the tip of a menu's row go with the menu. Qt leaves it if a row was chosen."""
+        """Clear the tip of a menu's row when the menu closes.
+
+        Qt does not clear it if a row was chosen.
+        """
         menu = QApplication.activePopupWidget()
         row_ = menu.activeAction() if isinstance(menu, QMenu) else None
         if not isinstance(menu, QMenu) or row_ is None or row_.statusTip() != message:
@@ -205,21 +210,23 @@ class StatusLine(QStatusBar):
         shown = self._fitting(wanted)
         if free and self._start:
             shown.append(self.nothing)
-        # Hidden first: with all of them at once none would have its width for a moment.
+        # Parts are hidden before others are shown. Together they would have too little width for a
+        # moment.
         every = [self.nothing, *self._parts]
         for part in sorted(every, key=lambda one: one in shown):
             part.setVisible(part in shown)
         layout = self.layout()
         if layout is not None:
-            # At once, or the parts would be painted in their former places once more.
+            # This happens at once. Else the parts would be painted at their old places one more
+            # time.
             layout.activate()
         self._fit_message()
 
     def _fitting(self, wanted: list[_Segment]) -> list[_Segment]:
-        """The parts that have room. Others are left out, in the order of ``_last``: a few letters
-        tell nothing.
+        """The parts for which there is space.
 
-        What is left out stands in the tooltip of the line.
+        Others are hidden, in the order of ``_last``, because a few letters of them would say
+        nothing. The tooltip of the line has what is hidden.
         """
         shown = list(wanted)
         room = self.width() - self.ending.sizeHint().width() - 2 * GAP
@@ -253,7 +260,7 @@ class _Segment(QWidget):
     """One text, with a line after it."""
 
     def __init__(self, whole: bool = False) -> None:
-        """``whole`` says that it is never shortened."""
+        """``whole`` says that the text is never shortened."""
         super().__init__()
         self._label = _Saying(whole)
         layout = row(self._label, rule(vertical=True, length=16), spacing=0)
@@ -283,8 +290,10 @@ class _Saying(Label):
         self._whole = whole
 
     def minimumSizeHint(self) -> QSize:
-        """At most ``READABLE`` wide, because a longer text can be shortened, unless it must be
-        whole."""
+        """At most ``READABLE`` wide, because a longer text can be shortened.
+
+        Wider if it must be whole.
+        """
         least = self.sizeHint()
         return least if self._whole else least.boundedTo(QSize(READABLE, least.height()))
 

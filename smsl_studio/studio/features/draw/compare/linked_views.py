@@ -64,7 +64,7 @@ def _middle(canvas: Canvas) -> QPointF:
 
 
 def _zoom_of_states(canvas: Canvas) -> float:
-    """The zoom at which all states fit, without the names of their operations; 1 at most."""
+    """The zoom at which all states are visible, without names of operations. At most 1."""
     box = _box(canvas)
     across = canvas.width() / (box.width() + AROUND[0])
     down = canvas.height() / (box.height() + AROUND[1])

@@ -31,9 +31,10 @@ class Side(QWidget):
     """Address: the person clicked this state or operation."""
 
     def __init__(self, tokens: Tokens, word: str, place: str, collapsing: Collapsing) -> None:
-        """``word`` says which version it is, ``place`` where it stands: left or right.
+        """``word`` says which version it is. ``place`` says whether it is at the left or at the
+        right.
 
-        ``collapsing`` is shared with the other side.
+        Both sides share ``collapsing``.
         """
         super().__init__()
         self._head = f"{word}, at the {place}"
@@ -87,7 +88,7 @@ class Side(QWidget):
         self.canvas.set_marks(Marks(selection=chosen, changes=changes))
 
     def light_step(self, steps: Sequence[RunStep], at: int, branch: str) -> None:
-        """Light a step of a run in the SB that is shown; a run that is shorter stays at its end."""
+        """Show a step of a run in the shown SB. A run that is shorter stays at its end."""
         past = steps[: at + 1]
         self.canvas.set_marks(
             Marks(

@@ -273,7 +273,7 @@ class DrawnEditor(QObject):
     def _put_note(
         self, words: str, key: str, note: dict[str, object], run: int = -1, branch: str = ""
     ) -> str:
-        """Add or change a note of an SB, of the shown one without ``branch``, and select it."""
+        """Add or change a note, and select it. ``branch`` is its SB; without it, the shown SB."""
         at, change = branch or self._session.branch, {key: note}
         reason = self._edit(words, lambda bp: editing.put_notes(bp, at, change), run)
         if not reason and at == self._session.branch:
@@ -289,8 +289,10 @@ class DrawnEditor(QObject):
         return str(refusal.sentence).capitalize() if refusal is not None else "That is refused."
 
     def _follow(self) -> None:
-        """After an edit or undo: what is gone is selected no more. A note that is being written
-        stays open, because the edit may come from another program.
+        """After an edit or undo, unselect everything that no longer exists.
+
+        A note that the person is writing stays open, because another program may have made the
+        edit.
         """
         if not isinstance(self.field, NoteField):
             self._close()
@@ -299,7 +301,7 @@ class DrawnEditor(QObject):
             self.choose(None)
 
     def _leave(self) -> None:
-        """Another SB is shown. What was typed is kept in the SB that was shown before."""
+        """Keep typed text in the SB where it was typed, because another SB is shown now."""
         self._settle()
         self._close()
         self.choose(None)

@@ -19,14 +19,16 @@ TOO_LONG = f"A note has room for {LONGEST:,} characters. Put longer texts into a
 
 
 class NoteBox(QPlainTextEdit):
-    """The text of a note. Enter begins a line; Ctrl+Enter and Esc emit ``done``, Shift+Esc emits
-    ``left``. It never holds a text that is too long for a note, so the text can always be kept.
+    """The text of a note.
+
+    Enter begins a new line. Ctrl+Enter and Esc emit ``done``, and Shift+Esc emits ``left``. The
+    field never accepts a text that is too long for a note, so the text can always be kept.
     """
 
     done = Signal()
     left = Signal()
     refused = Signal()
-    """There is no room for what was typed or pasted."""
+    """There was no space for typed or pasted text."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -63,7 +65,7 @@ class NoteBox(QPlainTextEdit):
 
 
 def _typed(event: QKeyEvent) -> str:
-    """The text that a key adds; empty for keys that move the caret or delete."""
+    """The text that a key adds. Empty for keys that move the caret or delete."""
     if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
         return "\n"
     return event.text() if event.text().isprintable() else ""

@@ -54,8 +54,8 @@ from smsl_studio.studio.features.draw.panels.frame import Panel
 HINT = "One sensor or one sub-SB reads a fact. Click a cell to change it."
 NONE = "No facts yet."
 LOW = 190
-"""In a panel lower than this the facts have the room of the words below them; the button at the tab
-adds a fact, too (pixels)."""
+"""In a panel lower than this the words below the facts are hidden, so that the facts have more
+space (pixels). The button at the tab also adds a fact."""
 NEW_VALUE = AskedValue("Its value in them", "Value of the new fact in all states", "0")
 
 
@@ -147,7 +147,7 @@ class Facts(Panel):
         self._show()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out what stands below the facts if the panel is low."""
+        """Hide the words below the facts if the panel is low."""
         super().resizeEvent(event)
         self._make_room(self.card.isVisible())
 
@@ -209,8 +209,10 @@ class Facts(Panel):
         self._mark()
 
     def _make_room(self, card: bool) -> None:
-        """Give the room below the facts to the card while it is there, and to them if they have
-        little."""
+        """Give the space below the facts to the card while it is open.
+
+        Else give it to facts that need it.
+        """
         some = bool(self.view.facts.lines) and self.height() >= LOW
         for widget in (self.add, self.hint):
             widget.setVisible(some and not card)

@@ -150,7 +150,7 @@ class FactView(QListView):
         self.viewport().update()
 
     def _go(self, row: int, step: int) -> None:
-        """Edit the next cell that takes text (``step`` is 1), or the one before (-1).
+        """Edit the next cell that takes text (``step`` 1), or the previous one (-1).
 
         After the last cell of a line comes the first cell of the next line.
         """
@@ -243,7 +243,7 @@ class FactView(QListView):
             return -1, None
         inside = (at - self.visualRect(index).topLeft()).toPointF()
         cells = self._cells(index.row())
-        # What is small is hit by a press beside it too, before the wide cells around it.
+        # A press near a small target hits it, too, before the wide cells around it.
         small = [cell for cell in cells if cell.kind not in TYPED]
         wide = [cell for cell in cells if cell.kind in TYPED]
         hit = (cell for cell in small if cell.rect.adjusted(-4, -4, 3, 4).contains(inside))

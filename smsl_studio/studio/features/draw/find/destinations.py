@@ -20,9 +20,9 @@ class Panels(Protocol):
 
 
 class Destinations:
-    """Where the results of a search are shown.
+    """Opens the result of a search at the right place.
 
-    A fact is shown in the panel Properties, a hazard on the page Inspection, an operation of a
+    A fact is shown in the panel Properties, a hazard on the page Inspection, and an operation of a
     plugin in the panel Library. A file is opened.
     """
 

@@ -1,4 +1,4 @@
-"""The rows of the Blueprint menu that change the shape and not the behaviour."""
+"""The commands in the menu Blueprint that change the shape and keep the behaviour."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from smsl_studio.studio.features.draw.shape.shape_verbs import ShapeVerbs
 
 
 def shape_actions(verbs: ShapeVerbs, drawn: Callable[[], bool]) -> tuple[Action, ...]:
-    """The rows. Each shows both sides before it changes anything."""
+    """The commands. Each one shows a preview of both sides before it changes anything."""
     return (
         Action("identify", "Identify sub-SBs…", verbs.identify, "Blueprint", "bulb", (),
                lambda: drawn() and verbs.can_identify(), section=2,

@@ -53,11 +53,13 @@ def view_actions(
             )
 
     def seen() -> bool:
-        """Whether the drawing, or a run of it, is shown."""
+        """Whether the drawing is shown, or a run of it."""
         return shell.mode in ("draw", "run", "supervise")
 
     def bundle() -> None:
-        """Bundle the operations of this file, or show them all, in every view of it."""
+        """Draw the operations of this file as bundles, or show all of them, in every view of the
+        file.
+        """
         canvas.collapse_wanted.emit(not canvas.collapsed)
 
     def dim_mixed() -> None:

@@ -137,13 +137,13 @@ class StateForm(NoteForm):
         return states[0].state if len(states) == 1 else counted(len(states), "state")
 
     def give(self, word: str, value: Any) -> bool:
-        """Write the value of a key. Fact values come into force by ``editing.give_values``."""
+        """Write the value of a key. ``editing.give_values`` writes fact values."""
         if word != "facts" or value is None:
             return super().give(word, value)
         line, wanted = self._lines[word], list(value)
 
         def change(blueprint: Blueprint) -> Blueprint:
-            """The blueprint in which the states have these facts."""
+            """Return the blueprint in which the states have these facts."""
             for name in dict.fromkeys(at.branch for at in self._states):
                 given = {at.state: wanted for at in self._states if at.branch == name}
                 blueprint = editing.give_values(blueprint, name, given)
@@ -185,7 +185,7 @@ def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]
 
 
 def _source_of_facts(branch: StateBranch, state: str) -> str:
-    """Where the fact values of a state come from, in a sentence."""
+    """A sentence that says where the fact values of a state come from."""
     shape, note = branch.shape, branch.state_note(state)
     given = note is not None and bool(note.facts)
     if shape.width == 0 and not shape.opaque:
