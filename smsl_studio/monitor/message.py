@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import Any
 
 from smsl_studio.monitor.sample import BAD, GOOD, UNCERTAIN, Sample
 from smsl_studio.monitor.topics import FactTopic
+from smsl_studio.seal.strict_json import strict_decoder
 
 VERSION = 1
 LARGEST = 8192
@@ -120,18 +121,7 @@ def _object(payload: bytes) -> dict[str, Any]:
     return said
 
 
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise ValueError("a word is said twice")
-    return found
-
-
-def _no_number(text: str) -> NoReturn:
-    raise ValueError(f"{text} is no number")
-
-
-_JSON = json.JSONDecoder(object_pairs_hook=_once, parse_constant=_no_number)
+_JSON = strict_decoder(ValueError, "a word is said twice")
 
 
 def _count(said: dict[str, Any], name: str) -> int:

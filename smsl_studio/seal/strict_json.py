@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+from collections.abc import Callable
 from typing import Any, NoReturn
 
 from smsl_studio.errors import SealError
@@ -12,6 +13,29 @@ from smsl_studio.errors import SealError
 Json = Any
 LARGEST = 64 << 20
 """The longest text that is read, in bytes."""
+
+
+def strict_decoder(
+    wrong: Callable[[str], Exception], twice: str = "a key stands twice in one object"
+) -> json.JSONDecoder:
+    """Return a decoder that takes no key twice in one object and no number that is none (``NaN``).
+
+    ``wrong`` makes the error from a sentence; ``twice`` is the sentence about a key.
+    """
+
+    def once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            raise wrong(twice)
+        return found
+
+    def no_number(word: str) -> NoReturn:
+        raise wrong(f"{word} is no number")
+
+    return json.JSONDecoder(object_pairs_hook=once, parse_constant=no_number)
+
+
+_JSON = strict_decoder(SealError)
 
 
 def read_strictly(raw: bytes, what: str) -> Json:
@@ -23,7 +47,7 @@ def read_strictly(raw: bytes, what: str) -> Json:
     if len(raw) > LARGEST:
         raise SealError(f"{what} is larger than {LARGEST >> 20} MB")
     try:
-        return json.loads(raw.decode("utf-8"), object_pairs_hook=_once, parse_constant=_no_number)
+        return _JSON.decode(raw.decode("utf-8"))
     except SealError as error:
         raise SealError(f"{what} is no clear JSON: {error.sentence}") from None
     except (ValueError, RecursionError) as error:
@@ -46,14 +70,3 @@ def from_base64(text: Json, what: str) -> bytes:
     if base64_text(raw) != text:
         raise SealError(f"{what} is no canonical base64")
     return raw
-
-
-def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise SealError("a key stands twice in one object")
-    return found
-
-
-def _no_number(word: str) -> NoReturn:
-    raise SealError(f"{word} is no number")
