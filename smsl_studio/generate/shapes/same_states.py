@@ -8,7 +8,7 @@ compared with the blueprint before.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.blueprint import editing
@@ -21,13 +21,12 @@ from smsl_studio.errors import PlanningError
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.generate.shapes.claims import named_places
 from smsl_studio.inspection.equivalence.equivalence import equivalence
+from smsl_studio.inspection.equivalence.refinement import Row, numbered, refined
 from smsl_studio.inspection.explorer.part import restricted, touching
 from smsl_studio.stop import heed
 
 MOST_LOOKED = 5_000_000
 """The largest number of operations that are compared, over all rounds."""
-Row = Sequence[tuple[Hashable, int]]
-"""For each operation of a state: what it does, and the number of its target state."""
 
 
 @dataclass(frozen=True)
@@ -131,30 +130,16 @@ def _classes(first: Sequence[Hashable], rows: Sequence[Row]) -> list[int]:
 
     Classes are divided until nothing changes (partition refinement).
     """
-    classes, looked = _numbered(first), 0
+    classes, looked = numbered(first), 0
     size = 1 + len(rows) + sum(map(len, rows))
     while True:
         looked += size
         if looked > MOST_LOOKED:
             raise PlanningError(f"more than {MOST_LOOKED:,} operations were looked at")
-        before = classes
-        further = _numbered(
-            (before[at], frozenset((what, before[to]) for what, to in row))
-            for at, row in enumerate(rows)
-        )
-        if max(further, default=0) == max(classes, default=0):
+        further = refined(classes, rows)
+        if further is None:
             return classes
         classes = further
-
-
-def _numbered(values: Iterable[Hashable]) -> list[int]:
-    """Return a number for each value; equal values have equal numbers."""
-    known: dict[Hashable, int] = {}
-    found = []
-    for value in values:
-        heed()
-        found.append(known.setdefault(value, len(known)))
-    return found
 
 
 def _groups(names: Sequence[str], classes: Sequence[int]) -> Iterator[tuple[str, ...]]:

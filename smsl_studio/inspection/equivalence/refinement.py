@@ -6,12 +6,14 @@ further round by the labels they have and by what these lead to.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from smsl_studio.errors import PlanningError
 from smsl_studio.stop import heed
 
 Labels = Sequence[Sequence[tuple[str, int]]]
+Row = Sequence[tuple[Hashable, int]]
+"""For each step out of a place what it is, and the number of the place that it leads to."""
 MOST = 100_000_000
 """The largest number of entries that are kept, over all rounds."""
 
@@ -25,14 +27,10 @@ class Refinement:
 
     def __init__(self, facts: Sequence[Hashable], labels: Labels) -> None:
         self._labels = labels
-        self._rounds = [_numbered(facts)]
-        while True:
-            last = self._rounds[-1]
-            following = _numbered([_signature(last, at, row) for at, row in enumerate(labels)])
-            if max(following, default=0) == max(last, default=0):
-                break
+        self._rounds = [numbered(facts)]
+        while (following := refined(self._rounds[-1], labels)) is not None:
             self._rounds.append(following)
-            if len(self._rounds) * len(last) > MOST:
+            if len(self._rounds) * len(following) > MOST:
                 words = f"more than {MOST:,} entries of classes"
                 raise PlanningError(f"comparing met the limit of {words}")
 
@@ -75,11 +73,19 @@ class Refinement:
         return [target for one, target in self._labels[at] if one == label]
 
 
-def _signature(row: Sequence[int], at: int, labels: Sequence[tuple[str, int]]) -> Hashable:
-    return row[at], frozenset((label, row[target]) for label, target in labels)
+def refined(classes: Sequence[int], rows: Sequence[Row]) -> list[int] | None:
+    """Return the classes that one more step tells apart, or None if there are no more than before.
+
+    ``classes`` has the number of the class of each place, and ``rows`` its steps.
+    """
+    further = numbered(
+        (classes[at], frozenset((what, classes[to]) for what, to in row))
+        for at, row in enumerate(rows)
+    )
+    return None if max(further, default=0) == max(classes, default=0) else further
 
 
-def _numbered(values: Sequence[Hashable]) -> list[int]:
+def numbered(values: Iterable[Hashable]) -> list[int]:
     """Return a number for each value; equal values have equal numbers, from 0 on."""
     known: dict[Hashable, int] = {}
     found = []
