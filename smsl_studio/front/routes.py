@@ -46,13 +46,12 @@ def plan_route(
     if isinstance(where, StateBranch):
         first_name, last_name = _state_in(where, start), _state_in(where, goal)
         return cheapest(where, first_name, last_name, avoid=list(_edges_in(where, avoid)))
-    first = state_at(where, start, branch)
-    last = state_at(where, goal, branch or first.branch)
+    first, last = _ends(where, start, goal, branch)
     shut = operations_at(where, avoid)
     hazards = guard_hazards(where)
     if not hazards and not where[first.branch].subs and not _requires(where[first.branch]):
         return cheapest(where[first.branch], first.state, last.state, avoid=shut)
-    return _Asked(where, first, last, tuple(shut)).route(hazards)
+    return _Asked(where, first, last, shut).route(hazards)
 
 
 def hazards_between(
@@ -69,9 +68,8 @@ def hazards_between(
     hazards = guard_hazards(where)
     if not hazards:
         return ()
-    first = state_at(where, start, branch)
-    last = state_at(where, goal, branch or first.branch)
-    return _Asked(where, first, last, tuple(operations_at(where, avoid))).met(hazards)
+    first, last = _ends(where, start, goal, branch)
+    return _Asked(where, first, last, operations_at(where, avoid)).met(hazards)
 
 
 def unmet_between(
@@ -87,11 +85,18 @@ def unmet_between(
     for each missing fact. The result is empty if there is no such route, and for an SB with
     sub-SBs. The arguments are those of ``plan_route``.
     """
-    first = state_at(where, start, branch)
-    last = state_at(where, goal, branch or first.branch)
+    first, last = _ends(where, start, goal, branch)
     if where[first.branch].subs or not _requires(where[first.branch]):
         return ()
-    return _Asked(where, first, last, tuple(operations_at(where, avoid))).unmet()
+    return _Asked(where, first, last, operations_at(where, avoid)).unmet()
+
+
+def _ends(
+    where: Blueprint, start: Written, goal: Written, branch: str | None
+) -> tuple[Address, Address]:
+    """Return both states of a question. The goal is of the SB of the start if nothing is said."""
+    first = state_at(where, start, branch)
+    return first, state_at(where, goal, branch or first.branch)
 
 
 def _requires(branch: StateBranch) -> bool:
