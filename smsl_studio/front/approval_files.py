@@ -39,7 +39,6 @@ class TrustFiles:
     policy: str | None = None
     register: str | None = None
     serial: int | None = None
-    register_path: str = ""
 
     @property
     def keys(self) -> str:
@@ -149,4 +148,4 @@ def _registered(policy: TrustPolicy, file: Path, digest: str) -> TrustFiles | Re
         with store_alone():
             keep_serial(policy.register_key, register.serial)
     grounds = TrustGrounds(policy, register.keys, True, True, seen_records())
-    return TrustFiles(grounds, digest, register.digest, register.serial, str(path))
+    return TrustFiles(grounds, digest, register.digest, register.serial)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from pathlib import Path
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place, ReadError, SealError
@@ -38,13 +37,13 @@ def changes_since_record(
     from smsl_studio.inspection.approval.record_file import (
         SignedRecord,
         read_record_file,
-        record_beside,
+        record_path,
     )
     from smsl_studio.inspection.approval.seen_records import newest_seen
     from smsl_studio.seal.strict_json import LARGEST
     from smsl_studio.smsl.inputs import read_ordinary
 
-    path = Path(record_beside(blueprint.file) if record is None else record)
+    path = record_path(blueprint.file, record)
     found: Sequence[SignedRecord] = ()
     try:
         if record is not None or os.path.lexists(path):

@@ -28,7 +28,7 @@ from smsl_studio.inspection.approval.key_store import StoredKey, stored_key
 from smsl_studio.inspection.approval.known_keys import name_of
 from smsl_studio.inspection.approval.record_file import (
     SignedRecord,
-    record_beside,
+    record_path,
     written_record_file,
 )
 from smsl_studio.inspection.approval.refusal import Refusal
@@ -112,7 +112,7 @@ class ApprovalRequest:
     @property
     def record_file(self) -> Path:
         """The file that gets the record."""
-        return Path(record_beside(self.blueprint.file)) if self.record is None else self.record
+        return record_path(self.blueprint.file, self.record)
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from smsl_studio.front.world_codes import NOWHERE, WorldSurvey, surveyed
 from smsl_studio.inspection.approval.case import ApprovalCase, PresentState
 from smsl_studio.inspection.approval.conditions import Asking
 from smsl_studio.inspection.approval.judge import Judgement, judge, refused
-from smsl_studio.inspection.approval.record_file import SignedRecord, record_beside
+from smsl_studio.inspection.approval.record_file import SignedRecord, record_path
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import rule_codes
 from smsl_studio.inspection.approval.seen_records import has_seen, keep_record
@@ -53,7 +53,7 @@ class ApprovalQuestion:
     @property
     def record_file(self) -> Path:
         """The file of the record."""
-        return Path(record_beside(self.blueprint.file)) if self.record is None else self.record
+        return record_path(self.blueprint.file, self.record)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ that lines at the end were cut off, a second file has the number of lines and th
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -20,8 +19,7 @@ from smsl_studio.inspection.approval.store_files import (
     write_stored,
 )
 from smsl_studio.inspection.approval.times import written_time
-from smsl_studio.seal.chain import Chain, unlinked
-from smsl_studio.seal.strict_json import read_strictly
+from smsl_studio.seal.chain import Chain
 from smsl_studio.smsl.inputs import NOTHING, seen_at
 
 Json = Any
@@ -44,14 +42,6 @@ def append_act(now: datetime, act: str, **said: Json) -> None:
     except OSError as error:
         raise SaveError(f"{path} cannot be written: {error.strerror or error}") from None
     write_stored(_head_file(), {"count": count + 1, "hash": chain.digest})
-
-
-def read_acts() -> tuple[Mapping[str, Json], ...]:
-    """Return the lines of the audit log. SealError if somebody has changed it."""
-    raw = seen_at(audit_file(), LARGEST).raw
-    _checked(audit_file())
-    lines = (unlinked(line) for line in raw.splitlines(keepends=True))
-    return tuple(read_strictly(found[0], "a line") for found in lines if found)
 
 
 def audit_file() -> Path:

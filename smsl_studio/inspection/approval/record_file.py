@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from smsl_studio.errors import SealError
@@ -46,6 +47,11 @@ class SignedRecord:
 def record_beside(file: str) -> str:
     """Return the path of the record that stands beside a blueprint's file."""
     return f"{file}{SUFFIX}"
+
+
+def record_path(file: str, named: str | Path | None) -> Path:
+    """Return where the record of a blueprint's file stands: as named, else beside the file."""
+    return Path(record_beside(file) if named is None else named)
 
 
 def read_record_file(raw: bytes) -> tuple[SignedRecord, ...]:
