@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -17,6 +17,7 @@ from smsl_studio.inspection.equivalence.transitions import (
     fact_keys,
     transitions_of,
 )
+from smsl_studio.inspection.proof.way import way_to
 from smsl_studio.stop import heed
 
 Json = Any
@@ -148,11 +149,11 @@ class _Compared:
             for here in layer:
                 heed()
                 if self._facts[0][here[0]] != self._facts[1][here[1]]:
-                    return _way(came, here)
+                    return way_to(here, came.__getitem__)[1]
                 one, other = dict(left[here[0]]), dict(right[here[1]])
                 only = min(one.keys() ^ other.keys(), default=None)
                 if only is not None:
-                    odd = odd or (*_way(came, here), only)
+                    odd = odd or (*way_to(here, came.__getitem__)[1], only)
                     continue
                 for label, target in one.items():
                     after = target, other[label]
@@ -192,15 +193,6 @@ class _Compared:
             key, left, right = next(item for item in pairs if item[1] != item[2])
             return f"{after} {key} is {left} in {self._file(0)} and {right} in {self._file(1)}"
         return f"{after} one of them can be where the other cannot follow"
-
-
-def _way(came: Mapping[Pair, tuple[Pair, str] | None], pair: Pair) -> Labels:
-    """Return the labels that led to a pair of configurations."""
-    found: list[str] = []
-    while (before := came[pair]) is not None:
-        pair, label = before
-        found.append(label)
-    return tuple(reversed(found))
 
 
 def counted(operations: int) -> str:

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.space import Key, Space
+from smsl_studio.inspection.proof.way import way_to
 from smsl_studio.stop import heed
 
 Path = tuple[Address, ...]
@@ -41,11 +42,7 @@ class SpacePart:
 
     def path(self, node: int) -> Path:
         """Return the shortest way from the start to a configuration."""
-        found = []
-        while (before := self.came[node]) is not None:
-            node, address = before
-            found.append(address)
-        return tuple(reversed(found))
+        return way_to(node, self.came.__getitem__)[1]
 
 
 def independent(hierarchy: Hierarchy) -> tuple[tuple[str, ...], ...]:

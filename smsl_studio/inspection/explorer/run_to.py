@@ -16,6 +16,7 @@ from smsl_studio.inspection.explorer.part import Path, independent, restricted
 from smsl_studio.inspection.proof.engines import Engines
 from smsl_studio.inspection.proof.space import Key, Space
 from smsl_studio.inspection.proof.verdict import HOLDS, Counterexample
+from smsl_studio.inspection.proof.way import way_to
 from smsl_studio.stop import heed
 
 NEAR = 5_000
@@ -85,10 +86,10 @@ def _path(space: Space, end: Key, limit: int) -> tuple[Path | None, str]:
                     return None, bound
                 came[step.to] = key, step.address
                 if step.to == end:
-                    return _back(came, end), ""
+                    return way_to(end, came.__getitem__)[1], ""
                 following.append(step.to)
         waiting = following
-    return (_back(came, end), "") if end in came else (None, "")
+    return (way_to(end, came.__getitem__)[1] if end in came else None), ""
 
 
 def _path_at_once(
@@ -110,11 +111,3 @@ def _path_at_once(
     if answer.verdict == HOLDS:
         return None, ""
     return (None, met) if answer.run is None else (answer.run.path, "")
-
-
-def _back(came: Mapping[Key, tuple[Key, Address] | None], end: Key) -> Path:
-    found: list[Address] = []
-    while (before := came[end]) is not None:
-        end, address = before
-        found.append(address)
-    return tuple(reversed(found))

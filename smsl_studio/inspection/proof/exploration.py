@@ -12,6 +12,7 @@ from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.errors import PlanningError
 from smsl_studio.inspection.proof.space import Key, Space, Test
 from smsl_studio.inspection.proof.verdict import Counterexample
+from smsl_studio.inspection.proof.way import way_to
 from smsl_studio.stop import BoundMet, heed
 
 NOWHERE = -1
@@ -96,11 +97,8 @@ class Exploration:
 
     def way(self, node: int) -> Counterexample:
         """Return the run to a node, found by following ``origin`` back."""
-        path, here = [], node
-        while (before := self.origin(here)) is not None:
-            here, address = before
-            path.append(address)
-        return self.run(here, path[::-1], node)
+        start, path = way_to(node, self.origin)
+        return self.run(start, path, node)
 
     def run(self, start: int, path: Sequence[Address], end: int) -> Counterexample:
         """Return a run from one configuration to another, with all SBs, also those that do not
