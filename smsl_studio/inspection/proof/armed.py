@@ -13,7 +13,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.graph.joint.reach import JointReach
-from smsl_studio.inspection.proof.many_starts import ManyStarts, MarkedSet
+from smsl_studio.inspection.proof.many_starts import ManyStarts
+from smsl_studio.inspection.proof.marks import MarkedSet, Marks
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.stop import heed
 
@@ -29,6 +30,7 @@ class ArmedSearch:
         self._reach, self._diagram = reach, reach.diagram
         self._top = reach.diagram.height - 1
         self._arming, self._disarming, self._goal = arming, disarming, goal
+        self._marks = Marks(self._diagram, arming, disarming)
 
     def ways(self) -> list[MarkedSet]:
         """Return the sets of configurations on the shortest runs, one for each step.
@@ -58,37 +60,15 @@ class ArmedSearch:
             )
 
     def _further(self, layer: MarkedSet) -> MarkedSet:
-        diagram, top, paths = self._diagram, self._top, self._reach.paths
-        plain, armed = paths.onward(layer.plain), paths.onward(layer.armed)
-        return MarkedSet(
-            diagram.union(
-                diagram.without(plain, self._arming, top),
-                diagram.both(armed, self._disarming, top),
-                top,
-            ),
-            diagram.union(
-                diagram.both(plain, self._arming, top),
-                diagram.without(armed, self._disarming, top),
-                top,
-            ),
-        )
+        paths = self._reach.paths
+        return self._marks.after(paths.onward(layer.plain), paths.onward(layer.armed))
 
     def _back(self, layers: Sequence[MarkedSet], ends: MarkedSet) -> list[MarkedSet]:
         diagram, top, paths = self._diagram, self._top, self._reach.paths
         ways = [ends]
         for layer in reversed(layers[:-1]):
             heed()
-            plain, armed = ways[-1]
-            to_plain = diagram.union(
-                diagram.without(plain, self._arming, top),
-                diagram.both(armed, self._arming, top),
-                top,
-            )
-            to_armed = diagram.union(
-                diagram.both(plain, self._disarming, top),
-                diagram.without(armed, self._disarming, top),
-                top,
-            )
+            to_plain, to_armed = self._marks.before(*ways[-1])
             ways.append(
                 MarkedSet(
                     diagram.both(layer.plain, paths.backward(to_plain), top),

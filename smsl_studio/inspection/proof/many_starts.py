@@ -10,17 +10,11 @@ from smsl_studio.graph.joint.diagram import Relation
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import JointMoves, TooLarge
 from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.marks import MarkedSet, Marks
 from smsl_studio.stop import heed
 
 MOST_OPERATIONS = 5_000
 """The largest number of operations that are tried for each step."""
-
-
-class MarkedSet(NamedTuple):
-    """Two sets: configurations at the end of runs that are not armed, and of armed ones."""
-
-    plain: int
-    armed: int
 
 
 class _Try(NamedTuple):
@@ -42,6 +36,7 @@ class ManyStarts:
         self._reach, self._diagram = reach, reach.diagram
         self._top = reach.diagram.height - 1
         self._arming, self._disarming = arming, disarming
+        self._marks = Marks(self._diagram, arming, disarming)
         self._tries = self._all_tries()
 
     def _all_tries(self) -> list[_Try]:
@@ -94,17 +89,7 @@ class ManyStarts:
 
     def _after(self, here: MarkedSet, forth: Sequence[Relation], goals: MarkedSet) -> MarkedSet:
         diagram, top = self._diagram, self._top
-        plain, armed = (self._images(one, forth) for one in here)
-        to_plain = diagram.union(
-            diagram.without(plain, self._arming, top),
-            diagram.both(armed, self._disarming, top),
-            top,
-        )
-        to_armed = diagram.union(
-            diagram.both(plain, self._arming, top),
-            diagram.without(armed, self._disarming, top),
-            top,
-        )
+        to_plain, to_armed = self._marks.after(*(self._images(one, forth) for one in here))
         return MarkedSet(
             diagram.both(to_plain, goals.plain, top), diagram.both(to_armed, goals.armed, top)
         )
