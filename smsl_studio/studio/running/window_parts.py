@@ -26,7 +26,7 @@ class WindowParts:
     files: Files
     inspector: Inspector
     settings: Settings
-    collapsing: CollapseChoice
+    collapse: CollapseChoice
     toast: Toast
     tokens: Tokens
     window: QMainWindow

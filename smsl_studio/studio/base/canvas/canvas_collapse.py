@@ -10,7 +10,7 @@ from smsl_studio.picture.crowded import is_crowded, may_be_crowded
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.branch_view import BranchView
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 
 
@@ -18,20 +18,20 @@ class CanvasCollapse(QObject):
     """Decides whether a canvas draws all operations between two states as one line.
 
     The person's choice for the file decides. Without a choice, an SB is collapsed if there is no
-    space for the names. A canvas without a shared ``Collapsing`` draws every operation by itself.
+    space for the names. A canvas without a shared ``SharedCollapse`` draws every operation by itself.
     """
 
     def __init__(self, canvas: BranchView, draw_again: Callable[[], None]) -> None:
         super().__init__(canvas)
         self._canvas, self._draw_again = canvas, draw_again
-        self._shared: Collapsing | None = None
+        self._shared: SharedCollapse | None = None
         self._name = ""
         self._judged: str | None = None
         self.on = False
         """Whether all operations between the same two states are drawn as one line now."""
         canvas.collapse_wanted.connect(self._choose)
 
-    def join(self, shared: Collapsing, name: str = "") -> None:
+    def join(self, shared: SharedCollapse, name: str = "") -> None:
         """Share the choices of the other canvases, from the next drawing on.
 
         The choice is kept under ``name``. Without a name it is kept under the file of the shown

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
@@ -14,7 +14,7 @@ KEPT = 100
 KEY = "collapsed"
 
 
-class CollapseChoice(Collapsing):
+class CollapseChoice(SharedCollapse):
     """Keeps the choice for each file in the settings. The file itself does not change.
 
     The choice for a drawing that was never saved is kept until the window closes.

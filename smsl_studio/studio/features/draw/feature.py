@@ -104,7 +104,7 @@ class DrawFeature(Feature):
         self._parts, self._shell, self._loaded = parts, shell, Loaded()
         self._warned = False
         self.canvas = Canvas(tokens)
-        self.canvas.collapse.join(parts.collapsing)
+        self.canvas.collapse.join(parts.collapse)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = DrawVerbs(session, self.editor)
         self.align = AlignVerbs(self.editor)
@@ -124,7 +124,7 @@ class DrawFeature(Feature):
         ask = self.properties.file.ask_file = Dialogs(window).file_to_open
         self.comparing = Comparison(session, files, ask, tokens, window)
         self.shapes = ShapeVerbs(session, self.canvas, window)
-        self.comparing.wish = parts.collapsing.wish
+        self.comparing.wish = parts.collapse.wish
         self.safety = Safety(parts, self.source, self.comparing.with_version)
         self.going = Destinations(shell, self.properties, self.library, files)
         bar = DrawingFindBar(tokens)

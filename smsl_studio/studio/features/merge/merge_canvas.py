@@ -16,7 +16,7 @@ from smsl_studio.errors import ReadError
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.overlaid import OverlaidBranch, overlaid
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -64,7 +64,7 @@ class MergeCanvas(QWidget):
         self.result.clicked.connect(self._result_switched)
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
-        self.canvas.collapse.join(Collapsing(self))
+        self.canvas.collapse.join(SharedCollapse(self))
         self.canvas.setAccessibleName("Canvas of the merge")
         for signal in (self.canvas.node_clicked, self.canvas.edge_clicked):
             signal.connect(self._clicked)

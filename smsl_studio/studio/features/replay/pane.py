@@ -11,7 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.recordings import ANOTHER, Recording
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check
 from smsl_studio.front.views.phase_words import phase_words
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.panels import panel
 from smsl_studio.studio.base.theme import Tokens
@@ -67,7 +67,7 @@ class ReplayPane(QWidget):
         self.note.setProperty("role", "replay")
         self.note.setWordWrap(True)
         self.canvas = ReplayCanvas(_Held(replay, nothing), replay, tokens)
-        self.canvas.canvas.collapse.join(Collapsing(self))
+        self.canvas.canvas.collapse.join(SharedCollapse(self))
         self.facts, self.check = FactsTable(tokens), StateCheckView(tokens)
         self.facts.setColumnHidden(COLUMNS.index("Age"), True)
         self.events = EventTable()

@@ -68,7 +68,7 @@ class RunFeature(Feature):
         session, files, window = self._parts.session, self._parts.files, self._parts.window
         pane = RunPane(session, self._tokens, window)
         pane.hide()
-        pane.canvas.canvas.collapse.join(self._parts.collapsing)
+        pane.canvas.canvas.collapse.join(self._parts.collapse)
         pane.scene.fault_wanted.connect(self.inject_fault)
         pane.scene.script_wanted.connect(self.save_script)
         pane.recordings = lambda: self._parts.settings.wanted_recordings

@@ -43,7 +43,7 @@ class SuperviseFeature(Feature):
 
         pane = SupervisePane(self._parts.session, self._run(), self._tokens, self._parts.window)
         pane.hide()
-        pane.full_map.canvas.collapse.join(self._parts.collapsing)
+        pane.full_map.canvas.collapse.join(self._parts.collapse)
         return pane
 
     def actions(self) -> tuple[Action, ...]:

@@ -22,7 +22,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.base.announcement import announce
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Combo, Elided, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.panels import keyed_tool
@@ -80,9 +80,9 @@ class CompareDialog(QDialog):
     # Building.
 
     def _build(self, tokens: Tokens) -> None:
-        self.collapsing = Collapsing(self)
-        self.before = Side(tokens, "Before", "left", self.collapsing)
-        self.after = Side(tokens, "After", "right", self.collapsing)
+        self.shared_collapse = SharedCollapse(self)
+        self.before = Side(tokens, "Before", "left", self.shared_collapse)
+        self.after = Side(tokens, "After", "right", self.shared_collapse)
         self._words = Elided()
         self.branches = Combo()
         self.branches.setAccessibleName("State Branch")
@@ -222,7 +222,7 @@ class CompareDialog(QDialog):
         With None, the drawings are collapsed if they are crowded.
         """
         if on is not None:
-            self.collapsing.keep(BOTH, on)
+            self.shared_collapse.keep(BOTH, on)
 
     def _branch_chosen(self, number: int) -> None:
         self.changes.setCurrentIndex(QModelIndex())
@@ -243,10 +243,8 @@ class CompareDialog(QDialog):
     @property
     def current(self) -> tuple[Address | None, Address | None] | None:
         """The addresses of the chosen change, before and after; None if no change is chosen."""
-        index = self.changes.currentIndex()
-        found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
-        payload: tuple[Address | None, Address | None] | None = found.payload if found else None
-        return payload
+        change: tuple[Address | None, Address | None] | None = self.changes.current_payload
+        return change
 
     def show_next(self) -> None:
         """Go to the next change; after the last one, to the first."""

@@ -14,7 +14,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.canvas.collapsing import Collapsing
+from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Elided
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -30,11 +30,11 @@ class Side(QWidget):
     clicked = Signal(object)
     """Address: the person clicked this state or operation."""
 
-    def __init__(self, tokens: Tokens, word: str, place: str, collapsing: Collapsing) -> None:
+    def __init__(self, tokens: Tokens, word: str, place: str, shared: SharedCollapse) -> None:
         """``word`` says which version it is. ``place`` says whether it is at the left or at the
         right.
 
-        Both sides share ``collapsing``.
+        Both sides share ``shared``.
         """
         super().__init__()
         self._head = f"{word}, at the {place}"
@@ -45,7 +45,7 @@ class Side(QWidget):
         self.title.setContentsMargins(14, 8, 14, 8)
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
-        self.canvas.collapse.join(collapsing, BOTH)
+        self.canvas.collapse.join(shared, BOTH)
         self.canvas.setAccessibleName(plain_text(f"Canvas, {word}"))
         self.canvas.edge_clicked.connect(self.clicked)
         self.canvas.node_clicked.connect(self.clicked)

@@ -1,4 +1,4 @@
-"""Collapsing: lets several canvases agree on which drawings are collapsed."""
+"""SharedCollapse: lets several canvases agree on which drawings are collapsed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from smsl_studio.blueprint.model import StateBranch
 
 
-class Collapsing(QObject):
+class SharedCollapse(QObject):
     """Remembers two things for all canvases: the person's choice for each file, and the crowded
     SBs.
 
