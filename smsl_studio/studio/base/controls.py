@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QMenu,
+    QPushButton,
     QSizePolicy,
     QStyledItemDelegate,
     QWidget,
@@ -161,6 +162,14 @@ def row(*widgets: QWidget | int | None, spacing: int = 8) -> QHBoxLayout:
         else:
             layout.addWidget(widget)
     return layout
+
+
+def row_button(words: str, tip: str) -> QPushButton:
+    """A low button that fits into a row. ``tip`` says what it does."""
+    button = QPushButton(words)
+    button.setProperty("role", "row")
+    button.setToolTip(tip_text(tip))
+    return button
 
 
 class NameDelegate(QStyledItemDelegate):

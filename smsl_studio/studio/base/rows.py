@@ -167,6 +167,12 @@ class RowsView(QListView):
         self._delegate.tokens = tokens
         self.viewport().update()
 
+    @property
+    def current_payload(self) -> Any:
+        """What the current row stands for; None if no row is current."""
+        index = self.currentIndex()
+        return index.data(Qt.ItemDataRole.UserRole).payload if index.isValid() else None
+
     def show_rows(self, rows: Sequence[ListRow]) -> None:
         """Show these rows; the selection stays on the row with the same text."""
         kept = self.currentIndex().data() if self.currentIndex().isValid() else None

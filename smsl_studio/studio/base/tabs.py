@@ -20,6 +20,17 @@ MARGIN = 12
 """Pixels between two tabs; the style sheet has the same number."""
 
 
+def tab_bar() -> QTabBar:
+    """A bar of tabs that are as wide as their names, with no line below them."""
+    bar = QTabBar()
+    bar.setDrawBase(False)
+    bar.setExpanding(False)
+    bar.setUsesScrollButtons(False)
+    bar.setElideMode(Qt.TextElideMode.ElideNone)
+    bar.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return bar
+
+
 class Tabs(QWidget):
     """A stack of panels with tabs. Tools belong to a panel and are visible with it."""
 
@@ -29,12 +40,7 @@ class Tabs(QWidget):
         super().__init__(parent)
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.bar = QTabBar()
-        self.bar.setDrawBase(False)
-        self.bar.setExpanding(False)
-        self.bar.setUsesScrollButtons(False)
-        self.bar.setElideMode(Qt.TextElideMode.ElideNone)
-        self.bar.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.bar = tab_bar()
         self._pages = QStackedWidget()
         self._tools: dict[int, QWidget] = {}
         self._names: list[str] = []

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.possible_rows import PossibleRow
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import Label, label
+from smsl_studio.studio.base.controls import Label, label, row_button
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import icon, pixmap
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
@@ -270,9 +270,7 @@ class PossibleList(QScrollArea):
 
     @staticmethod
     def _button(words: str, hint: str, signal: SignalInstance, row: PossibleRow) -> QPushButton:
-        button = QPushButton(words)
-        button.setProperty("role", "row")
-        button.setToolTip(tip_text(hint))
+        button = row_button(words, hint)
         button.clicked.connect(lambda _=False: signal.emit(row.address))
         return button
 

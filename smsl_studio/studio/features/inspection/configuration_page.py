@@ -5,15 +5,14 @@ there.
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
 from smsl_studio.front.views.claim_run import RunStep, steps_of
 from smsl_studio.inspection.proof.verdict import Counterexample
-from smsl_studio.studio.base.controls import Elided, Field, label, row
+from smsl_studio.studio.base.controls import Elided, Field, label, row, row_button
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.inspection.back_key import BackKey
@@ -64,16 +63,16 @@ class ConfigurationPage(QWidget):
         self.back_key = BackKey(self)
         self.count = Elided("")
         self.count.setProperty("role", "second")
-        self.back = _button("Back", "To where it stood before (Alt+Left)")
-        self.first = _button("To start", "To where a run starts")
-        self.shortest = _button("Shortest run to here", "The fewest operations from the start")
-        self.begin = _button("Start the run here", "Choose this as the start of the next run")
+        self.back = row_button("Back", "To where it stood before (Alt+Left)")
+        self.first = row_button("To start", "To where a run starts")
+        self.shortest = row_button("Shortest run to here", "The fewest operations from the start")
+        self.begin = row_button("Start the run here", "Choose this as the start of the next run")
         self.field = Field()
         self.field.setAccessibleName("Configuration")
         self.field.setToolTip("States with commas between them. Enter goes there")
         self.refusal = label("", "refusal")
         self.said = label("", "hint")
-        self.again = _button("Look again", "Look at the steps once more")
+        self.again = row_button("Look again", "Look at the steps once more")
         split = self.split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(1)
         split.setChildrenCollapsible(False)
@@ -292,10 +291,3 @@ class ConfigurationPage(QWidget):
 
 def _walked(steps: int) -> str:
     return f"{counted(steps, 'operation')} since it began" if steps else "the walk begins here"
-
-
-def _button(words: str, tip: str) -> QPushButton:
-    button = QPushButton(words)
-    button.setProperty("role", "row")
-    button.setToolTip(tip_text(tip))
-    return button

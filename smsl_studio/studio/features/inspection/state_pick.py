@@ -76,10 +76,9 @@ class StatePick(QDialog):
                 self.rows.scrollTo(self.rows.currentIndex())
 
     def _choose(self) -> None:
-        index = self.rows.currentIndex()
+        state: str | None = self.rows.current_payload
         # Enter in the list also presses the default button, when the dialog is already closed. The
         # second call must do nothing.
-        if index.isValid() and self.isVisible():
-            state: str = index.data(Qt.ItemDataRole.UserRole).payload
+        if state is not None and self.isVisible():
             self.accept()
             self.chosen.emit(self._branch.name, state)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QTabBar, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.tabs import tab_bar
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.document.inspector import LIMIT
 
@@ -28,13 +29,8 @@ class TabLine(QWidget):
         super().__init__(parent)
         self.setProperty("role", "bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.tabs = QTabBar()
-        self.tabs.setDrawBase(False)
-        self.tabs.setExpanding(False)
-        self.tabs.setUsesScrollButtons(False)
-        self.tabs.setElideMode(Qt.TextElideMode.ElideNone)
+        self.tabs = tab_bar()
         self.tabs.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.tabs.setAccessibleName("What the page Inspection shows")
         for name in NAMES:
             self.tabs.addTab(name)

@@ -73,9 +73,8 @@ class RevisionDialog(QDialog):
         self.compare.setEnabled(bool(shown))
 
     def _choose(self) -> None:
-        index = self.rows.currentIndex()
-        if index.isValid():
-            revision: Revision = index.data(Qt.ItemDataRole.UserRole).payload
+        revision: Revision | None = self.rows.current_payload
+        if revision is not None:
             self.accept()
             self.chosen.emit(revision)
 

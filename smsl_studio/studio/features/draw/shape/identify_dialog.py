@@ -51,10 +51,8 @@ class IdentifyDialog(QDialog):
         self.rows.setFocus()
 
     def _current(self) -> FoundCut | None:
-        index = self.rows.currentIndex()
-        found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
-        payload: FoundCut | None = found.payload if found else None
-        return payload
+        cut: FoundCut | None = self.rows.current_payload
+        return cut
 
     def _show(self) -> None:
         found = self._current()
