@@ -29,7 +29,7 @@ def at_tab(sit: Sit, file: Path) -> Person:
     answered(person)
     person.ctrl(Key.Key_I)
     page(person).tabs.setCurrentIndex(1)
-    person.until(lambda: page(person).look.rows is not None)
+    person.until(lambda: page(person).look.answer is not None)
     return person
 
 
@@ -78,7 +78,7 @@ def test_after_an_edit_the_ways_are_asked_again(sit: Sit) -> None:
     person.press(Key.Key_Delete)
     assert rows(person) == [], "nothing old is shown as true"
     assert page(person).said.text() == "Not known yet."
-    person.until(lambda: page(person).look.rows is not None)
+    person.until(lambda: page(person).look.answer is not None)
     assert rows(person)[0][:3] == [
         "REGISTRATION/State_1ee",
         "Landmarks digitized is badly: a point is too far from the plan (e) and "

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLayout, QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.errors import StudioError
-from smsl_studio.studio.base.controls import Label, label, row
+from smsl_studio.studio.base.controls import Label, label, row, row_button
 from smsl_studio.studio.base.icons import pixmap
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital, counted, refusal_words, series
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.inspection.claim_model import CHANGED
+from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, same_in
 from smsl_studio.studio.features.inspection.equivalence_look import (
     ComparedRuns,
     EquivalenceLook,
@@ -25,7 +25,6 @@ from smsl_studio.studio.features.inspection.equivalence_look import (
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.look_line import LookLine
 from smsl_studio.studio.features.inspection.run_view import RunView
-from smsl_studio.studio.features.inspection.same_look import SameLook
 
 if TYPE_CHECKING:
     from smsl_studio.generate.shapes.same_states import SameStates
@@ -59,25 +58,25 @@ class EquivalencePage(QWidget):
         super().__init__()
         self._session, self._tokens = session, tokens
         self._entered = False
-        self.look, self.same = EquivalenceLook(session, self), SameLook(session, self)
+        self.look, self.same = EquivalenceLook(session, self), DrawingLook(session, same_in, self)
         self.choices: tuple[Choose, ...] = ()
         """Three functions: they ask for a file, take the saved version, and ask for a revision.
         Another feature sets them."""
         self.has_file: Callable[[], bool] = lambda: False
         """Whether the drawing has a file. Only then are there earlier versions."""
-        self.file = _button("File…", "Compare the behaviour with that of a file")
-        self.saved = _button("Saved version", "Compare with what was saved or read last")
-        self.revision = _button("Revision…", "Compare with a commit of git")
+        self.file = row_button("File…", "Compare the behaviour with that of a file")
+        self.saved = row_button("Saved version", "Compare with what was saved or read last")
+        self.revision = row_button("Revision…", "Compare with a commit of git")
         self.mark, self.verdict = Label(), label("", "heading")
         self.reason = label("", "second")
         self.reason.setWordWrap(True)
-        self.both = _button("Show on both sides", "Walk the run in the compare view")
-        self.again = _button("Compare again", "Compare what is drawn now")
+        self.both = row_button("Show on both sides", "Walk the run in the compare view")
+        self.again = row_button("Compare again", "Compare what is drawn now")
         self.looking = LookLine()
         self.rows = RowsView(tokens)
         self.rows.setAccessibleName("States that behave alike")
         self.why = label("", "hint")
-        self.merge = _button("Merge…", "Show what it would be with one state for them")
+        self.merge = row_button("Merge…", "Show what it would be with one state for them")
         self.run = RunView(lit, tokens)
         split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(1)
@@ -157,10 +156,8 @@ class EquivalencePage(QWidget):
     @property
     def chosen(self) -> SameStates | None:
         """The states in the selected row. None if no row is selected."""
-        index = self.rows.currentIndex()
-        found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
-        payload: SameStates | None = found.payload if found else None
-        return payload
+        same: SameStates | None = self.rows.current_payload
+        return same
 
     # The comparison with a version.
 
@@ -274,10 +271,3 @@ def _column(*parts: QWidget | QLayout) -> QWidget:
     if not any(isinstance(part, RowsView) for part in parts):
         down.addStretch(1)
     return made
-
-
-def _button(words: str, tip: str) -> QPushButton:
-    button = QPushButton(words)
-    button.setProperty("role", "row")
-    button.setToolTip(tip_text(tip))
-    return button

@@ -19,9 +19,9 @@ from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.configuration_page import ConfigurationPage
+from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, recovery_of
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
-from smsl_studio.studio.features.inspection.recovery_look import RecoveryLook
 from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
 from smsl_studio.studio.features.inspection.tab_line import (
@@ -75,7 +75,7 @@ class InspectionPanel(QWidget):
         self.equivalence = EquivalencePage(session, lit, tokens)
         self.table = ClaimTable(tokens)
         self.run = RunView(lit, tokens)
-        self.recovery, self.look = RecoveryTable(tokens), RecoveryLook(session, self)
+        self.recovery, self.look = RecoveryTable(tokens), DrawingLook(session, recovery_of, self)
         self.above = QStackedWidget()
         self.above.addWidget(self.table)
         self.above.addWidget(self.recovery)
@@ -308,16 +308,16 @@ class InspectionPanel(QWidget):
 
     def _look(self) -> None:
         """Ask for the ways back, if somebody looks."""
-        if self._recovering and self.isVisible():
+        if self._recovering and self.isVisible() and self._session.broken is None:
             self.look.look()
 
     def _recovered(self) -> None:
-        self.recovery.show_rows(self.look.rows or ())
+        self.recovery.show_rows(self.look.answer or ())
         self._choose_first()
         self._show_row(self.table.chosen)
 
     def _show_way(self) -> None:
-        chosen, rows = self.recovery.chosen, self.look.rows
+        chosen, rows = self.recovery.chosen, self.look.answer
         if chosen is not None and chosen.run is not None and self.isVisible():
             self.run.show_way(self._session.blueprint, chosen.run)
             self.below.setCurrentWidget(self.run)
