@@ -10,9 +10,25 @@ from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
+import pytest
+
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import RunRefused
 from tests.dispatch.naive import Config, Naive
 
 Hit = Callable[[Config], bool]
+
+
+def starts_of(question: Callable[[], object], *blueprints: Blueprint) -> list[Config]:
+    """Where runs of blueprints start. Without a start of each there are none, and the question is
+    refused for the same reason."""
+    try:
+        return [start_configuration(Hierarchy(one), {}) for one in blueprints]
+    except RunRefused:
+        with pytest.raises(RunRefused):
+            question()
+        return []
 
 
 class Brute:
