@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -20,6 +18,7 @@ from smsl_studio.picture.labels import meet
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
 from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
+from tests.git_folder import git_folder
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -177,16 +176,8 @@ def test_of_a_broken_text_the_last_readable_version_is_compared(sit: Sit, tmp_pa
 def test_a_commit_is_chosen_and_compared(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
-    for who in ("AUTHOR", "COMMITTER"):
-        monkeypatch.setenv(f"GIT_{who}_NAME", "Ada")
-        monkeypatch.setenv(f"GIT_{who}_EMAIL", "ada@example.org")
-    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
-    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    git = git_folder(tmp_path, monkeypatch)
     path = tmp_path / "plan.json"
-
-    def git(*arguments: str) -> None:
-        subprocess.run(["git", *arguments], cwd=tmp_path, check=True, capture_output=True)
-
     path.write_text(json.dumps({"S": {"A": {"go": "B"}, "B": {}}}))
     person = sit(path)
     person.window.actions_table["compare_revision"].trigger()

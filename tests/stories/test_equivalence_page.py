@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +16,7 @@ from smsl_studio.studio.features.draw.shape.shape_preview import ShapePreview
 from smsl_studio.studio.features.inspection import look_line
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.tab_line import EQUIVALENCE
+from tests.git_folder import git_folder
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -133,15 +132,7 @@ def test_an_edit_takes_the_answer_away_and_it_is_asked_again(sit: Sit, tmp_path:
 def test_a_commit_of_git_is_compared(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for who in ("AUTHOR", "COMMITTER"):
-        monkeypatch.setenv(f"GIT_{who}_NAME", "Ada")
-        monkeypatch.setenv(f"GIT_{who}_EMAIL", "ada@example.org")
-    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
-    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-
-    def git(*arguments: str) -> None:
-        subprocess.run(["git", *arguments], cwd=tmp_path, check=True, capture_output=True)
-
+    git = git_folder(tmp_path, monkeypatch)
     file = tmp_path / "twins.json"
     file.write_text(json.dumps(TWINS))
     git("init", "-q")
