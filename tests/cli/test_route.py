@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from tests.cli.shell import Shell, sample
 
 FROM_TO = ("--from", "State_aaa", "--to", "State_ccc")
@@ -132,35 +134,37 @@ GATED = {
     },
 }  # fmt: skip
 """A short way that another root must open, and a longer one that is open by itself."""
+ENDS = ("--from", "SB/State_00", "--to", "SB/State_11", "--format", "json")
+
+
+@pytest.fixture
+def gated(tmp_path: Path) -> Path:
+    file = tmp_path / "gated.json"
+    file.write_text(json.dumps(GATED))
+    return file
 
 
 def test_a_route_takes_no_operation_that_requires_what_does_not_hold(
-    shell: Shell, tmp_path: Path
+    shell: Shell, gated: Path
 ) -> None:
     """The other roots stand as at the start; the SB's own facts change on its way."""
-    file = tmp_path / "gated.json"
-    file.write_text(json.dumps(GATED))
-    ends = ("--from", "SB/State_00", "--to", "SB/State_11", "--format", "json")
-    answer = shell("route", str(file), *ends)
+    answer = shell("route", str(gated), *ENDS)
     assert answer.json["operations"] == ["SB/State_00/first", "SB/State_10/second"]
-    shut = shell("route", str(file), *ends, "--avoid", "SB/State_00/first")
+    shut = shell("route", str(gated), *ENDS, "--avoid", "SB/State_00/first")
     assert (shut.status, shut.json["cost"]) == (1, None)
     assert shut.err.splitlines() == [
         "no route leads from SB/State_00 to SB/State_11",
         "SB/State_00/short requires GATE/0 to be 1, and it is 0",
     ]
-    file.write_text(json.dumps({**GATED, "GATE": {"State_1": {}}}))
-    assert shell("route", str(file), *ends).json["operations"] == ["SB/State_00/short"]
+    gated.write_text(json.dumps({**GATED, "GATE": {"State_1": {}}}))
+    assert shell("route", str(gated), *ENDS).json["operations"] == ["SB/State_00/short"]
 
 
 def test_the_route_of_a_run_and_the_planned_one_agree_about_what_is_required(
-    shell: Shell, tmp_path: Path
+    shell: Shell, gated: Path
 ) -> None:
-    file = tmp_path / "gated.json"
-    file.write_text(json.dumps(GATED))
-    ends = ("--from", "SB/State_00", "--to", "SB/State_11", "--format", "json")
-    planned = shell("route", str(file), *ends).json
-    run = shell("run", str(file), "--world", "table", "--goal", "SB/State_11", "--format", "json")
+    planned = shell("route", str(gated), *ENDS).json
+    run = shell("run", str(gated), "--world", "table", "--goal", "SB/State_11", "--format", "json")
     told = [json.loads(line) for line in run.out.splitlines()]
     (route,) = [one for one in told if one["event"] == "route_planned"]
     assert (route["operations"], route["cost"]) == (planned["operations"], planned["cost"])

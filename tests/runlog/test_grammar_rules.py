@@ -401,10 +401,15 @@ GROUNDED: tuple[Case, ...] = (
 )  # fmt: skip
 
 
+def follows(grammar: Grammar, told: Sequence[Event]) -> None:
+    """Nothing that is told is wrong."""
+    assert [grammar.follow(one) for one in told] == [""] * len(told)
+
+
 @pytest.mark.parametrize(("before", "event", "words"), CASES, ids=[case[2] for case in CASES])
 def test_a_rule_says_what_is_wrong(before: Sequence[Event], event: Event, words: str) -> None:
     grammar = Grammar({}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(event) == words
 
 
@@ -413,7 +418,7 @@ def test_a_rule_goes_by_what_the_header_says_of_states(
     before: Sequence[Event], event: Event, words: str
 ) -> None:
     grammar = Grammar({"grounds": GROUNDS}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(event) == words
 
 
@@ -452,7 +457,7 @@ def test_a_digit_is_on_where_its_sub_is_in_activating_and_nowhere_else(
 ) -> None:
     """What a header without it says is believed, as of logs of earlier programs."""
     grammar = Grammar({"grounds": {"subs": SUBS}}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(event) == words
 
 
@@ -508,7 +513,7 @@ def test_a_rule_goes_by_what_the_header_says_of_operations(
     before: Sequence[Event], event: Event, words: str
 ) -> None:
     grammar = Grammar({"grounds": KNOWN}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(event) == words
 
 
@@ -541,7 +546,7 @@ def test_each_part_of_a_step_is_checked_before_the_next_one(
     before: Sequence[Event], event: Event, words: str
 ) -> None:
     grammar = Grammar({"grounds": MIXED}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(event) == words
 
 
@@ -552,7 +557,7 @@ def test_an_operation_with_a_function_does_not_commit_without_it() -> None:
               fact("1", "R", t=0.2), ends(address="R/X/Op"), checks("R/Y"),
               fact("1", t=0.2), checks())  # fmt: skip
     grammar = Grammar({"grounds": grounds}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     words = "S/A/Op commits; its function has not ended"
     assert grammar.follow(commits("R/X/Op", "S/A/Op", R="Y", S="B")) == words
 
@@ -576,7 +581,7 @@ def test_a_run_that_nobody_attends_ends_when_it_is_over(
     before: Sequence[Event], last: Event, words: str
 ) -> None:
     grammar = Grammar({"attended": False}, COMMANDS)
-    assert [grammar.follow(one) for one in before] == [""] * len(before)
+    follows(grammar, before)
     assert grammar.follow(last) == words
 
 
@@ -584,7 +589,7 @@ def test_a_run_that_somebody_attends_ends_when_that_person_likes() -> None:
     before = (*OPEN, run.Held(t=0.1, reason="x"))
     for header in ({"attended": True}, {}):
         grammar = Grammar(header, COMMANDS)
-        assert [grammar.follow(one) for one in before] == [""] * len(before)
+        follows(grammar, before)
         assert grammar.follow(over("held", "x", t=9.0)) == ""
 
 
@@ -626,16 +631,16 @@ POSSIBLE: Mapping[str, Sequence[Event]] = {
 @pytest.mark.parametrize("told", POSSIBLE.values(), ids=POSSIBLE)
 def test_no_rule_forbids_what_runs_tell(told: Sequence[Event]) -> None:
     grammar = Grammar({"grounds": GROUNDS} if fact("0") in told else {}, COMMANDS)
-    assert [grammar.follow(one) for one in told] == [""] * len(told)
+    follows(grammar, told)
 
 
 def test_what_a_header_leaves_out_is_learned_from_checks() -> None:
     """Of an SB that the header does not draw, a state has the facts of its first true check."""
     grammar = Grammar({}, COMMANDS)
-    assert [grammar.follow(one) for one in THERE_SEEN] == [""] * len(THERE_SEEN)
+    follows(grammar, THERE_SEEN)
     back = (run.RoutePlanned(t=0.15, goal="S/B", operations=("S/B/Back",), cost=1.0),
             starts("S/B/Back", "A", t=0.15), ends(address="S/B/Back"))  # fmt: skip
-    assert [grammar.follow(one) for one in back] == [""] * len(back)
+    follows(grammar, back)
     words = "the check of S/A is true; the logged facts are not those of the state"
     assert grammar.follow(checks("S/A")) == words
 
@@ -646,7 +651,7 @@ def test_a_log_of_the_version_before_may_tell_a_goal_at_once() -> None:
         (3, "S/B is reached at the time of the last event; nothing was sensed after it"),
     ):
         grammar = Grammar({"version": version}, COMMANDS)
-        assert [grammar.follow(one) for one in DONE] == [""] * len(DONE)
+        follows(grammar, DONE)
         assert grammar.follow(run.GoalReached(t=0.15, goal="S/B")) == words
 
 
@@ -668,7 +673,7 @@ def test_a_run_is_the_one_that_its_header_asks_for(header: Mapping[str, Any], wo
 
 def test_what_the_cases_build_upon_is_possible() -> None:
     grammar = Grammar({}, COMMANDS)
-    assert [grammar.follow(one) for one in TOLD] == [""] * len(TOLD)
+    follows(grammar, TOLD)
 
 
 def test_every_rule_has_a_case() -> None:

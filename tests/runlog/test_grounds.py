@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,12 +34,18 @@ def test_a_log_says_what_states_want_and_what_is_sensed(tmp_path: Path) -> None:
     assert found["sensed"] == ["REGISTRATION/0", "REGISTRATION/2", "DIGITIZATION/0"]
 
 
-def test_sensors_of_a_plugin_are_named_before_its_world_is_built(tmp_path: Path) -> None:
-    write_plugin(tmp_path / "plugins", "lamp", SILENT)
+def silent_logs(folder: Path) -> Iterator[Path]:
+    """The log of a run in a world of a plugin, for each host."""
+    write_plugin(folder / "plugins", "lamp", SILENT)
     for host in ("local", "process"):
-        path = tmp_path / host
-        smsl.run(blueprint_of(LAMP), "lamp", host=host, plugin_paths=[tmp_path / "plugins"],
+        path = folder / host
+        smsl.run(blueprint_of(LAMP), "lamp", host=host, plugin_paths=[folder / "plugins"],
                  avoid=["LAMP/State_0/Op_spin"], log=path)  # fmt: skip
+        yield path
+
+
+def test_sensors_of_a_plugin_are_named_before_its_world_is_built(tmp_path: Path) -> None:
+    for path in silent_logs(tmp_path):
         assert _grounds(path)["sensed"] == ["LAMP/0"]
 
 
@@ -68,11 +75,7 @@ def test_a_log_says_which_functions_and_costs_operations_have(tmp_path: Path) ->
 
 
 def test_functions_of_a_plugin_are_named_before_its_world_is_built(tmp_path: Path) -> None:
-    write_plugin(tmp_path / "plugins", "lamp", SILENT)
-    for host in ("local", "process"):
-        path = tmp_path / host
-        smsl.run(blueprint_of(LAMP), "lamp", host=host, plugin_paths=[tmp_path / "plugins"],
-                 avoid=["LAMP/State_0/Op_spin"], log=path)  # fmt: skip
+    for path in silent_logs(tmp_path):
         run = read_log(path, COMMANDS)
         assert run.doubt is None
         told = [one for one in run.events if isinstance(one, OperationStarted)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from itertools import permutations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -14,6 +13,7 @@ from smsl_studio.studio.base.canvas.bundle_card import BundleCard
 from smsl_studio.studio.base.overlays.dense_legend import DenseLegend
 from smsl_studio.studio.shell.window import Window
 from tests.stories.conftest import Sit
+from tests.stories.crowded import crowded_file
 from tests.stories.person import SAMPLES, Person
 
 FILE, SB = SAMPLES / "registration.json", "REGISTRATION"
@@ -159,18 +159,6 @@ def test_an_edit_keeps_the_drawing_collapsed(sit: Sit) -> None:
     assert lines(person) == 26
 
 
-def crowded(folder: Path) -> Path:
-    """A file with so many operations that their names have no room."""
-    states = [f"State_{at:03b}" for at in range(8)]
-    table: dict[str, dict[str, str]] = {state: {} for state in states}
-    for number, (a, b) in enumerate(permutations(states, 2)):
-        table[a][f"Op_MoveTheInstrument{number}"] = b
-        table[a][f"Op_PlanTheWholeWay{number}"] = b
-    path = folder / "crowded.json"
-    path.write_text(json.dumps({"SB": table}), encoding="utf-8")
-    return path
-
-
 def open_again(person: Person, path: Path) -> None:
     window: Window = person.window
     assert window.files.open(path)
@@ -179,7 +167,7 @@ def open_again(person: Person, path: Path) -> None:
 def test_a_crowded_drawing_is_collapsed_by_itself_until_somebody_chooses(
     sit: Sit, tmp_path: Path
 ) -> None:
-    path = crowded(tmp_path)
+    path = crowded_file(tmp_path, [f"State_{at:03b}" for at in range(8)])
     person = sit(path)
     assert lines(person) == 28
     assert legend(person).all.text() == "Show all"

@@ -3,9 +3,7 @@ marked there."""
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
-from itertools import permutations
 from pathlib import Path
 
 import pytest
@@ -22,6 +20,7 @@ from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
 from smsl_studio.studio.features.export.export_dialog import ExportDialog
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
+from tests.stories.crowded import crowded_file
 from tests.stories.person import LEFT, Person
 
 STATES = [f"State_{at:03b}" for at in range(6)]
@@ -32,13 +31,7 @@ HIDDEN, OWN = 45, 10
 @pytest.fixture
 def crowded(tmp_path: Path) -> Path:
     """A file in which two operations lead from each state to each other, all with long names."""
-    table: dict[str, dict[str, str]] = {state: {} for state in STATES}
-    for number, (a, b) in enumerate(permutations(STATES, 2)):
-        table[a][f"Op_MoveTheInstrument{number}"] = b
-        table[a][f"Op_PlanTheWholeWay{number}"] = b
-    path = tmp_path / "crowded.json"
-    path.write_text(json.dumps({"SB": table}), encoding="utf-8")
-    return path
+    return crowded_file(tmp_path, STATES)
 
 
 def bundled(canvas: Canvas) -> int:
