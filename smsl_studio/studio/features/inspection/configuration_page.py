@@ -5,7 +5,7 @@ there.
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
@@ -29,6 +29,7 @@ from smsl_studio.studio.features.inspection.typed_configuration import (
     typed_configuration,
     written_configuration,
 )
+from smsl_studio.studio.running.frames import split
 
 LATE = 150
 """If the steps out of a configuration are not known after this time, the configuration is shown
@@ -73,16 +74,11 @@ class ConfigurationPage(QWidget):
         self.refusal = label("", "refusal")
         self.said = label("", "hint")
         self.again = row_button("Look again", "Look at the steps once more")
-        split = self.split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(1)
-        split.setChildrenCollapsible(False)
-        split.addWidget(self._upper())
-        split.addWidget(self.run)
-        split.setStretchFactor(0, 1)
-        split.setSizes([UPPER, LOWER])
+        parts = (self._upper(), self.run)
+        self.split = split(Qt.Orientation.Vertical, parts, (UPPER, LOWER), (1, 0))
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(split)
+        column.addWidget(self.split)
         self._late = QTimer(self)
         self._late.setSingleShot(True)
         self._late.setInterval(LATE)
@@ -107,12 +103,7 @@ class ConfigurationPage(QWidget):
             line = row(part)
             line.setContentsMargins(12, 0, 12, 2)
             down.addLayout(line)
-        sides = QSplitter(Qt.Orientation.Horizontal)
-        sides.setHandleWidth(1)
-        sides.setChildrenCollapsible(False)
-        sides.addWidget(left)
-        sides.addWidget(self.steps)
-        sides.setSizes([500, 500])
+        sides = split(Qt.Orientation.Horizontal, (left, self.steps), (500, 500), (0, 0))
         told = row(self.looking, self.said, self.again)
         told.setContentsMargins(12, 0, 12, 4)
         whole = QWidget()

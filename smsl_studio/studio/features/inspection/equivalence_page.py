@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLayout, QVBoxLayout, QWidget
 
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.base.controls import Label, label, row, row_button
@@ -25,6 +25,7 @@ from smsl_studio.studio.features.inspection.equivalence_look import (
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.look_line import LookLine
 from smsl_studio.studio.features.inspection.run_view import RunView
+from smsl_studio.studio.running.frames import split
 
 if TYPE_CHECKING:
     from smsl_studio.generate.shapes.same_states import SameStates
@@ -78,16 +79,10 @@ class EquivalencePage(QWidget):
         self.why = label("", "hint")
         self.merge = row_button("Merge…", "Show what it would be with one state for them")
         self.run = RunView(lit, tokens)
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(1)
-        split.setChildrenCollapsible(False)
-        split.addWidget(self._upper())
-        split.addWidget(self.run)
-        split.setStretchFactor(0, 1)
-        split.setSizes([UPPER, LOWER])
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(split)
+        parts = (self._upper(), self.run)
+        column.addWidget(split(Qt.Orientation.Vertical, parts, (UPPER, LOWER), (1, 0)))
         self.run.hide()
         self.setFocusProxy(self.file)
         self._connect()
@@ -95,9 +90,6 @@ class EquivalencePage(QWidget):
         self._show_same()
 
     def _upper(self) -> QWidget:
-        sides = QSplitter(Qt.Orientation.Horizontal)
-        sides.setHandleWidth(1)
-        sides.setChildrenCollapsible(False)
         choose = row(label("Compare with", "second"), self.file, self.saved,
                      self.revision, None, spacing=6)  # fmt: skip
         left = _column(
@@ -109,10 +101,7 @@ class EquivalencePage(QWidget):
             self.why,
             self.rows,
         )
-        sides.addWidget(left)
-        sides.addWidget(right)
-        sides.setSizes([540, 460])
-        return sides
+        return split(Qt.Orientation.Horizontal, (left, right), (540, 460), (0, 0))
 
     def _connect(self) -> None:
         for at, button in enumerate((self.file, self.saved, self.revision)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QPushButton, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
@@ -31,6 +31,7 @@ from smsl_studio.studio.features.inspection.tab_line import (
     VERDICTS,
     TabLine,
 )
+from smsl_studio.studio.running.frames import split
 
 ANY = 16_777_215
 """The greatest width that Qt allows (pixels)."""
@@ -87,18 +88,13 @@ class InspectionPanel(QWidget):
         self.below = QStackedWidget()
         for page in (self.said, self.run, self.form):
             self.below.addWidget(page)
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(1)
-        split.setChildrenCollapsible(False)
-        split.addWidget(self.above)
-        split.addWidget(self.below)
-        split.setStretchFactor(0, 1)
-        split.setSizes([180, LOWER])
+        parts = (self.above, self.below)
+        tables = split(Qt.Orientation.Vertical, parts, (180, LOWER), (1, 0))
         self.add_empty = QPushButton("Add property…")
         self.add_empty.setProperty("role", "primary")
         self._pages = QStackedWidget()
         self._pages.addWidget(self._empty_page())
-        self._pages.addWidget(split)
+        self._pages.addWidget(tables)
         self._pages.addWidget(self.configuration)
         self._pages.addWidget(self.equivalence)
         self.tools = self._make_tools()
