@@ -330,16 +330,14 @@ class Geometry:
     def _place(self, edge: int) -> None:
         if edge in self._labels:
             return
-        size = self._label_size(edge)
-        shape = self.shape(edge)
+        size, shape = self._label_size(edge), self.shape(edge)
         if self._work is not None:
             self._work.sizes[edge] = size
         if edge in self._labels or size[0] <= 0.0:
             self._labels.setdefault(edge, None)
             return
         places = self.places = self.places or self._fresh_places()
-        former = self._former
-        at = self._drawn[edge].label if edge in self._drawn else None
+        former, at = self._former, self._drawn[edge].label if edge in self._drawn else None
         if at is not None:
             moved = self._labels[edge] = labels.by_hand(shape, at, size)
             places.take(moved)
@@ -357,8 +355,7 @@ class Geometry:
         """Return the choice of label places for those of the edges whose lines are known."""
         shapes = {edge: self._shapes[edge] for edge in edges}
         sizes, compact = [self._label_size(edge) for edge in shapes], self.style.compact
-        if self.places is None:
-            self.places = self._fresh_places()
+        self.places = self.places or self._fresh_places()
         return labels.LabelChoice(shapes, sizes, self.places, compact, self.picture.careful)
 
     def _fresh_places(self, readable: Sequence[labels.Rect] | None = None) -> labels.LabelPlaces:

@@ -18,7 +18,7 @@ class CanvasCollapse(QObject):
     """Decides whether a canvas draws all operations between two states as one line.
 
     The person's choice for the file decides. Without a choice, an SB is collapsed if there is no
-    space for the names. A canvas without a shared ``SharedCollapse`` draws every operation by itself.
+    space for the names. A canvas without a ``SharedCollapse`` draws every operation by itself.
     """
 
     def __init__(self, canvas: BranchView, draw_again: Callable[[], None]) -> None:

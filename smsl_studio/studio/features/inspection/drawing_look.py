@@ -1,4 +1,4 @@
-"""DrawingLook: answers a question about the drawing in a second thread. The questions stand here too."""
+"""DrawingLook: answers a question about the drawing in a second thread."""
 
 from __future__ import annotations
 
