@@ -13,8 +13,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.armed_sets import ArmedSets, MarkedSet
 from smsl_studio.inspection.proof.many_starts import ManyStarts
-from smsl_studio.inspection.proof.marks import MarkedSet, Marks
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.stop import heed
 
@@ -30,7 +30,7 @@ class ArmedSearch:
         self._reach, self._diagram = reach, reach.diagram
         self._top = reach.diagram.height - 1
         self._arming, self._disarming, self._goal = arming, disarming, goal
-        self._marks = Marks(self._diagram, arming, disarming)
+        self._sets = ArmedSets(self._diagram, arming, disarming)
 
     def ways(self) -> list[MarkedSet]:
         """Return the sets of configurations on the shortest runs, one for each step.
@@ -61,14 +61,14 @@ class ArmedSearch:
 
     def _further(self, layer: MarkedSet) -> MarkedSet:
         paths = self._reach.paths
-        return self._marks.after(paths.onward(layer.plain), paths.onward(layer.armed))
+        return self._sets.after(paths.onward(layer.plain), paths.onward(layer.armed))
 
     def _back(self, layers: Sequence[MarkedSet], ends: MarkedSet) -> list[MarkedSet]:
         diagram, top, paths = self._diagram, self._top, self._reach.paths
         ways = [ends]
         for layer in reversed(layers[:-1]):
             heed()
-            to_plain, to_armed = self._marks.before(*ways[-1])
+            to_plain, to_armed = self._sets.before(*ways[-1])
             ways.append(
                 MarkedSet(
                     diagram.both(layer.plain, paths.backward(to_plain), top),

@@ -10,7 +10,7 @@ from smsl_studio.graph.joint.diagram import Relation
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import JointMoves, TooLarge
 from smsl_studio.graph.joint.reach import JointReach
-from smsl_studio.inspection.proof.marks import MarkedSet, Marks
+from smsl_studio.inspection.proof.armed_sets import ArmedSets, MarkedSet
 from smsl_studio.stop import heed
 
 MOST_OPERATIONS = 5_000
@@ -36,7 +36,7 @@ class ManyStarts:
         self._reach, self._diagram = reach, reach.diagram
         self._top = reach.diagram.height - 1
         self._arming, self._disarming = arming, disarming
-        self._marks = Marks(self._diagram, arming, disarming)
+        self._sets = ArmedSets(self._diagram, arming, disarming)
         self._tries = self._all_tries()
 
     def _all_tries(self) -> list[_Try]:
@@ -89,7 +89,7 @@ class ManyStarts:
 
     def _after(self, here: MarkedSet, forth: Sequence[Relation], goals: MarkedSet) -> MarkedSet:
         diagram, top = self._diagram, self._top
-        to_plain, to_armed = self._marks.after(*(self._images(one, forth) for one in here))
+        to_plain, to_armed = self._sets.after(*(self._images(one, forth) for one in here))
         return MarkedSet(
             diagram.both(to_plain, goals.plain, top), diagram.both(to_armed, goals.armed, top)
         )

@@ -9,8 +9,8 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.graph.joint.goals import FoundRun
 from smsl_studio.graph.joint.products import TooLarge
 from smsl_studio.graph.joint.reach import JointReach
+from smsl_studio.inspection.proof.armed_sets import MarkedSet
 from smsl_studio.inspection.proof.many_starts import ManyStarts
-from smsl_studio.inspection.proof.marks import MarkedSet
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.stop import heed
 

@@ -16,7 +16,7 @@ class MarkedSet(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Marks:
+class ArmedSets:
     """A configuration of ``arming`` arms a run, and one of ``disarming`` disarms it."""
 
     diagram: Diagram
