@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
+from PySide6.QtGui import QUndoStack
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.smsl.document import Document
 from smsl_studio.studio.document.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.document.broken import Broken, Reading, read_text, texts_of, under_name
+from smsl_studio.studio.document.history_steps import EditStep, GiveUpStep, Stand
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.document.renamed import branch_now, first_branch, now_named, same_branch
 
@@ -27,60 +27,6 @@ __all__ = ["Broken", "Fact", "Session"]
 Fact = tuple[str, int]
 """A fact: (SB, digit)."""
 
-Stand = tuple[Blueprint, Broken | None]
-"""The last blueprint that could be read, and the broken text typed since then (None if there is
-none)."""
-
-Show = Callable[[Blueprint, Broken | None], None]
-
-
-class _Edit(QUndoCommand):
-    """An undo step: the blueprint and the broken text before and after.
-
-    Qt joins a step with the one before it if both have the same ``run``; -1 joins nothing.
-    """
-
-    def __init__(self, words: str, show: Show, before: Stand, after: Stand, run: int) -> None:
-        super().__init__(words)
-        self._show, self._before, self.after, self._run = show, before, after, run
-
-    def id(self) -> int:
-        """The run of steps to which this one belongs."""
-        return self._run
-
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        """Take over the result of the next step of the same run."""
-        assert isinstance(other, _Edit)
-        self.after = other.after
-        return True
-
-    def undo(self) -> None:
-        """Show what was before the step."""
-        self._show(*self._before)
-
-    def redo(self) -> None:
-        """Show the result of the step."""
-        self._show(*self.after)
-
-
-class _GiveUp(QUndoCommand):
-    """An undo step that gives up the unsaved text of a file that is no longer imported."""
-
-    def __init__(
-        self, words: str, aside: Callable[[], Aside], lay: Callable[[Aside], None], text: Document
-    ) -> None:
-        super().__init__(words)
-        self._aside, self._lay, self._text = aside, lay, text
-
-    def undo(self) -> None:
-        """Keep the text again."""
-        self._lay({**self._aside(), self._text.file: self._text})
-
-    def redo(self) -> None:
-        """Give up the text."""
-        aside = self._aside()
-        self._lay({file: aside[file] for file in aside.keys() - {self._text.file}})
-
 
 class Session(QObject):
     """One open blueprint. ``branch`` is the SB that the canvas shows.
@@ -88,7 +34,8 @@ class Session(QObject):
     The session owns the selection. Either states and operations are selected (``selection``), or
     one fact (``fact``), or nothing; then Properties show the SB. Keys act on the selection only.
     ``selection`` has addresses and not objects, so it stays valid after edits that keep the
-    elements. The unsaved mark is the clean state of the undo stack.
+    elements. The unsaved mark is the clean state of the undo stack. After an undo or redo that is
+    selected again which was selected there before, unless something was selected or left since.
     """
 
     opened = Signal()
@@ -123,9 +70,16 @@ class Session(QObject):
         self._aside = NOTHING
         self.unsaved: Unsaved = lambda _: False
         """Tells whether a document's text exists nowhere else. ``Files`` sets this."""
+        self.chosen_instead: Callable[[], bool] = lambda: False
+        """Tells whether a note or group is selected, instead of what a session can select.
+        ``DrawnEditor`` sets this."""
         self._selection: tuple[Address, ...] = ()
         self._fact: Fact | None = None
         self._left: tuple[Address, ...] = ()
+        self._remembered: tuple[Address, ...] = ()
+        """What was selected when the history was here last."""
+        self._newly_chosen = False
+        """Whether the selection is newer than the last step of the history."""
         self._branch = first_branch(blueprint)
         self._kept = _drawn(blueprint)
         """The SBs that the file had when it was opened or saved last, without those begun since."""
@@ -236,7 +190,8 @@ class Session(QObject):
 
     def give_up(self, words: str, file: str) -> None:
         """Give up the unsaved text of a file that is no longer imported, as one undoable step."""
-        self.history.push(_GiveUp(words, lambda: self._aside, self._lay_aside, self._aside[file]))
+        text = self._aside[file]
+        self.history.push(GiveUpStep(words, lambda: self._aside, self._lay_aside, text))
 
     def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
         """Replace the blueprint by that of another file. History and selection start anew.
@@ -273,7 +228,19 @@ class Session(QObject):
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select the elements at these addresses. Addresses without an element are left out."""
-        self._choose(tuple(dict.fromkeys(a for a in addresses if self._stands(a))), None)
+        self._choose_newly(tuple(dict.fromkeys(a for a in addresses if self._stands(a))), None)
+
+    def give_way(self) -> None:
+        """Select nothing, because a note or group is selected instead."""
+        self._choose((), None)
+
+    def select_again(self) -> None:
+        """Select what was selected when the history was here last, if that is in the SB that is
+        shown."""
+        there = tuple(a for a in self._remembered if a.branch == self._branch and self._stands(a))
+        if there:
+            self._choose(there, None)
+            self._newly_chosen = False
 
     def select_fact(self, branch: str, digit: int) -> None:
         """Select a fact instead of states and operations; ``leave_fact`` restores these."""
@@ -281,7 +248,7 @@ class Session(QObject):
         if self._is_fact((branch, digit)):
             if self._fact is None:
                 self._left = self._selection
-            self._choose((), (branch, digit))
+            self._choose_newly((), (branch, digit))
 
     def leave_fact(self) -> None:
         """Restore the selection from before the fact was selected."""
@@ -303,6 +270,10 @@ class Session(QObject):
         self.show_branch(address.branch)
         self.select((address,) if address.state else ())
         self.jumped.emit(address)
+
+    def _choose_newly(self, selection: tuple[Address, ...], fact: Fact | None) -> None:
+        self._newly_chosen |= (selection, fact) != (self._selection, self._fact)
+        self._choose(selection, fact)
 
     def _choose(self, selection: tuple[Address, ...], fact: Fact | None) -> None:
         if (selection, fact) != (self._selection, self._fact):
@@ -336,18 +307,34 @@ class Session(QObject):
     def _push(self, words: str, after: Blueprint, broken: Broken | None, run: int = -1) -> None:
         if after is not self._blueprint or broken != self._broken:
             after = brought_back(after, self._aside, self.unsaved)
-            before = (self._blueprint, self._broken)
+            before = Stand(self._blueprint, self._broken)
             self.adds_step = True
-            self.history.push(_Edit(words, self._show, before, (after, broken), run))
+            self.history.push(EditStep(words, self._show, before, Stand(after, broken), run))
             self.adds_step = False
 
-    def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
-        former = self._aside.keys()
-        self._aside = put_aside(self._blueprint, blueprint, self._aside, self.unsaved)
+    def _show(self, stand: Stand) -> tuple[Address, ...]:
+        """Show what a step of the history comes from or leads to; returns the former selection."""
+        selection, kept = self._selection, self._aside.keys()
+        self._aside = put_aside(self._blueprint, stand.blueprint, self._aside, self.unsaved)
         # After a save under another name, older steps have the new name and form.
-        self._replace(*under_name(blueprint, broken, self._blueprint.file))
-        if self._aside.keys() != former:
+        self._replace(*under_name(stand.blueprint, stand.broken, self._blueprint.file))
+        self._remembered = stand.selection
+        if not (self.adds_step or self._chose_since(selection)):
+            self.select_again()
+        self._newly_chosen = False
+        if self._aside.keys() != kept:
             self.aside_changed.emit()
+        return selection
+
+    def _chose_since(self, former: tuple[Address, ...]) -> bool:
+        """Whether the person has chosen something since the step before, and it still exists.
+
+        That can be a fact or a note, and also that nothing is selected. ``former`` was selected
+        before the undo or redo.
+        """
+        if self._fact is not None or self.chosen_instead():
+            return True
+        return self._newly_chosen and bool(self._selection or not former)
 
     def _lay_aside(self, aside: Aside) -> None:
         self._aside = aside

@@ -160,3 +160,78 @@ def test_a_selected_fact_that_is_gone_is_shown_by_nobody(session: Session) -> No
     session.history.undo()
     assert (seen[-1], session.fact, told) == (None, None, [()])
     assert session.branch == "SB1"
+
+
+def at(*names: str) -> tuple[Address, ...]:
+    return tuple(Address("SB1", name) for name in names)
+
+
+def added(session: Session, name: str) -> None:
+    """A new state, which is selected as the window does it."""
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB1", name))
+    session.select(at(name))
+
+
+def deleted(session: Session, *names: str) -> None:
+    session.edit("Delete", lambda bp: editing.delete(bp, at(*names)))
+
+
+def test_an_undo_selects_again_what_was_selected(session: Session) -> None:
+    session.select(at("State_1", "State_0"))
+    deleted(session, "State_1", "State_0")
+    assert session.selection == ()
+    session.history.undo()
+    assert session.selection == at("State_1", "State_0")
+    session.history.redo()
+    assert session.selection == ()
+
+
+def test_undo_and_redo_walk_along_the_selections(session: Session) -> None:
+    session.select(at("State_0"))
+    for name in ("State_2", "State_3", "State_4"):
+        added(session, name)
+    walked = []
+    for step in (session.history.undo,) * 3 + (session.history.redo,) * 3:
+        step()
+        walked.append([one.state for one in session.selection])
+    assert walked == [["State_3"], ["State_2"], ["State_0"], ["State_2"], ["State_3"], ["State_4"]]
+
+
+def test_a_remembered_name_is_that_of_the_stand(session: Session) -> None:
+    session.select(at("State_1"))
+    session.edit("Rename", lambda bp: editing.rename(bp, at("State_1")[0], "State_9"))
+    deleted(session, "State_9")
+    session.history.undo()
+    assert session.selection == at("State_9")
+    session.history.undo()
+    assert session.selection == at("State_1")
+
+
+def test_a_newer_choice_stays_after_an_undo(session: Session) -> None:
+    session.select(at("State_1"))
+    deleted(session, "State_1")
+    session.select(at("State_0"))
+    session.history.undo()
+    assert session.selection == at("State_0"), "a state that was selected since"
+    session.history.redo()
+    session.select_fact("SB1", 0)
+    session.history.undo()
+    assert session.fact == ("SB1", 0), "a fact"
+    session.select(at("State_1"))
+    session.edit("Rename", lambda bp: editing.rename(bp, at("State_1")[0], "State_9"))
+    session.select(())
+    session.history.undo()
+    assert session.selection == (), "nothing"
+
+
+def test_what_is_in_another_branch_is_not_selected(session: Session) -> None:
+    session.select(at("State_1"))
+    deleted(session, "State_1")
+    session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
+    session.show_branch("SB2")
+    session.history.undo()
+    session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
+    session.show_branch("SB2")
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB2", "State_7"))
+    session.history.undo()
+    assert (session.branch, session.selection) == ("SB2", ())

@@ -70,6 +70,7 @@ class StepViews(QObject):
         here = former.branches.get(shown) is now.get(shown)
         if here and home in now and former.branches.get(home) is not now[home]:
             session.show_branch(home)
+            session.select_again()
         if session.branch != home:
             return
         if view is not None:

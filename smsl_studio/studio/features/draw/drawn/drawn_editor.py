@@ -49,6 +49,7 @@ class DrawnEditor(QObject):
         self.field: NoteField | NameField | None = None
         self._last, self._run, self._nudged = -PAUSE, FIRST_RUN, DrawnKey("", "")
         self._refusals: list[StudioError] = []
+        session.chosen_instead = lambda: self.chosen is not None
         session.refused.connect(self._refusals.append)
         session.blueprint_changed.connect(lambda *_: self._follow())
         session.opened.connect(self._close)
@@ -78,7 +79,7 @@ class DrawnEditor(QObject):
         """Select a note or a group instead of states and operations; None selects none."""
         if key != self.chosen:
             if key is not None:
-                self._session.select(())
+                self._session.give_way()
             self._canvas.choose_drawn(key)
             self.chosen_changed.emit()
 
