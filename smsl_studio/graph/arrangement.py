@@ -23,6 +23,7 @@ from smsl_studio.graph.layers import by_chains, by_steps
 from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.shape import islands
 from smsl_studio.graph.spread import CELL_X, CELL_Y, by_distance
+from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
 BEST, LAYERS, DISTANCE = "best", "layers", "distance"
@@ -60,7 +61,8 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
     lowest = -PART
     joined, alone = _parts(branch)
     for own in joined:
-        at = _best_of(own, kind)
+        triangle = in_triangle(own) if kind == BEST else None
+        at = _best_of(own, kind) if triangle is None else np.array(list(triangle.values()))
         at = at - at.min(axis=0) + (0.0, lowest + PART)
         lowest = float(at[:, 1].max())
         places |= zip(own.table, map(tuple, at.tolist()), strict=True)
@@ -68,6 +70,11 @@ def arranged(branch: StateBranch, kind: str = BEST) -> dict[str, Point]:
         row, column = divmod(number, _ALONE)
         places[name] = (column * float(COLUMN), lowest + (row + 1) * PART)
     return {name: places[name] for name in branch.table}
+
+
+def has_triangle(branch: StateBranch) -> bool:
+    """Return whether a part that no operation joins with the others stands in a triangle."""
+    return any(in_triangle(own) is not None for own in _parts(branch)[0])
 
 
 def _parts(branch: StateBranch) -> tuple[list[StateBranch], list[str]]:

@@ -14,7 +14,7 @@ from collections.abc import Collection, Mapping
 import numpy as np
 
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.graph.arrangement import BEST, arranged, part_of, settles, ties_for
+from smsl_studio.graph.arrangement import BEST, arranged, has_triangle, part_of, settles, ties_for
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
@@ -27,6 +27,8 @@ Point = tuple[float, float]
 Places = Mapping[str, Point]
 GOOD = 1.1
 """The former drawing is kept if its cost is at most so many times the cost of a new one."""
+TURNS = 6
+"""Tidying is repeated at most so often, until the drawing rests."""
 IN_ROWS = 0.8
 """A former drawing counts as tidy if at least this share of its states stands in rows."""
 
@@ -49,12 +51,27 @@ def tidied(
     after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
     if not len(after) or (kind == BEST and in_triangle(branch) is not None):
         return fresh
-    # A layout in rows of facts is kept whole, because the search would move states out of rows.
-    free = kind == BEST and chain is None and in_fact_rows(branch, ties_for(branch)) is None
-    kept = _kept(branch, before, after) if free else None
-    if kept is None:
-        kept = _as_before(before, after)
-    return {name: (float(x), float(y)) for name, (x, y) in zip(names, kept.tolist(), strict=True)}
+    # Rows of facts and triangles are kept whole, because the search would move states out of them.
+    whole = chain is not None or has_triangle(branch)
+    free = kind == BEST and not whole and in_fact_rows(branch, ties_for(branch)) is None
+    found = _at_rest(branch, before, after) if free else _as_before(before, after)
+    return {name: (float(x), float(y)) for name, (x, y) in zip(names, found.tolist(), strict=True)}
+
+
+def _at_rest(branch: StateBranch, before: Floats, after: Floats) -> Floats:
+    """Return the former drawing, improved, or the new one. Tidying it again changes nothing.
+
+    One turn can leave something for the next one: a new drawing may have parts between the rows of
+    the others, and these are moved into the rows only when the drawing is kept.
+    """
+    for _ in range(TURNS):
+        found = _kept(branch, before, after)
+        if found is None:
+            found = _as_before(before, after)
+        if np.array_equal(found, before):
+            break
+        before = found
+    return before
 
 
 def _as_before(before: Floats, after: Floats) -> Floats:

@@ -112,3 +112,34 @@ def test_what_is_no_long_chain_is_not_folded() -> None:
     assert chain_of(two) == []
     six = chain("A", "B", "C", "D", "E", "F")
     assert folded_chain(six, place_anew(six)) is None
+
+
+def alone(branch: StateBranch, count: int) -> StateBranch:
+    """The same SB with states that no operation joins with the others."""
+    return StateBranch("SB", {**branch.table, **{f"Alone{at}": {} for at in range(count)}})
+
+
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize("seed", range(6))
+def test_a_drawing_that_was_tidied_rests(count: int, seed: int) -> None:
+    chance = Random(seed)
+    for branch in (sample("registration.json")["REGISTRATION"], farm(), random_branch(chance)):
+        more = alone(branch, count)
+        rows = enumerate(more.table)
+        former = {name: (float(chance.randrange(900)), 50.0 * at) for at, name in rows}
+        former |= place_anew(branch) if seed % 3 else {}
+        found = tidied(more, former)
+        assert tidied(more, found) == found
+
+
+def test_a_triangle_stays_a_triangle_beside_a_state_that_stands_alone() -> None:
+    branch = StateBranch("SB", dict(hanoi(3)))
+    more = alone(branch, 1)
+    placed = place_anew(more)
+    assert {name: placed[name] for name in branch.table} == {
+        name: (x - min(x for x, _ in place_anew(branch).values()), y)
+        for name, (x, y) in place_anew(branch).items()
+    }
+    assert placed["Alone0"][1] > max(y for _, y in place_anew(branch).values())
+    moved = {**placed, "Alone0": (900.0, 0.0)}
+    assert tidied(more, moved) == placed

@@ -92,3 +92,14 @@ def test_without_failures_it_says_what_they_are(sit: Sit) -> None:
     person = at_tab(sit, SAMPLES / "hfsm.json")
     assert page(person).said.isVisible()
     assert page(person).said.text().startswith("No failure value is declared")
+
+
+def test_another_file_may_be_opened_while_the_page_is_looked_at(sit: Sit) -> None:
+    """The run of the former file was walked once more, in the new one, where its SB is unknown."""
+    person = sit(SAMPLES / "registration-drilling.json")
+    answered(person)
+    person.ctrl(Key.Key_I)
+    person.until(lambda: page(person).run.isVisible())
+    person.window.files.open(SAMPLES / "hanoi-2.json")
+    assert not page(person).run.isVisible()
+    assert page(person).table.claims.rows == ()

@@ -61,6 +61,36 @@ def test_no_step_is_made_where_every_state_stands_there_already(sit: Sit) -> Non
     assert person.steps() == before
 
 
+def test_a_second_tidy_moves_no_state_that_stands_alone(sit: Sit) -> None:
+    person = sit(FILE)
+    person.press(Key.Key_N, [Ctrl, Shift])
+    person.press(Key.Key_Return)
+    assert len(person.blueprint[SB].table) == len(person.window.canvas.positions) == 9
+    person.window.session.select(())
+    tidy(person)
+    steps, places = person.steps(), dict(person.window.canvas.positions)
+    assert steps[-1] == f"Tidy {SB}"
+    tidy(person)
+    assert person.steps() == steps
+    assert person.window.canvas.positions == places
+
+
+def test_a_second_tidy_of_the_same_states_is_no_step(sit: Sit) -> None:
+    person = sit(FILE)
+    move(person, 3)
+    names = list(person.blueprint[SB].table)
+    person.window.session.select(Address(SB, name) for name in names[:3])
+    tidy(person)
+    steps, places = person.steps(), dict(person.window.canvas.positions)
+    assert steps[-1] == f"Tidy {SB}"
+    tidy(person)
+    assert person.steps() == steps
+    assert person.window.canvas.overlays.word.text == "The drawing is tidy already."
+    person.window.session.select(Address(SB, name) for name in names[1:5])
+    tidy(person)
+    assert person.window.canvas.positions != places, "other states are tidied as ever"
+
+
 def covered(person: Person) -> list[str]:
     """The notes that cover a state, a name, a title of a group, or another note."""
     sheet = person.window.canvas.sheet

@@ -152,7 +152,7 @@ class InspectionPanel(QWidget):
         self.table.delete_wanted.connect(self.writing.delete)
         self.writing.ended.connect(self._written)
         self.tabs.currentChanged.connect(lambda _: self._tab_shown())
-        self.recovery.row_chosen.connect(lambda _: self._show_row(self.table.chosen))
+        self.recovery.row_chosen.connect(lambda _: self._way_chosen())
         self.look.changed.connect(self._recovered)
         inspector.found.connect(lambda _: self._look())
 
@@ -310,7 +310,16 @@ class InspectionPanel(QWidget):
     def _recovered(self) -> None:
         self.recovery.show_rows(self.look.answer or ())
         self._choose_first()
-        self._show_row(self.table.chosen)
+        self._way_chosen()
+
+    def _way_chosen(self) -> None:
+        """Show the chosen way back, on its own tab only.
+
+        On the other tabs the table may still have the rows of the former file, because the ways of
+        that file are forgotten first.
+        """
+        if self._recovering and not self.writing.open:
+            self._show_way()
 
     def _show_way(self) -> None:
         chosen, rows = self.recovery.chosen, self.look.answer

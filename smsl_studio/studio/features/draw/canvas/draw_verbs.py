@@ -23,6 +23,8 @@ from smsl_studio.studio.features.draw.canvas.tidy_work import LARGE, Tidied, Tid
 from smsl_studio.studio.features.draw.canvas.value_menu import ValueMenu
 from smsl_studio.studio.features.draw.canvas.ways import WaysBetween
 
+TIDY = "The drawing is tidy already."
+
 
 class DrawVerbs:
     """Verbs on the SB that is shown and on the selection. ``can_…`` and ``has_…`` enable them."""
@@ -32,6 +34,9 @@ class DrawVerbs:
         self.ways = WaysBetween(session, self.canvas)
         self.values = ValueMenu(session, self.canvas)
         self.beside = TidyBeside(self.canvas)
+        self._tidied: tuple[object, ...] = (None,)
+        """Blueprint, SB, states and kind of the last tidying. The same states laid out once more
+        could stand elsewhere, because they stand around the middle of their former places."""
 
     # What can be done now.
 
@@ -136,6 +141,10 @@ class DrawVerbs:
         branch = self._branch
         own = frozenset(a.state for a in self._states() if a.branch == branch.name)
         chosen = own if 1 < len(own) < len(branch.table) else None
+        blueprint, *asked = self._tidied
+        if blueprint is self._session.blueprint and asked == [branch.name, chosen, kind]:
+            self.canvas.say(TIDY)
+            return
         shown = self.canvas.positions
         work = TidyWork(self._session.blueprint, branch.name, shown, chosen, kind)
         if len(branch.table) > LARGE:
@@ -152,13 +161,14 @@ class DrawVerbs:
             return
         notes = self._notes_in_room(found.straight, found.places)
         if found.same and not notes:
-            canvas.say("The drawing is tidy already.")
+            canvas.say(TIDY)
             return
         after = editing.put_notes(found.placed, name, notes) if notes else found.placed
         view, whole = canvas.camera.stand, canvas.shows_all
         middle = self._state_in_middle() if not whole else ""
         if not self._edit(f"Tidy {name}", lambda _: after):
             return
+        self._tidied = (self._session.blueprint, name, work.chosen, work.kind)
         if work.chosen is None:
             if middle:
                 canvas.hold(work.shown[middle], found.places[middle])
