@@ -91,6 +91,7 @@ def drawn_values(chance: random.Random, blueprint: Blueprint) -> dict[str, Calla
         "sub": lambda: other.branch,
         "state": lambda: at.state,
         "target": lambda: other.state,
+        "source": lambda: other.state,
         "name": lambda: chance.choice(fresh),
         "new_name": lambda: odd,
         "rename_everywhere": lambda: True,

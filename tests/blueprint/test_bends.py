@@ -121,6 +121,7 @@ def test_an_edit_of_its_operation_carries_the_line(change: Any, left: Any) -> No
         lambda b: edit.delete(b, [Address("S", "B")]),
         lambda b: edit.retarget(b, GO, "C"),
         lambda b: edit.retarget(b, [GO, BACK], "C"),
+        lambda b: edit.move_source(b, GO, "C"),
     ],
 )
 def test_a_line_that_has_no_way_any_more_is_forgotten(change: Any) -> None:

@@ -259,6 +259,32 @@ def test_an_sb_that_a_condition_names_is_not_deleted() -> None:
     assert edit.set_hazards(bare, [{"name": "x", "facts": {"A/0": "1"}}]).hazards[0].name == "x"
 
 
+def test_what_holds_for_an_operation_goes_with_it_to_another_source() -> None:
+    before = read({
+        "_levels": {"A/S0/up": "human", "A/S2/up": "shared", "A/up": "shared"},
+        "A": {
+            "S0": {"up": "S1", "stay": "S0"},
+            "S1": {"up": "S1"},
+            "S2": {"down": "S0"},
+            "_operations": {
+                "S0/up": {"cost": 2}, "S2/up": {"cost": 9}, "up": {"title": "Up"},
+            },
+        },
+    })  # fmt: skip
+    after = edit.move_source(before, A("A", "S0", "up"), "S2")
+    assert after["A"].table == {
+        "S0": {"stay": "S0"}, "S1": {"up": "S1"}, "S2": {"down": "S0", "up": "S1"},
+    }  # fmt: skip
+    assert list(after["A"].table["S2"]) == ["down", "up"]
+    values = after.document.values
+    assert values["A"]["_operations"] == {"S2/up": {"cost": 2}, "up": {"title": "Up"}}
+    assert values["_levels"] == {"A/S2/up": "human", "A/up": "shared"}
+    changes(before, after)
+    assert edit.move_source(before, A("A", "S0", "up"), "S0") is before
+    loop = edit.move_source(before, A("A", "S2", "down"), "S0")
+    assert loop["A"].table["S0"]["down"] == "S0"
+
+
 def test_order_is_among_like_and_skipped_names_stay() -> None:
     before = read({"_c": 1, "A": {"S": {}, "_c": 0, "T": {}, "U": {}}, "B": {}})
     after = edit.reorder(before, A("A", "U"), 0)
@@ -347,6 +373,9 @@ BOUND = read(FACTS_BOUND)
         (lambda: edit.delete(BOUND, [A("A", "S0", "gone")]), "no operation 'gone'"),
         (lambda: edit.retarget(BOUND, A("A", "S0", "up"), "T1"), "no state 'T1' in A"),
         (lambda: edit.retarget(BOUND, A("A", "S0"), "S1"), "is no operation"),
+        (lambda: edit.move_source(BOUND, A("A", "S0", "up"), "T1"), "no state 'T1' in A"),
+        (lambda: edit.move_source(BOUND, A("A", "S0", "up"), "S1"), "S1 has an operation 'up'"),
+        (lambda: edit.move_source(BOUND, A("A", "S0"), "S1"), "is no operation"),
         (lambda: edit.reorder(BOUND, A("A", "S0"), 2), "outside 0 to 1"),
         (lambda: edit.reorder(BOUND, A("A", "S0"), -1), "outside 0 to 1"),
         (lambda: edit.set_header(BOUND, "A", "INITIAL", "T0"), "INITIAL must name a state of A"),

@@ -418,3 +418,35 @@ def test_facts_are_copied_and_pasted_as_a_table(sit: Sit) -> None:
     QGuiApplication.clipboard().setText("9999\tClamp")
     person.ctrl(Key.Key_V)
     assert "has 3 facts" in card.words.text()
+
+
+def test_facts_are_in_sight_in_a_window_on_a_screen_of_1280(sit: Sit) -> None:
+    person = sit(REGISTRATION, (1264, 768))
+    person.until(lambda: person.window.width() == 1264)
+    assert person.window.docks.left.isVisible()
+    view = facts(person).view
+    for value in "01":
+        rect = view.rect_of(0, "meaning", value)
+        assert view.viewport().rect().contains(rect)
+    person.window.resize(1240, 768)
+    person.until(lambda: not person.window.docks.left.isVisible())
+
+
+def test_a_typed_meaning_moves_no_other_cell(sit: Sit) -> None:
+    person = sit(REGISTRATION, (1280, 800))
+    view = facts(person).view
+
+    def places() -> list[object]:
+        kinds = (("value", "0"), ("meaning", "0"), ("value", "1"), ("meaning", "1"), ("source", ""))
+        return [view.rect_of(digit, *kind) for digit in (0, 1) for kind in kinds]
+
+    before = places()
+    for value, text in (("0", "no"), ("1", "yes"), ("0", "off now")):
+        click_cell(person, 0, "meaning", value)
+        write(person, text)
+        assert places() == before
+    click_cell(person, 0, "meaning", "1")
+    write(person, "the landmarks are planned")
+    assert note(person).values == {"0": "off now", "1": "the landmarks are planned"}
+    first, second = (view.rect_of(0, "meaning", value) for value in "01")
+    assert second.top() > first.bottom(), "a long meaning has a line of its own"

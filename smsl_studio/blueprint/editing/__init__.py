@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.headers import set_header as set_header
     from smsl_studio.blueprint.editing.imports import set_imports as set_imports
     from smsl_studio.blueprint.editing.levels import set_levels as set_levels
+    from smsl_studio.blueprint.editing.moves import move_source as move_source
     from smsl_studio.blueprint.editing.moves import reorder as reorder
     from smsl_studio.blueprint.editing.moves import retarget as retarget
     from smsl_studio.blueprint.editing.notes import change_notes as change_notes
@@ -78,6 +79,7 @@ _HOMES = {
     "keep_activating": "headers",
     "keep_last": "notes",
     "move_fact": "digits",
+    "move_source": "moves",
     "paste": "pasted_text",
     "paste_states": "pasted_table",
     "place_label": "bends",

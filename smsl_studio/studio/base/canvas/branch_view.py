@@ -40,6 +40,8 @@ class BranchView(DrawnStage):
     """(source, target or None, point): add an operation; without a target also add a state."""
     retarget_wanted = Signal(object, object)
     """(operation, new target state): the user dragged the arrowhead there."""
+    source_wanted = Signal(object, object)
+    """(operation, new source state): the user dragged the beginning of its line there."""
     line_wanted = Signal(object, object, bool)
     """(operation, EdgeLayout, whether this goes on with the same key): draw its line so."""
     rename_wanted = Signal(object)

@@ -26,6 +26,8 @@ class DrawnOperation:
     start: QPointF
     end: QPointF
     refused: bool = False
+    moves_start: bool = False
+    """Whether the pointer is at ``start``, and the operation leads to ``end`` as before."""
     ghost: bool = False
     """Whether the line ends on empty canvas, where a new state would be added."""
 
@@ -44,6 +46,9 @@ class GestureLayer(QGraphicsItem):
         self.taken = False
         """Whether a press would take the handle."""
         self.grip: QPointF | None = None
+        """The arrowhead of the selected operation."""
+        self.tail: QPointF | None = None
+        """The beginning of the selected operation."""
         self.guides: tuple[Guide, ...] = ()
         self.sketch: Sketch | None = None
         self.line: LineMarks | None = None
@@ -58,14 +63,14 @@ class GestureLayer(QGraphicsItem):
 
     def clear(self) -> None:
         """Remove everything."""
-        for name in ("band", "drawn", "sketch", "handle", "grip", "line"):
+        for name in ("band", "drawn", "sketch", "handle", "grip", "tail", "line"):
             self.put(name, None)
         self.put("guides", ())
         self.put("taken", False)
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``taken``, ``grip`` or
-        ``line``, and repaint only what it covers."""
+        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``taken``, ``grip``, ``tail``
+        or ``line``, and repaint only what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -78,7 +83,7 @@ class GestureLayer(QGraphicsItem):
         if self.band is not None:
             rect = rect.united(self.band.normalized())
         ends = (self.drawn.start, self.drawn.end) if self.drawn is not None else ()
-        for point in (self.handle, self.grip, *ends):
+        for point in (self.handle, self.grip, self.tail, *ends):
             if point is not None:
                 rect = rect.united(QRectF(point.x(), point.y(), pixel, pixel))
         for line in self._guide_lines():
@@ -120,10 +125,9 @@ class GestureLayer(QGraphicsItem):
             _paint_plus(painter, self.handle, ink, pixel, self.taken)
         if self.line is not None:
             paint_line_marks(painter, self.line, ink, pixel)
-        if self.grip is not None:
-            painter.setPen(pen(ink.tokens.acc, 2.0 * pixel))
-            painter.setBrush(ink.tokens.surf)
-            painter.drawEllipse(self.grip, 4.5 * pixel, 4.5 * pixel)
+        for end in (self.tail, self.grip):
+            if end is not None:
+                _paint_grip(painter, end, ink, pixel)
 
     def _guide_lines(self) -> list[QLineF]:
         """The guides as they are drawn: longer than from centre to centre, to be seen beside the
@@ -165,7 +169,13 @@ class GestureLayer(QGraphicsItem):
         painter.setPen(NO_PEN)
         painter.setBrush(colour)
         painter.drawPath(head)
-        _paint_plus(painter, drawn.start, ink, pixel)
+        (_paint_grip if drawn.moves_start else _paint_plus)(painter, drawn.start, ink, pixel)
+
+
+def _paint_grip(painter: QPainter, at: QPointF, ink: Ink, pixel: float) -> None:
+    painter.setPen(pen(ink.tokens.acc, 2.0 * pixel))
+    painter.setBrush(ink.tokens.surf)
+    painter.drawEllipse(at, 4.5 * pixel, 4.5 * pixel)
 
 
 def _paint_plus(

@@ -13,6 +13,11 @@ OUT = 6.0
 RIM = 1 / 18
 """A handle takes presses in a rim of this share of the node's shorter side: 3 of 54 pixels."""
 
+TAIL = 8.0
+"""Distance along a line from its beginning to its tail (pixels)."""
+SHORT = 36.0
+"""A shorter line has no tail (pixels)."""
+
 
 def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
     """The handles of a state as scene points: right, left, top, bottom."""
@@ -50,6 +55,18 @@ def takes(view: QGraphicsView, sheet: Sheet, state: int, handle: QPointF, at: QP
     (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves(state).tolist()
     deep = min(w - abs(at.x() - x), h - abs(at.y() - y))
     return deep <= 2 * min(w, h) * RIM and is_near(view, at, handle, HANDLE_RADIUS + 1.0)
+
+
+def tail_of(sheet: Sheet, edge: int) -> QPointF | None:
+    """Where the line of an operation is taken to let it start from another state (scene point).
+
+    It lies at the beginning of the line, so far out that a press there does not take the state.
+    None if the line is too short for two ends.
+    """
+    shape = sheet.geometry.shape(edge)
+    if shape.length * sheet.zoom < SHORT:
+        return None
+    return QPointF(*shape.at(TAIL / sheet.zoom))
 
 
 def is_near(view: QGraphicsView, a: QPointF, b: QPointF | None, pixels: float) -> bool:

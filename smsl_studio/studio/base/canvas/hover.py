@@ -10,7 +10,7 @@ from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.bundle_card import bundle_at
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
-from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, takes
+from smsl_studio.studio.base.canvas.handles import handles, is_near, nearest, tail_of, takes
 from smsl_studio.studio.base.canvas.hidden_marks import hidden_tip
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
@@ -41,8 +41,8 @@ class Hover:
             return
         point = canvas.mapToScene(at.toPoint())
         state = sheet.state_at(point.x(), point.y())
-        at_arrow = state < 0 and self._is_at_arrow(sheet, point)
-        if state < 0 and canvas.editing and not at_arrow:
+        at_end = state < 0 and self._is_at_end(sheet, point)
+        if state < 0 and canvas.editing and not at_end:
             state = self._kept_hover(point)
         drawn = canvas.drawn_at(point) if state < 0 else None
         edge = -1 if state >= 0 or drawn is not None else sheet.edge_at(point.x(), point.y())
@@ -63,21 +63,28 @@ class Hover:
             canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
         if taken:
             canvas.viewport().setToolTip("Drag to draw an operation from here")
-        if at_arrow and self._is_at_tip(sheet, edge, point, GRIP):
+        if at_end and self._is_at_tip(sheet, edge, point, GRIP):
             canvas.viewport().setToolTip("Drag to let it lead to another state")
+        elif at_end and self.is_at_tail(edge, point):
+            canvas.viewport().setToolTip("Drag to let it start from another state")
         if self._line.bend_at(point) >= 0:
             canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
 
-    def _is_at_arrow(self, sheet: Sheet, point: QPointF) -> bool:
-        """Whether the pointer has come along the line of an operation to its arrowhead.
+    def _is_at_end(self, sheet: Sheet, point: QPointF) -> bool:
+        """Whether the pointer has come along the line of an operation to one of its ends.
 
-        The handle of the target lies at the same place. It is for a pointer that comes from the
-        target.
+        The handle of the state lies at the same place. It is for a pointer that comes from the
+        state.
         """
         edge = sheet.looks.hovered_edge
         if edge < 0 or not self._canvas.editing or edge != sheet.operation_at(point.x(), point.y()):
             return False
-        return self._is_at_tip(sheet, edge, point, REACH)
+        return self._is_at_tip(sheet, edge, point, REACH) or self.is_at_tail(edge, point, REACH)
+
+    def is_at_tail(self, edge: int, point: QPointF, pixels: float = GRIP) -> bool:
+        """Whether a scene point is at the beginning of the line of an operation."""
+        sheet = self._canvas.sheet
+        return sheet is not None and is_near(self._canvas, point, tail_of(sheet, edge), pixels)
 
     def _is_at_tip(self, sheet: Sheet, edge: int, point: QPointF, pixels: float) -> bool:
         return is_near(self._canvas, point, QPointF(*sheet.geometry.shape(edge).tip), pixels)

@@ -15,6 +15,7 @@ from smsl_studio.picture.shape import NodeBox, Point
 from smsl_studio.studio.base.canvas import right_angles
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gestures import GRID, SNAP, centres_in_view, is_far
+from smsl_studio.studio.base.canvas.handles import tail_of
 from smsl_studio.studio.base.canvas.line_marks import LineMarks
 
 ON_LINE = 7.0
@@ -47,6 +48,7 @@ class _OnLine:
         self._canvas.redraw_edge(self._edge, layout)
         tip = QPointF(*self._sheet.geometry.shape(self._edge).tip)
         self._canvas.gestures.put("grip", tip)
+        self._canvas.gestures.put("tail", tail_of(self._sheet, self._edge))
         self._canvas.gestures.put("line", marks)
 
     def release(self, event: QMouseEvent) -> None:

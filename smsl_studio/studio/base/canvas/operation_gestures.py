@@ -1,4 +1,4 @@
-"""Gestures that draw an operation: from a state to its target, or from its arrowhead to another."""
+"""Gestures that draw an operation: from a state to its target, or one of its ends to another."""
 
 from __future__ import annotations
 
@@ -124,6 +124,67 @@ class Retarget:
         self._canvas.gestures.put("drawn", None)
         self._hand.hover_target(None)
         self._hand.hush()
+
+
+class MoveSource:
+    """Drags the beginning of the selected operation to another state."""
+
+    def __init__(
+        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
+    ) -> None:
+        sheet = canvas.sheet
+        assert sheet is not None
+        self._canvas, self._hand, self._sheet = canvas, hand, sheet
+        self._address = sheet.picture.address(edge)
+        self._pressed = event.position().toPoint()
+        self._tip = QPointF(*sheet.geometry.shape(edge).tip)
+        self._begun = False
+
+    def move(self, event: QMouseEvent) -> None:
+        """Draw the line from the pointer. If it cannot start there, say why."""
+        here = event.position().toPoint()
+        if not self._begun and not is_far(self._pressed, here):
+            return
+        self._begun = True
+        at = self._canvas.mapToScene(here)
+        source = _state_at(self._canvas, at)
+        reason = self._why_not(source)
+        gestures = self._canvas.gestures
+        for end in ("grip", "tail"):
+            gestures.put(end, None)
+        gestures.put("drawn", DrawnOperation(at, self._tip, bool(reason), moves_start=True))
+        self._hand.hover_target(source)
+        if reason:
+            self._canvas.say(reason)
+        else:
+            self._hand.hush()
+
+    def release(self, event: QMouseEvent) -> None:
+        """Ask for the state below the pointer as the new source."""
+        source = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
+        reason = self._why_not(source)
+        self.cancel()
+        if not self._begun or source is None:
+            return
+        if reason:
+            self._canvas.say(reason)
+        else:
+            self._canvas.source_wanted.emit(self._address, source)
+
+    def cancel(self) -> None:
+        """Remove the line and the sentence at the pointer."""
+        self._canvas.gestures.put("drawn", None)
+        self._hand.hover_target(None)
+        self._hand.hush()
+
+    def _why_not(self, source: Address | None) -> str:
+        """Why the operation cannot start from a state; empty if it can."""
+        if source is None:
+            return "An operation needs a state to start from. Let go over a state."
+        name, former = self._address.operation, self._address.state
+        if source.state != former and name in self._sheet.picture.branch.table[source.state]:
+            return f"{source.state} has an operation {name} already. Rename one of the two first."
+        return ""
 
 
 def _state_at(canvas: BranchView, at: QPointF) -> Address | None:

@@ -20,10 +20,10 @@ from smsl_studio.studio.base.canvas.gestures import (
     Pan,
     selection_after,
 )
-from smsl_studio.studio.base.canvas.handles import is_near
+from smsl_studio.studio.base.canvas.handles import is_near, tail_of
 from smsl_studio.studio.base.canvas.hover import GRIP, Hover
 from smsl_studio.studio.base.canvas.line_handles import LineHandles
-from smsl_studio.studio.base.canvas.operation_gestures import Connect, Retarget
+from smsl_studio.studio.base.canvas.operation_gestures import Connect, MoveSource, Retarget
 from smsl_studio.studio.base.canvas.overlays import Overlays
 
 NO_BUNDLE = "No operations are bundled here. The menu View bundles them."
@@ -111,12 +111,21 @@ class Hand:
             return self._grip_at(event, at) or self.line.press_line(event, at)
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
 
-    def _grip_at(self, event: QMouseEvent, at: QPointF) -> Retarget | None:
-        """The gesture of a press on the arrowhead of the selected operation."""
+    def _grip_at(self, event: QMouseEvent, at: QPointF) -> Retarget | MoveSource | None:
+        """The gesture of a press on the arrowhead of the selected operation, or on its tail.
+
+        A pointer that comes from a state takes its handle at the tail, and a bend there is taken.
+        """
         canvas, edge = self._canvas, self.line.edge
-        if edge < 0 or not is_near(canvas, at, canvas.gestures.grip, GRIP):
+        if edge < 0:
             return None
-        return Retarget(canvas, self.hover, event, edge)
+        if is_near(canvas, at, canvas.gestures.grip, GRIP):
+            return Retarget(canvas, self.hover, event, edge)
+        sheet = canvas.sheet
+        free = sheet is not None and sheet.looks.hovered_state < 0 > self.line.bend_at(at)
+        if free and is_near(canvas, at, canvas.gestures.tail, GRIP):
+            return MoveSource(canvas, self.hover, event, edge)
+        return None
 
     def _is_picked(self, event: QMouseEvent) -> bool:
         """Whether an open card takes the state below the pointer."""
@@ -242,12 +251,14 @@ class Hand:
     # What is shown at the selection and the pointer
 
     def show_grip(self) -> None:
-        """Show the grip at the arrowhead, and the bends, if exactly one operation is selected."""
+        """Show the grips at both ends, and the bends, if exactly one operation is selected."""
         canvas, sheet = self._canvas, self._canvas.sheet
-        edge, place = self.line.edge, None
+        edge, place, tail = self.line.edge, None, None
         self.line.show()
         if sheet is not None and edge >= 0 and canvas.editing:
             place = QPointF(*sheet.geometry.shape(edge).tip)
+            tail = tail_of(sheet, edge)
+        canvas.gestures.put("tail", tail)
         if place != canvas.gestures.grip:
             canvas.gestures.put("grip", place)
             self.look_again()

@@ -1,6 +1,6 @@
 """The docks around the canvas: left, right, bottom.
 
-In a window below 1280 pixels wide the left one is a drawer. In one below 800 high the bottom one is
+In a window that does not fill a screen 1280 wide the left one is a drawer. In one below 800 high the bottom one is
 lower, and below 480 it is hidden until it is asked for, so that the drawing keeps the room.
 """
 
@@ -27,7 +27,10 @@ from smsl_studio.studio.base.words import series
 from smsl_studio.studio.shell.frame.dock_fold import DockFold
 
 LEFT, PROPERTIES, SOURCE = 232, 304, 364
-NARROW = 1280
+NARROW = 1280 - 24
+"""In a window narrower than this the left panel is a drawer (pixels). A window that fills a screen
+1280 wide is narrower by the frame that the desktop draws around it, 24 pixels at most.
+"""
 CLOSE = 760
 """In a window narrower than this the lower tabs stand close together (pixels)."""
 NARROWEST = 200

@@ -63,6 +63,7 @@ class CanvasEditor(QObject):
         canvas.add_state_wanted.connect(self.add_state_at)
         canvas.connect_wanted.connect(self.new_operation.ask)
         canvas.retarget_wanted.connect(self.retarget)
+        canvas.source_wanted.connect(self.move_source)
         canvas.rename_wanted.connect(self.rename)
         canvas.moved.connect(self.move)
         canvas.enter_wanted.connect(session.show_branch)
@@ -217,6 +218,15 @@ class CanvasEditor(QObject):
         reason = self.edit(words, lambda bp: editing.retarget(bp, operation, target.state))
         if reason:
             self.canvas.say(reason)
+
+    def move_source(self, operation: Address, source: Address) -> None:
+        """Make an operation start from another state; it stays selected."""
+        words = f"Let {operation.operation} start from {source.state}"
+        reason = self.edit(words, lambda bp: editing.move_source(bp, operation, source.state))
+        if reason:
+            self.canvas.say(reason)
+        else:
+            self.session.select((replace(operation, state=source.state),))
 
     def move(
         self, places: Mapping[str, Position], groups: Mapping[str, Sequence[str]] | None = None
