@@ -474,6 +474,26 @@ def test_a_state_that_comes_in_takes_over_as_activating_only_where_an_sb_is_bein
     assert edit.keep_activating(blueprint, blueprint, ["SB1"]) is blueprint
     named = edit.set_header(after, "SB1", "ACTIVATING", "State_01")
     assert edit.keep_activating(blueprint, named, ["SB1"]) is named
-    one = edit.delete(blueprint, [Address("SB1", "State_10"), Address("SB1", "State_11")])
+    one = edit.delete(blueprint, [A("SB1", "State_10"), A("SB1", "State_11")])
     two = edit.add_state(one, "SB1", "State_11")
     assert edit.keep_activating(one, two, ["SB1"]) is two
+
+
+@pytest.mark.parametrize(
+    ("table", "added", "activating"),
+    [
+        ({"A": {}, "B": {}}, {"C": {}}, "C"),
+        ({"A": {"go": "B"}, "B": {}}, {"B": {"on": "C"}, "C": {}}, "C"),
+        ({"A": {"go": "B"}, "B": {}}, {"B": {"on": "C"}, "C": {"on": "D"}, "D": {}}, "D"),
+        ({"A": {"go": "B"}, "B": {}}, {"C": {}}, "B"),
+        ({"A": {"go": "B"}, "B": {}}, {"A": {"go": "B", "fail": "C"}, "C": {}}, "B"),
+        ({"A": {}, "B": {"back": "A"}}, {"B": {"back": "A", "on": "C"}, "C": {}}, "B"),
+    ],
+)
+def test_while_an_sb_is_being_drawn_only_what_goes_on_takes_over(
+    table: dict[str, Any], added: dict[str, Any], activating: str
+) -> None:
+    before, after = read({"SB1": table}), read({"SB1": {**table, **added}})
+    kept = edit.keep_activating(before, after, [])
+    assert kept["SB1"].activating == activating
+    assert kept["SB1"].header.activating == (None if activating not in table else activating)

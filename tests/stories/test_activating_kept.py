@@ -82,3 +82,22 @@ def test_in_a_new_drawing_it_is_said_once_that_the_last_state_is_activating(sit:
             person.press(Key.Key_Tab)
     assert told.count(True) == 1
     assert person.blueprint["SB1"].activating == "F"
+
+
+def test_in_a_new_drawing_a_state_beside_the_way_takes_nothing_over(sit: Sit) -> None:
+    person = sit()
+    person.double_click_canvas(QPoint(200, 200))
+    person.type("A")
+    person.press(Key.Key_Tab)
+    person.type("go")
+    person.press(Key.Key_Tab)
+    person.type("B")
+    person.press(Key.Key_Return)
+    assert person.blueprint["SB1"].activating == "B"
+    for at, name in ((QPoint(200, 420), "Aborted"), (QPoint(420, 420), "Parked")):
+        person.double_click_canvas(at)
+        person.type(name)
+        person.press(Key.Key_Return)
+        assert person.blueprint["SB1"].activating == "B"
+        told = "B stays the activating state of SB1" in person.window.toast.words
+        assert told is (name == "Aborted"), "it is said once"

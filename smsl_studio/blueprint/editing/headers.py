@@ -174,16 +174,33 @@ def keep_activating(before: Blueprint, after: Blueprint, branches: Collection[st
     end.
 
     Without a written ACTIVATING the last state is activating. A state that is added would replace
-    it, and nobody has asked for that. So ACTIVATING is written for these ``branches``. In an SB
-    with fewer than two states before, the last state that is drawn becomes activating, as people
-    expect.
+    it, and nobody has asked for that. So ACTIVATING is written. Any other SB than these
+    ``branches`` is just being drawn. There the last state takes over while people only go on with
+    the drawing: while there is at most one state, while no state has an operation, and where the
+    former activating state had none and leads to the new one now.
     """
-    for name in branches:
-        former, branch = before.branches.get(name), after.branches.get(name)
-        if former is None or branch is None or former is branch or len(former.table) < 2:
+    for name, former in before.branches.items():
+        branch = after.branches.get(name)
+        if branch is None or former is branch or len(former.table) < 2:
             continue
         written = branch.header.activating is not None or "ACTIVATING" in branch.header.odd
         took_over = branch.activating not in former.table and former.activating in branch.table
-        if took_over and not written:
-            after = set_header(after, name, "ACTIVATING", former.activating)
+        if not took_over or written or (name not in branches and _goes_on(former, branch)):
+            continue
+        after = set_header(after, name, "ACTIVATING", former.activating)
     return after
+
+
+def _goes_on(before: StateBranch, after: StateBranch) -> bool:
+    """Whether new states only go on with an SB: before, it had no operations, or they follow from
+    its activating state, from which no operation started."""
+    if not any(before.table.values()):
+        return True
+    if before.table.get(before.activating):
+        return False
+    reached, new = {before.activating}, True
+    while new:
+        leading = {to for state in reached for to in after.table.get(state, {}).values()}
+        new = not leading <= reached
+        reached |= leading
+    return after.activating in reached

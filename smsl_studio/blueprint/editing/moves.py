@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.editing.bends import edges_forgotten
 from smsl_studio.blueprint.editing.draft import Draft, existing, rename_keys
-from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.editing.levels import Names, levels_follow
 from smsl_studio.blueprint.editing.open_conflicts import conflicts_follow
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
@@ -56,8 +56,9 @@ def move_source(blueprint: Blueprint, address: Address, source: str) -> Blueprin
         notes.pop(note_key(operation, source), None)
         rename_keys(notes, {note_key(operation, state): note_key(operation, source)})
     edges_forgotten(draft, branch, [(state, operation), (source, operation)])
-    former, now = (branch, state, operation), (branch, source, operation)
-    levels_follow(draft, lambda key: {former: now, now: None}.get(key, key))
+    former: Names = (branch, state, operation)
+    now: Names = (branch, source, operation)
+    levels_follow(draft, lambda key: now if key == former else None if key == now else key)
     conflicts_follow(draft, lambda key: now if key == former else key)
     return draft.done()
 

@@ -69,8 +69,8 @@ class GestureLayer(QGraphicsItem):
         self.put("taken", False)
 
     def put(self, name: str, value: object) -> None:
-        """Set ``band``, ``drawn``, ``sketch``, ``guides``, ``handle``, ``taken``, ``grip``, ``tail``
-        or ``line``, and repaint only what it covers."""
+        """Set one of the things that this layer shows, such as ``band`` or ``drawn``, and repaint
+        only what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())

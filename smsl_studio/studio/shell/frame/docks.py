@@ -1,7 +1,8 @@
 """The docks around the canvas: left, right, bottom.
 
-In a window that does not fill a screen 1280 wide the left one is a drawer. In one below 800 high the bottom one is
-lower, and below 480 it is hidden until it is asked for, so that the drawing keeps the room.
+In a window that does not fill a screen 1280 wide the left one is a drawer. In one below 800 high
+the bottom one is lower, and below 480 it is hidden until it is asked for, so that the drawing keeps
+the room.
 """
 
 from __future__ import annotations
