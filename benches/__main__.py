@@ -50,6 +50,7 @@ BENCHES = (
     "layouts",
     "mental_map",
     "tidy",
+    "pins",
     "plans",
     "proof",
     "shapes",

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.drawn import LAYOUT, NOTES, written_groups
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT, Fault, edge_layouts_of, point_of
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.notes import Notes
+from smsl_studio.blueprint.pins import PINNED, pins_of
 
 _SHAPE = ("shape", "_facts", "alphabet")
 _TABLES = ("_facts", "_states", "_operations")
@@ -59,6 +60,10 @@ def _notes(before: StateBranch, after: StateBranch) -> Notes | None:
     layout.update((name, point_of(table[name])) for name in moved)
     if None in layout.values():  # what is drawn besides the states has no place
         layout = {name: at for name, at in layout.items() if not name.startswith("_")}
+    pinned = notes.pinned
+    if pinned or PINNED in table:
+        pinned = pins_of(table.get(PINNED, {}), layout, faults)
     if faults or None in layout.values():
         return None
-    return replace(notes, layout=cast("dict[str, tuple[float, float]]", layout), edges=edges)
+    places = cast("dict[str, tuple[float, float]]", layout)
+    return replace(notes, layout=places, edges=edges, pinned=pinned)

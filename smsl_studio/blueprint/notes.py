@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import note_key
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT, Edge, EdgeLayout, edge_layouts_of, point_of
+from smsl_studio.blueprint.pins import PINNED, pins_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
@@ -32,6 +33,8 @@ class Notes:
     layout: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     edges: Mapping[Edge, EdgeLayout] = field(default_factory=dict)
     """The lines of operations that are drawn by hand."""
+    pinned: frozenset[str] = frozenset()
+    """The states that a tidy drawing leaves where they are. Each has a place in ``layout``."""
     faults: tuple[tuple[tuple[str, ...], str], ...] = ()
     written: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
@@ -89,7 +92,8 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
             operations[name], written[name] = operation, words
     layout: dict[str, tuple[float, float]] = {}
     edges: Mapping[Edge, EdgeLayout] = {}
-    for name, at in table("_layout").items():
+    drawn = table("_layout")
+    for name, at in drawn.items():
         if name == IN_LAYOUT:
             edges = edge_layouts_of(at, faults)
         if name.startswith("_"):
@@ -99,7 +103,8 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
             layout[name] = point
         else:
             faults.append((("_layout", name), "a position is [x, y]"))
-    return Notes(facts, states, operations, layout, edges, tuple(faults), written)
+    pinned = pins_of(drawn[PINNED], layout, faults) if PINNED in drawn else frozenset()
+    return Notes(facts, states, operations, layout, edges, pinned, tuple(faults), written)
 
 
 NO_NOTES = Notes()

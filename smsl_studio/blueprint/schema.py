@@ -21,6 +21,7 @@ from smsl_studio.blueprint.annotations import (
 )
 from smsl_studio.blueprint.continuum import LEVELS
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT, MOST_BENDS
+from smsl_studio.blueprint.pins import PINNED
 from smsl_studio.smsl.document.limits import MAX_NAME
 
 Json = Any
@@ -300,6 +301,11 @@ def _branch() -> Json:
                 "properties": {
                     "_groups": _table("Group", "Groups of states, by any key."),
                     IN_LAYOUT: LINES,
+                    PINNED: {
+                        "type": "object",
+                        "description": "States that a tidy drawing leaves at their places.",
+                        "additionalProperties": {"const": True},
+                    },
                 },
                 "patternProperties": {"^_": True},
                 "additionalProperties": POINT,

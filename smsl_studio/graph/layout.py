@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
-from itertools import count
+from collections.abc import Mapping
 from typing import cast
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.arrangement import BEST, arranged
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.shape import distances
+from smsl_studio.graph.taken_places import NODE_GAP, TakenPlaces
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
@@ -29,16 +29,10 @@ MOST_SPREAD = 8_000
 """The largest number of states for a layout by distances. More states stand in a grid, those
 nearest to INITIAL first.
 """
-NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
-"""The least distance (pixels) between two nodes, across and down. A full node is 108 by 54."""
 _WIDE = 1.6
 """The ratio of the width of a grid to its height."""
 TENTH = 0.1
 """The unit (pixels) in which a layout is written."""
-TRIED = 200_000
-"""The number of places that are tried for all new states together. The other states stand in rows
-below.
-"""
 
 
 def place_states(
@@ -62,7 +56,7 @@ def place_states(
     if not former and 2 * len(fixed) < len(branch.table):
         fixed = {**place_anew(branch), **fixed}
     else:
-        fixed = _joined(branch, fixed)
+        fixed = joined(branch, fixed)
     return {name: fixed[name] for name in branch.table}
 
 
@@ -122,18 +116,18 @@ def _grid(branch: StateBranch) -> dict[str, Point]:
     graph = graph_of(branch)
     steps = distances(graph.neighbours, graph.index.get(branch.initial, 0))
     order = sorted(range(len(graph)), key=lambda state: (steps[state] < 0, steps[state]))
-    high = math.ceil(math.sqrt(len(graph) * NODE_GAP_X / NODE_GAP_Y / _WIDE))
+    high = math.ceil(math.sqrt(len(graph) * NODE_GAP[0] / NODE_GAP[1] / _WIDE))
     places: list[Point] = [(0.0, 0.0)] * len(graph)
     for at, state in enumerate(order):
-        places[state] = at // high * NODE_GAP_X, at % high * NODE_GAP_Y
+        places[state] = at // high * NODE_GAP[0], at % high * NODE_GAP[1]
     return dict(zip(graph.names, places, strict=True))
 
 
-def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
+def joined(branch: StateBranch, fixed: Mapping[str, Point]) -> dict[str, Point]:
     """Return ``fixed`` and places for the other states, near their neighbours."""
     graph = graph_of(branch)
     places = dict(fixed)
-    taken = _Grid(places.values())
+    taken = TakenPlaces(places.values())
     queue = deque(graph.index[name] for name in fixed)
     queue.extend(i for i in range(len(graph)) if graph.names[i] not in fixed)
     seen: set[str] = set(fixed)
@@ -153,7 +147,7 @@ def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
 
 def free_places(others: Mapping[str, Point], wanted: Mapping[str, Point]) -> dict[str, Point]:
     """Return the places of ``others``, and for each state of ``wanted`` the nearest free place."""
-    taken = _Grid(others.values())
+    taken = TakenPlaces(others.values())
     return {**others, **{name: taken.free(at) for name, at in wanted.items()}}
 
 
@@ -166,78 +160,3 @@ def _beside(near: list[Point], below: Point) -> Point:
     if near:
         return (near[0][0] + 218.0, near[0][1])
     return below
-
-
-class _Grid:
-    """The places that are taken, in cells, so that a free place near a point is found quickly."""
-
-    def __init__(self, points: Iterable[Point]) -> None:
-        self._cells: dict[tuple[int, int], list[Point]] = {}
-        self._left = self._right = self._bottom = 0.0
-        self._tries = TRIED
-        self._rows: Iterator[Point] | None = None
-        for point in points:
-            self._take(point)
-
-    @property
-    def below(self) -> Point:
-        """The start of a row below all places."""
-        return self._left, self._bottom + 172.0
-
-    def free(self, wanted: Point) -> Point:
-        """Return the nearest free place on rings around ``wanted``, and take it.
-
-        If too many places were tried, the result stands in rows below everything.
-        """
-        ring = 0
-        while self._tries > 0:
-            cells = _ring(ring)
-            self._tries -= len(cells)
-            for x, y in cells:
-                point = (wanted[0] + x * NODE_GAP_X / 2, wanted[1] + y * NODE_GAP_Y / 2)
-                if self._is_free(point):
-                    self._take(point)
-                    return point
-            ring += 1
-        self._rows = self._rows or _rows(self.below, self._right)
-        return next(self._rows)
-
-    def _take(self, point: Point) -> None:
-        x, y = point
-        if not self._cells:
-            self._left, self._right, self._bottom = x, x, y
-        self._left, self._right = min(self._left, x), max(self._right, x)
-        self._bottom = max(self._bottom, y)
-        self._cells.setdefault(_cell(point), []).append(point)
-
-    def _is_free(self, point: Point) -> bool:
-        column, row = _cell(point)
-        return not any(
-            abs(point[0] - x) < NODE_GAP_X and abs(point[1] - y) < NODE_GAP_Y
-            for i in (column - 1, column, column + 1)
-            for j in (row - 1, row, row + 1)
-            for x, y in self._cells.get((i, j), ())
-        )
-
-
-def _cell(point: Point) -> tuple[int, int]:
-    return int(point[0] // NODE_GAP_X), int(point[1] // NODE_GAP_Y)
-
-
-def _rows(start: Point, right: float) -> Iterator[Point]:
-    """Yield places side by side, in rows one below the other."""
-    wide = max(1, int((right - start[0]) // NODE_GAP_X) + 1)
-    for at in count():
-        yield start[0] + at % wide * NODE_GAP_X, start[1] + at // wide * NODE_GAP_Y
-
-
-def _ring(radius: int) -> list[tuple[int, int]]:
-    """Return the half cells of a ring at this distance, nearest first, right before left and below
-    before above.
-    """
-    if radius == 0:
-        return [(0, 0)]
-    ends = (-radius, radius)
-    cells = [(x, y) for x in range(-radius, radius + 1) for y in ends]
-    cells += [(x, y) for x in ends for y in range(1 - radius, radius)]
-    return sorted(cells, key=lambda cell: (abs(cell[0]) + abs(cell[1]), -cell[0], -cell[1]))

@@ -10,27 +10,32 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Mapping
+from typing import NamedTuple
 
 import numpy as np
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.around_pins import (
+    GOOD,
+    IN_ROWS,
+    Staying,
+    array_of,
+    most_of,
+    shifted_to,
+)
 from smsl_studio.graph.arrangement import BEST, arranged, has_triangle, part_of, settles, ties_for
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.folded import folded_chain
-from smsl_studio.graph.layout import free_places, place_anew
+from smsl_studio.graph.layout import free_places, joined, place_anew
 from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
 Places = Mapping[str, Point]
-GOOD = 1.1
-"""The former drawing is kept if its cost is at most so many times the cost of a new one."""
 TURNS = 6
 """Tidying is repeated at most so often, until the drawing rests."""
-IN_ROWS = 0.8
-"""A former drawing counts as tidy if at least this share of its states stands in rows."""
 
 
 def tidied(
@@ -38,23 +43,22 @@ def tidied(
 ) -> dict[str, Point]:
     """Return the place of each state in a tidy drawing (pixels).
 
-    ``former`` has the places of all states now. With ``chosen``, only these states move.
+    ``former`` has the places of all states now. With ``chosen``, only these states move. A pinned
+    state never moves.
     """
+    pinned = branch.notes.pinned
     own = [name for name in branch.table if name in chosen]
     if 0 < len(own) < len(branch.table):
-        return _some(branch, former, own, kind)
-    fresh = place_anew(branch, kind)
-    chain = folded_chain(branch, fresh) if kind == BEST else None
-    fresh = chain or fresh
+        return _some(branch, former, [name for name in own if name not in pinned], kind)
+    if not pinned.isdisjoint(branch.table):
+        return _around(branch, former, kind)
+    fresh = _fresh(branch, kind)
+    if not branch.table or fresh.is_triangle:
+        return fresh.places
     names = list(branch.table)
     before = np.array([former[name] for name in names], dtype=np.float64).reshape(-1, 2)
-    after = np.array([fresh[name] for name in names], dtype=np.float64).reshape(-1, 2)
-    if not len(after) or (kind == BEST and in_triangle(branch) is not None):
-        return fresh
-    # Rows of facts and triangles are kept whole, because the search would move states out of them.
-    whole = chain is not None or has_triangle(branch)
-    free = kind == BEST and not whole and in_fact_rows(branch, ties_for(branch)) is None
-    found = _at_rest(branch, before, after) if free else _as_before(before, after)
+    after = np.array([fresh.places[name] for name in names], dtype=np.float64).reshape(-1, 2)
+    found = _at_rest(branch, before, after) if fresh.free else _as_before(before, after)
     return {name: (float(x), float(y)) for name, (x, y) in zip(names, found.tolist(), strict=True)}
 
 
@@ -107,11 +111,64 @@ def _kept(branch: StateBranch, before: Floats, after: Floats) -> Floats | None:
     return None
 
 
+class _Fresh(NamedTuple):
+    """A new drawing. ``free`` says whether the local search may improve it."""
+
+    places: dict[str, Point]
+    free: bool = False
+    is_triangle: bool = False
+
+
+def _fresh(branch: StateBranch, kind: str) -> _Fresh:
+    """Return a new drawing."""
+    fresh = place_anew(branch, kind)
+    if kind != BEST or not fresh:
+        return _Fresh(fresh)
+    chain = folded_chain(branch, fresh)
+    if chain is not None:
+        return _Fresh(chain)
+    if in_triangle(branch) is not None:
+        return _Fresh(fresh, is_triangle=True)
+    # Rows of facts and triangles are kept whole, because the search would move states out of them.
+    free = not has_triangle(branch) and in_fact_rows(branch, ties_for(branch)) is None
+    return _Fresh(fresh, free)
+
+
+def _around(branch: StateBranch, former: Places, kind: str) -> dict[str, Point]:
+    """Return the places of all states around the pinned ones.
+
+    A new drawing depends on the pinned places alone, and where states have settled they stay. So a
+    drawing that is tidy already stays as it is.
+    """
+    names, pinned = list(branch.table), branch.notes.pinned
+    stays = [number for number, name in enumerate(names) if name in pinned]
+    moves = [number for number, name in enumerate(names) if name not in pinned]
+    if not moves:
+        return {name: former[name] for name in names}
+    before, ties = array_of(names, former), ties_for(branch)
+    around = Staying(
+        ties, np.array(stays, dtype=np.intp), np.array(moves, dtype=np.intp), settles(ties)
+    )
+    fresh = _fresh(branch, kind)
+    if 2 * len(stays) < len(names):
+        wanted = shifted_to(around.stays, array_of(names, fresh.places), before)
+    else:
+        wanted = array_of(names, joined(branch, {names[i]: former[names[i]] for i in stays}))
+    found = around.anew(wanted)
+    if fresh.free and around.settles:
+        kept = around.kept(before, most_of(ties, found))
+        found = found if kept is None else kept
+    places = {name: (x, y) for name, (x, y) in zip(names, found.tolist(), strict=True)}
+    return {**places, **{names[number]: former[names[number]] for number in stays}}
+
+
 def _some(branch: StateBranch, former: Places, own: list[str], kind: str) -> dict[str, Point]:
     """Return the places of all states if only some of them move.
 
     Those are laid out alone, about where they were. Then they go to free places.
     """
+    if not own:
+        return {name: former[name] for name in branch.table}
     fresh = arranged(part_of(branch, own), kind)
     after = np.array([fresh[name] for name in own], dtype=np.float64)
     before = np.array([former[name] for name in own], dtype=np.float64)

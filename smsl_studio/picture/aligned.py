@@ -33,7 +33,8 @@ def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
     told = (*difference.changes, *difference.fields)
     before = {change.before.branch for change in told if change.before}
     after = {change.after.branch for change in told if change.after}
-    after |= {address.branch for address in (*difference.moved, *difference.redrawn)}
+    drawn = (*difference.moved, *difference.redrawn, *difference.pinned)
+    after |= {address.branch for address in drawn}
     return [pair for pair in branch_pairs(difference) if pair[0] in before or pair[1] in after]
 
 

@@ -70,7 +70,12 @@ VALUES: dict[str, Any] = {
             "next": {"title": "Go on", "requires": {"P/0": "1", "Q/0": "0"}},
             "State1001/end": {"cost": 3},
         },
-        "_layout": {"State1000": [0, 0], "State1001": [90, 0], "State0000": [0, 90]},
+        "_layout": {
+            "State1000": [0, 0],
+            "State1001": [90, 0],
+            "State0000": [0, 90],
+            "_pinned": {"State1001": True, "State0000": True},
+        },
         "State0000": {"plan": "State1000"},
         "State1000": {"next": "State1001"},
         "State1001": {"end": "State1011", "wait": "State1001"},
@@ -105,6 +110,9 @@ def test_what_names_facts_follows() -> None:
     end = base.operation_note("State100", "end")
     assert (end.requires, end.cost, end.subs) == ({"SUB/1": "1"}, 3, "drive")
     assert dict(sub.notes.layout) == {"State00": (0, 0), "State01": (90, 0)}
+    assert sub.notes.pinned == {"State01"}
+    assert base.notes.pinned == {"State000"}
+    assert base.notes.layout["State000"] == (0, 90)
     back = inline(extract(blueprint(without_q()), "P", ["State1000", "State1001"], "SUB"), "SUB")
     assert back.hazards[0].facts == {"P/1": "1", "P/3": "0"}
 

@@ -19,6 +19,7 @@ from smsl_studio.graph.arrangement import DISTANCE, LAYERS
 from smsl_studio.graph.layout import place_anew
 from smsl_studio.graph.tidied import tidied
 from smsl_studio.smsl.files import read_document
+from tests.graph.pinned import pinned_branch
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 Places = dict[str, tuple[float, float]]
@@ -44,6 +45,8 @@ def layouts() -> Iterator[tuple[str, Places]]:
         yield f"20 states by {kind}", place_anew(branch, kind)
     strewn = {name: (31.7 * at % 400, 17.3 * at) for at, name in enumerate(branch.table)}
     yield "20 states, tidied", tidied(branch, strewn)
+    pins = {"S3": (100.3, -40.7), "S11": (333.0, 222.2)}
+    yield "20 states around pins", tidied(pinned_branch(branch, pins), {**strewn, **pins})
     yield "300 states", place_anew(random_graph(300, 2))
 
 

@@ -17,7 +17,7 @@ from smsl_studio.blueprint.elements import Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate import rules
-from smsl_studio.graph import layout
+from smsl_studio.graph import taken_places
 from smsl_studio.graph.arrangement import KINDS, LAYERS, ties_for
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import is_clear
@@ -319,13 +319,13 @@ def test_very_many_new_states_in_a_crowd_are_placed_without_looking_for_long(
 ) -> None:
     """Half of a large SB was replaced: its neighbours stand close together."""
     tried: list[int] = []
-    ring = layout._ring
+    ring = taken_places._ring
 
     def counted(radius: int) -> list[tuple[int, int]]:
         tried.append(radius)
         return ring(radius)
 
-    monkeypatch.setattr(layout, "_ring", counted)
+    monkeypatch.setattr(taken_places, "_ring", counted)
     names = [f"State_{n}" for n in range(3000)]
     table = {name: {"a": names[n * 3 % 3000], "b": names[n // 7]} for n, name in enumerate(names)}
     branch = StateBranch("SB", dict(table))

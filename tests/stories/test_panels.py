@@ -471,8 +471,8 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
         "Add operation", "Rename", "Cut", "Copy", "Duplicate", "Delete", "Change a fact…",
-        "Show ways between", "Add note", "Group", "Extract as a sub-SB…", "Insert template",
-        "Make initial", "Make activating",
+        "Show ways between", "Pin", "Unpin", "Add note", "Group", "Extract as a sub-SB…",
+        "Insert template", "Make initial", "Make activating",
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
     assert words("SB1/State100/Operation100A") == [

@@ -8,7 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Difference
 from smsl_studio.blueprint.comparison.file_level import compare_fields, compare_order
 from smsl_studio.blueprint.comparison.headers import compare_header
-from smsl_studio.blueprint.comparison.layout import moved_states, redrawn_operations
+from smsl_studio.blueprint.comparison.layout import moved_states, pinned_states, redrawn_operations
 from smsl_studio.blueprint.comparison.notes import compare_notes
 from smsl_studio.blueprint.comparison.pairs import renamed_branches, renamed_states
 from smsl_studio.blueprint.comparison.sides import BranchSides, Sides
@@ -28,6 +28,7 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
     sides = Sides(before, after, renamed)
     moved: list[Address] = []
     redrawn: list[Address] = []
+    pinned: list[Address] = []
     states: dict[str, Mapping[str, str]] = {}
     compare_fields(sides)
     old_names = {new: old for old, new in renamed.items()}
@@ -40,6 +41,7 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
             states[old] = _compare_branch(pair)
             moved.extend(moved_states(pair))
             redrawn.extend(redrawn_operations(pair))
+            pinned.extend(pinned_states(pair))
         elif one is not None:
             sides.changes.append(_whole(one, ChangeKind.REMOVED))
         elif other is not None:
@@ -48,7 +50,9 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
     changes = tuple(one for one in sides.changes if one.what != "field")
     fields = tuple(one for one in sides.changes if one.what == "field")
     layout = tuple(moved), tuple(redrawn)
-    return Difference(before, after, changes, *layout, renamed, states, fields)
+    return Difference(
+        before, after, changes, *layout, renamed, states, fields, pinned=tuple(pinned)
+    )
 
 
 def _compare_branch(pair: BranchSides) -> Mapping[str, str]:

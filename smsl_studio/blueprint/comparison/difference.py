@@ -78,7 +78,8 @@ class Difference:
     """All changes between two blueprints, in the order of the files.
 
     ``moved`` are the states (on the later side) with moved boxes, ``redrawn`` the operations with
-    other bends, or with their label elsewhere. ``states`` has, for each SB on
+    other bends, or with their label elsewhere. ``pinned`` are the states that were pinned or
+    unpinned. ``states`` has, for each SB on
     both sides, the new names of its renamed states. ``branches`` has the new names of renamed SBs.
     ``fields`` are the ``_`` fields without a meaning that differ, such as ``_comment``. Like the
     layout, they are no changes.
@@ -92,11 +93,17 @@ class Difference:
     branches: Mapping[str, str] = field(default_factory=dict)
     states: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     fields: tuple[Change, ...] = ()
+    pinned: tuple[Address, ...] = ()
+
+    @property
+    def has_new_layout(self) -> bool:
+        """Whether boxes were moved, lines redrawn or states pinned or unpinned."""
+        return bool(self.moved or self.redrawn or self.pinned)
 
     @property
     def same(self) -> bool:
         """Whether nothing differs, not even layout and fields without meaning."""
-        return not (self.changes or self.moved or self.redrawn or self.fields)
+        return not (self.changes or self.has_new_layout or self.fields)
 
     @property
     def same_meaning(self) -> bool:
@@ -105,8 +112,8 @@ class Difference:
 
     @property
     def layout_only(self) -> bool:
-        """Whether only boxes were moved and lines redrawn."""
-        return bool(self.moved or self.redrawn) and not (self.changes or self.fields)
+        """Whether only boxes were moved, lines redrawn, or states pinned or unpinned."""
+        return self.has_new_layout and not (self.changes or self.fields)
 
     def count(self, kind: ChangeKind) -> int:
         """Return the number of changes of one kind."""
@@ -128,22 +135,25 @@ class Difference:
         if self.layout_only:
             return f"Layout only: {self._layout_differs}."
         if self.same_meaning:
-            layout = f"; {self._layout_differs}" if self.moved or self.redrawn else ""
+            layout = f"; {self._layout_differs}" if self.has_new_layout else ""
             return f"Same meaning: only {self._fields_differ}{layout}."
         parts = [f"{self.count(kind)} {kind.value}" for kind in ChangeKind if self.count(kind)]
         boxes = f"; {len(self.moved)} moved in the layout" if self.moved else ""
         boxes += f"; {len(self.redrawn)} redrawn" if self.redrawn else ""
+        boxes += f"; {len(self.pinned)} pinned or unpinned" if self.pinned else ""
         fields = f"; beside the meaning {self._fields_differ}" if self.fields else ""
         total = len(self.changes)
         return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}{fields}."
 
     @property
     def _layout_differs(self) -> str:
-        """How many states were moved and operations redrawn."""
-        moved, redrawn = len(self.moved), len(self.redrawn)
+        """How many states were moved, operations redrawn, and states pinned or unpinned."""
+        moved, redrawn, pinned = len(self.moved), len(self.redrawn), len(self.pinned)
         states = "1 state was" if moved == 1 else f"{moved} states were"
         lines = "1 operation was" if redrawn == 1 else f"{redrawn} operations were"
+        pins = "1 state was" if pinned == 1 else f"{pinned} states were"
         told = [f"{states} moved"] * bool(moved) + [f"{lines} redrawn"] * bool(redrawn)
+        told += [f"{pins} pinned or unpinned"] * bool(pinned)
         return ", ".join(told)
 
     @property
@@ -171,6 +181,7 @@ class Difference:
             "layout_only": self.layout_only,
             "moved": len(self.moved),
             "redrawn": len(self.redrawn),
+            "pinned": len(self.pinned),
             "changes": [self._with_places(change) for change in self.changes],
             "fields": [self._with_places(change) for change in self.fields],
         }

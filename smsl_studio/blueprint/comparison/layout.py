@@ -1,4 +1,4 @@
-"""Compares what is only drawing: the places of states, and the lines of operations."""
+"""Compares what is only drawing: the places and pins of states, and the lines of operations."""
 
 from __future__ import annotations
 
@@ -35,6 +35,19 @@ def redrawn_operations(pair: BranchSides) -> list[Address]:
     back = {_later(pair, edge): edge for edge in _edges(pair.before)}
     found = (edge for edge in _edges(pair.after) if edge in back)
     return [pair.address_after(*edge) for edge in found if old.get(back[edge]) != new.get(edge)]
+
+
+def pinned_states(pair: BranchSides) -> list[Address]:
+    """Return the states (on the later side) that are on both sides and are pinned on one of them
+    only.
+    """
+    old, new = _notes(pair.before).pinned, _notes(pair.after).pinned
+    if not (old or new):
+        return []
+    here = {pair.state(name) for name in pair.before.table}
+    before = {pair.state(name) for name in old}
+    names = [name for name in pair.after.table if name in here]
+    return [pair.address_after(name) for name in names if (name in before) != (name in new)]
 
 
 def _later(pair: BranchSides, edge: Edge) -> Edge:

@@ -49,6 +49,8 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
+    from smsl_studio.blueprint.editing.pins import pin as pin
+    from smsl_studio.blueprint.editing.pins import unpin as unpin
     from smsl_studio.blueprint.editing.properties import set_properties as set_properties
     from smsl_studio.blueprint.editing.renames import rename as rename
     from smsl_studio.blueprint.editing.renames import rename_operations as rename_operations
@@ -82,6 +84,7 @@ _HOMES = {
     "move_source": "moves",
     "paste": "pasted_text",
     "paste_states": "pasted_table",
+    "pin": "pins",
     "place_label": "bends",
     "put_groups": "drawn",
     "put_notes": "drawn",
@@ -100,6 +103,7 @@ _HOMES = {
     "set_properties": "properties",
     "set_value": "fact_values",
     "straighten": "bends",
+    "unpin": "pins",
 }
 """Every edit with its module. Random sequences of edits in the tests take each of them."""
 

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.editing.drawn import states_gone
 from smsl_studio.blueprint.editing.headers import drop_sub
 from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.editing.pins import pins_gone
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.follow import terms_of
 from smsl_studio.blueprint.properties.property import properties_of
@@ -70,6 +71,7 @@ def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:
         for state in gone:
             table.pop(state, None)
     states_gone(draft, branch, gone)
+    pins_gone(draft, branch, gone)
     for key in ("INITIAL", "ACTIVATING"):
         if getattr(found.header, key.lower()) in gone:
             del draft.header(branch)[key]

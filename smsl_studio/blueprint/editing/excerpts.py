@@ -16,6 +16,7 @@ from smsl_studio.blueprint.editing.deletion import delete
 from smsl_studio.blueprint.editing.draft import existing
 from smsl_studio.blueprint.editing.drawn import part_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.pins import PINNED, renamed_pins
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
@@ -98,6 +99,9 @@ def _notes(
         notes[NOTES] = hanging
     if groups:
         notes[LAYOUT] = {**notes.get(LAYOUT, {}), GROUPS: groups}
+    pins = renamed_pins(written.get(LAYOUT), {state: state for state in states})
+    if pins:
+        notes[LAYOUT] = {**notes.get(LAYOUT, {}), PINNED: pins}
     lines = _lines(written.get(LAYOUT), named) if states else {}
     if lines:
         notes[LAYOUT] = {**notes.get(LAYOUT, {}), IN_LAYOUT: lines}

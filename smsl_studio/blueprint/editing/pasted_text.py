@@ -14,10 +14,12 @@ from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.editing.drawn import put_pasted
 from smsl_studio.blueprint.editing.excerpts import MARK, OPERATIONS, STATES, parts_of
 from smsl_studio.blueprint.editing.pasted_places import ASIDE, PastedPlaces, Point
+from smsl_studio.blueprint.editing.pins import put_pins
 from smsl_studio.blueprint.editing.renames import renamed_requires, renamed_subs
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import FreeNames, fresh_state_names
+from smsl_studio.blueprint.pins import renamed_pins
 from smsl_studio.blueprint.reading import HEADER, branches_of
 from smsl_studio.errors import EditRefused, ReadError, did_you_mean
 from smsl_studio.smsl.forms import form_named, form_of
@@ -167,6 +169,7 @@ class _Into:
                 x, y = placed[state]
                 moved = line.moved(x - former[0], y - former[1])
                 put_edge(draft, branch, (names[state], operation), moved)
+        put_pins(draft, branch, renamed_pins(layout, {state: names[state] for state in placed}))
         put_pasted(draft, branch, value, names)
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rena
 from smsl_studio.blueprint.editing.drawn import states_follow
 from smsl_studio.blueprint.editing.levels import levels_carried, levels_follow
 from smsl_studio.blueprint.editing.open_conflicts import conflicts_follow
+from smsl_studio.blueprint.editing.pins import pins_follow
 from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties import StateTerm
@@ -148,6 +149,7 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
             del table[key]
         rename_keys(table, names)
     states_follow(draft, branch, names)
+    pins_follow(draft, branch, names)
     for table in draft.tables(branch, "_operations"):
         moved = {}
         for key in list(table):

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.merge.conflict import ABSENT, Attachment, Conflict, P
 from smsl_studio.blueprint.merge.incidence import LAYOUT, LEVELS, Incidence
 from smsl_studio.blueprint.merge.trees import Trees
 from smsl_studio.blueprint.merge.values import equal, equal_branches
+from smsl_studio.blueprint.pins import PINNED
 
 Json = Any
 OURS, THEIRS = 1, 2
@@ -109,6 +110,7 @@ class Clashes:
         """Yield the paths of all that belongs to a state in any version, beside its operations."""
         yield branch, "_states", state
         yield branch, LAYOUT, state
+        yield branch, LAYOUT, PINNED, state
         for at in range(3):
             yield from self._incidence.notes_of(at, branch, state)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,12 +10,13 @@ from smsl_studio.blueprint.editing.draft import Draft
 from smsl_studio.blueprint.editing.drawn import free_keys
 from smsl_studio.blueprint.merge.clashes import Clashes
 from smsl_studio.blueprint.merge.common_names import Versions, in_common_names
-from smsl_studio.blueprint.merge.conflict import KEY, Conflict, Path, address_of
+from smsl_studio.blueprint.merge.conflict import ABSENT, KEY, Conflict, Path, address_of
 from smsl_studio.blueprint.merge.headers import HeaderMerger, take_out
 from smsl_studio.blueprint.merge.trees import Trees
 from smsl_studio.blueprint.merge.values import Merger, equal
 from smsl_studio.blueprint.merge.written import written_conflict
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.pins import PINNED, pinned_anew
 from smsl_studio.errors import ReadError
 
 Json = Any
@@ -26,7 +28,8 @@ class Merge:
     """The merged blueprint with its open conflicts.
 
     ``layout_kept`` has the addresses of elements that both sides placed anew. Their places have no
-    meaning, so those of ours are kept without a conflict.
+    meaning, so those of ours are kept without a conflict. Where one side alone has pinned a state
+    since the base, its place counts.
     """
 
     blueprint: Blueprint
@@ -49,6 +52,7 @@ def merge(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> Merge:
         _free_keys_of_theirs(trees, (branch, LAYOUT, GROUPS))
     clashes = Clashes(trees, common.renamed)
     clashes.settle()
+    kept = [path for branch in trees.branches_of_all() for path in _settle_pins(trees, branch)]
     taken = {branch: take_out(trees, branch) for branch in trees.branches()}
     merger = Merger(lambda path: len(path) > 1 and path[1] == LAYOUT)
     values = merger.merged_map((), *trees.versions)
@@ -59,7 +63,8 @@ def merge(base: Blueprint, ours: Blueprint, theirs: Blueprint) -> Merge:
             values[branch] = dict(values[branch])
             headers.finish(branch, values[branch], written)
     conflicts = (*common.conflicts, *clashes.conflicts, *merger.conflicts)
-    return _made(common.versions.ours, values, conflicts, merger.kept, _open(base, ours, theirs))
+    kept += merger.kept
+    return _made(common.versions.ours, values, conflicts, kept, _open(base, ours, theirs))
 
 
 def _made(
@@ -109,9 +114,46 @@ def _address_of_place(path: Path) -> str:
     inside = path[2:]
     if inside[:1] == ("_operations",) and len(inside) > 1:
         return address_of((path[0], "_operations", inside[1]))
+    if inside[:1] == (PINNED,) and len(inside) > 1:
+        return address_of((path[0], inside[1]))
     if inside and not inside[0].startswith("_"):
         return address_of((path[0], inside[0]))
     return address_of(path[:1])
+
+
+def _settle_pins(trees: Trees, branch: str) -> Iterator[Path]:
+    """Let the place at which one side has pinned a state count on the other side too. If that side
+    has deleted the state, the pin goes with it.
+
+    Yield the places of theirs that are left out.
+    """
+    layouts = [trees.map(at, (branch, LAYOUT)) for at in range(3)]
+    for side, other in ((1, 2), (2, 1)):
+        for state in pinned_anew(layouts[0], layouts[side], layouts[other]):
+            if trees.is_kept((branch, state)):
+                continue
+            if _is_deleted(trees, other, (branch, state)):
+                _forget_pin(trees, side, branch, state)
+                continue
+            here, there, before = (layouts[at].get(state) for at in (side, other, 0))
+            if here is None or there is None or equal(here, there):
+                continue
+            path = (branch, LAYOUT, state)
+            trees.put(other, path, here)
+            if side == 1 and not equal(there, before):
+                yield path
+
+
+def _is_deleted(trees: Trees, side: int, path: Path) -> bool:
+    return trees.get(0, path) is not ABSENT and trees.get(side, path) is ABSENT
+
+
+def _forget_pin(trees: Trees, side: int, branch: str, state: str) -> None:
+    """Remove a pin from a version, and the map of pins with the last one."""
+    path = (branch, LAYOUT, PINNED)
+    trees.put(side, (*path, state), ABSENT)
+    if trees.now(side, path) == {}:
+        trees.put(side, path, ABSENT)
 
 
 def _free_keys_of_theirs(trees: Trees, path: Path) -> None:

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.merge.trees import value_at
 from smsl_studio.blueprint.merge.values import NAMED, equal
 from smsl_studio.blueprint.merge.written import written_conflict
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.pins import PINNED
 from smsl_studio.blueprint.reading import HEADER
 
 Json = Any
@@ -82,6 +83,7 @@ class _Differences:
     def _parts(self, branch: str, state: str) -> Iterator[Path]:
         yield branch, "_states", state
         yield branch, LAYOUT, state
+        yield branch, LAYOUT, PINNED, state
         for values in (self._ours, self._theirs):
             inner = values[branch]
             for key in _map(inner, "_operations"):

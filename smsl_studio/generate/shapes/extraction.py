@@ -18,6 +18,7 @@ from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.facts import shape_of
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.pins import PINNED, renamed_pins
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.generate.shapes.claims import named_places
@@ -123,9 +124,7 @@ class _Extraction:
         }
         notes["_states"] = self._state_notes(raw, facts, self._outer)
         notes["_operations"] = self._base_notes(raw)
-        notes["_layout"] = {
-            self._outer[key]: at for key, at in _table(raw, "_layout").items() if key in facts
-        }
+        notes["_layout"] = _layout_part(raw, {key: self._outer[key] for key in facts})
         return {HEADER: header, **_filled(notes), **states}
 
     def _at(self, state: str) -> str:
@@ -208,11 +207,7 @@ class _Extraction:
             "_facts": self._fact_notes(raw, cut.digits),
             "_states": self._state_notes(raw, facts, self._inner),
             "_operations": self._sub_notes(raw),
-            "_layout": {
-                self._inner[key]: at
-                for key, at in _table(raw, "_layout").items()
-                if self._chosen.contains(key)
-            },
+            "_layout": _layout_part(raw, {key: self._inner[key] for key in self._chosen.states}),
         }
         return {HEADER: header, **_filled(notes), **own}
 
@@ -345,6 +340,14 @@ class _Extraction:
 def _table(raw: Mapping[str, Json], key: str) -> Mapping[str, Json]:
     found = raw.get(key)
     return found if isinstance(found, dict) else {}
+
+
+def _layout_part(raw: Mapping[str, Json], names: Mapping[str, str]) -> dict[str, Json]:
+    """Return the places and pins of some states under their new names."""
+    layout = _table(raw, "_layout")
+    pins = renamed_pins(layout, names)
+    places = {names[key]: at for key, at in layout.items() if key in names}
+    return {**places, PINNED: pins} if pins else places
 
 
 def _note(table: Mapping[str, Json], key: str) -> Mapping[str, Json]:

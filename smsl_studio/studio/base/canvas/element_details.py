@@ -28,7 +28,8 @@ def state_details(branch: StateBranch, state: str) -> str:
     """Title, facts and annotations of a state, as sentences."""
     note = branch.state_note(state) or StateNote()
     said = (note.title, facts_told(branch, state), subs_told(branch),
-            SAFE[note.safe] if note.safe is not None else "", note.note)  # fmt: skip
+            SAFE[note.safe] if note.safe is not None else "",
+            "Pinned" if state in branch.notes.pinned else "", note.note)  # fmt: skip
     return _sentences(said)
 
 

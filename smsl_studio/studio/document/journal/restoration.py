@@ -219,6 +219,8 @@ def tallied(found: Difference) -> str:
         parts.append(f"{counted(len(found.moved), 'state')} moved in the layout")
     if found.redrawn:
         parts.append(f"{counted(len(found.redrawn), 'operation')} redrawn")
+    if found.pinned:
+        parts.append(f"{counted(len(found.pinned), 'state')} pinned or unpinned")
     return f"{', '.join(parts)}."
 
 

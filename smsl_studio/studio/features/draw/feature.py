@@ -43,6 +43,7 @@ from smsl_studio.studio.features.draw.canvas.library_verbs import (
     template_actions,
 )
 from smsl_studio.studio.features.draw.canvas.message_seat import MessageSeat
+from smsl_studio.studio.features.draw.canvas.pin_verbs import PinVerbs, pin_actions
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
@@ -156,6 +157,7 @@ class DrawFeature(Feature):
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
+            *pin_actions(PinVerbs(session, self.canvas), lambda: shell.mode == "draw"),
             *view_actions(self.drawing, shell.sides, shell.program, shell),
             *walk_actions(self.canvas, lambda: shell.mode == "draw"),
             *blueprint_actions(
@@ -218,7 +220,8 @@ class DrawFeature(Feature):
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
         self.drawing.ways.told.connect(self._tell_ways)
         self.properties.ways_wanted.connect(actions["show_ways"].trigger)
-        self.properties.line.verb_wanted.connect(lambda name: actions[name].trigger())
+        for line in (self.properties.line, self.properties.state.notes.place):
+            line.verb_wanted.connect(lambda name: actions[name].trigger())
         self.fix_card.fix_wanted.connect(self.findings.fix)
         for panel in (self.outline, self.facts):
             panel.fact_wanted.connect(self.going.show_fact)

@@ -132,9 +132,10 @@ class DrawVerbs:
         leave states, labels, titles and other notes free.
 
         If two or more states are selected, only these move. Otherwise all states move, and the
-        drawing looks like the one before. The zoom stays, unless the whole drawing was in view
-        and does not fit any more. If nothing would change, only a sentence says so. A large SB is
-        laid out beside the window. ``kind`` is one of the layouts of ``graph.arrangement``.
+        drawing looks like the one before. Pinned states stay where they are. The zoom stays,
+        unless the whole drawing was in view and does not fit any more. If nothing would change,
+        only a sentence says so. A large SB is laid out beside the window. ``kind`` is one of the
+        layouts of ``graph.arrangement``.
         """
         # What is still being typed is taken over first, because the drawing must have it.
         self._session.settling.emit()
@@ -144,6 +145,10 @@ class DrawVerbs:
         blueprint, *asked = self._tidied
         if blueprint is self._session.blueprint and asked == [branch.name, chosen, kind]:
             self.canvas.say(TIDY)
+            return
+        if branch.notes.pinned.issuperset(branch.table if chosen is None else chosen):
+            which = "Every state" if chosen is None else "Each selected state"
+            self.canvas.say(f"{which} is pinned, so none moves. Unpin some first (Shift+P).")
             return
         shown = self.canvas.positions
         work = TidyWork(self._session.blueprint, branch.name, shown, chosen, kind)

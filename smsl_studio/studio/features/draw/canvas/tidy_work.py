@@ -37,14 +37,20 @@ class TidyWork:
     def do(self) -> Tidied:
         """Compute the tidy drawing. It can be called off."""
         before = self.blueprint[self.branch]
+        pinned = before.notes.pinned
         places = tidied(before, self.shown, self.chosen or (), self.kind)
         heed()
-        straight = editing.straighten(self.blueprint, self.branch, self.chosen)
+        moved = self.chosen
+        if pinned:
+            moved = frozenset(before.table if moved is None else moved) - pinned
+        straight = editing.straighten(self.blueprint, self.branch, moved)
         same = all(_together(at, self.shown.get(name)) for name, at in places.items())
         bent = straight[self.branch].notes.edges != before.notes.edges
         if same and not bent:
             return Tidied(places, straight, straight, same=True)
-        placed = editing.set_layout(straight, self.branch, places)
+        # The places of pinned states stay as they are written, to the last digit.
+        free = {name: at for name, at in places.items() if name not in pinned}
+        placed = editing.set_layout(straight, self.branch, free)
         return Tidied(places, straight, placed)
 
 

@@ -22,7 +22,7 @@ def rows_of(difference: Difference) -> list[ListRow]:
     if difference.fields:
         rows.append(ListRow("Fields without meaning, which are no change", kind="section"))
     rows.extend(replace(_row(difference, one), pale=True) for one in difference.fields)
-    if difference.moved or difference.redrawn:
+    if difference.has_new_layout:
         rows.append(ListRow("Moved in the layout, which is no change of meaning", kind="section"))
     for address in difference.moved[:MOST_MOVED]:
         words = f"The state {address.state} of {address.branch} has another position."
@@ -30,7 +30,11 @@ def rows_of(difference: Difference) -> list[ListRow]:
     for address in difference.redrawn[:MOST_MOVED]:
         words = f"The line of {address.operation} in {address.state} is drawn in another way."
         rows.append(ListRow(words, _moved(difference, address), "fit", pale=True))
-    left = sum(max(len(one) - MOST_MOVED, 0) for one in (difference.moved, difference.redrawn))
+    for address in difference.pinned[:MOST_MOVED]:
+        words = f"The state {address.state} of {address.branch} was pinned or unpinned."
+        rows.append(ListRow(words, _moved(difference, address), "pin", pale=True))
+    listed = (difference.moved, difference.redrawn, difference.pinned)
+    left = sum(max(len(one) - MOST_MOVED, 0) for one in listed)
     if left > 0:
         rows.append(ListRow(f"and {left} more", kind="section"))
     return rows

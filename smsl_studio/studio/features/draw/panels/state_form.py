@@ -120,7 +120,7 @@ class StateForm(NoteForm):
             self.operations.hide()
             return
         branch = blueprint[one.branch]
-        self.notes.show_state(branch, one.state)
+        self.notes.show_state(branch, one.state, self._session.places.shown(branch))
         self.naming.show_values([ShownValue(one.state)])
         rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]
         self._count.setText(str(len(rows)))

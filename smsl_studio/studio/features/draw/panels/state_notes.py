@@ -1,4 +1,4 @@
-"""The section Layout of a state: the notes that hang on it."""
+"""The section Layout of a state: its place, and the notes that hang on it."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from smsl_studio.picture.drawn_parts import lines_of
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.lines.line import labelled
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.draw.panels.place_line import PlaceLine, Places
 
 
 class StateNotes(QWidget):
-    """Says which note hangs on a state, and adds the first one or shows it."""
+    """Says where a state stands and which note hangs on it. Adds the first note or shows it."""
 
     note_wanted = Signal(object, str)
     """(Address of the state, key): show this note; add one if the key is empty."""
@@ -29,6 +30,8 @@ class StateNotes(QWidget):
         column.addLayout(
             row(label("Layout", "heading"), label("never changes the meaning", "small"), None)
         )
+        self.place = PlaceLine()
+        column.addWidget(self.place)
         self.words = Elided("")
         self.button = QPushButton("Add note")
         self.button.clicked.connect(lambda: self.note_wanted.emit(self._state, self._key))
@@ -38,8 +41,9 @@ class StateNotes(QWidget):
         inner.setLayout(line)
         column.addLayout(labelled("Note", inner))
 
-    def show_state(self, branch: StateBranch, state: str) -> None:
-        """Show the notes of a state."""
+    def show_state(self, branch: StateBranch, state: str, places: Places) -> None:
+        """Show the place and the notes of a state. ``places`` has those of all states."""
+        self.place.show_state(branch, state, places)
         keys: Sequence[str] = branch.drawn.notes_on(state)
         self._state, self._key = Address(branch.name, state), keys[0] if keys else ""
         words = "None"
