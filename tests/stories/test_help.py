@@ -19,7 +19,7 @@ from smsl_studio.studio.features.help.help_window import HelpWindow
 from smsl_studio.studio.features.help.look import blocks, fragments
 from smsl_studio.studio.features.help.page_view import ABOVE, PageView
 from smsl_studio.studio.features.help.pages import HelpPlace, pages
-from smsl_studio.studio.features.help.topics import MODES, PARTS, part_with_row
+from smsl_studio.studio.features.help.topics import MODES, PARTS, place_about
 from smsl_studio.studio.shell.window import Window
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person
@@ -104,7 +104,7 @@ def focused(window: Window, part: str) -> QWidget:
     ("part", "place", "line"),
     [
         ("canvas", HelpPlace("window.md", PARTS["Canvas"].anchor, "Canvas"), "Canvas"),
-        ("outline", HelpPlace("window.md", PARTS["Outline"].anchor, "Outline"), "Outline"),
+        ("outline", HelpPlace("window.md", PARTS["Findings"].anchor, "Outline"), "Outline"),
         ("properties", HelpPlace("window.md", "forms"), "Forms"),
         ("source", HelpPlace("window.md", "the-source"), "The source"),
     ],
@@ -308,18 +308,19 @@ def test_every_mode_panel_and_dialog_has_a_row_that_leads_to_a_section(sit: Sit)
     assert [name for name in PARTS if name not in kinds] == [], "no such class"
     modes = {mode for feature in window.features for mode in feature.pages}
     assert set(MODES) == modes
-    panels = [one.widget for one in window.docks.panels if not part_with_row(one.widget)]
-    assert panels == []
+    panels = [place_about(one.widget, "draw") for one in window.docks.panels]
     ours = [kind for kind in all_kinds(QDialog) if kind.__module__.startswith("smsl_studio")]
     assert len(ours) > 5
     assert [k.__name__ for k in ours if not PARTS.keys() & {b.__name__ for b in k.__mro__}] == []
     sections = {(page.name, one.anchor) for page in pages() for one in page.sections}
-    for place in (*MODES.values(), *PARTS.values()):
+    for place in (*MODES.values(), *PARTS.values(), *panels):
         assert (place.page, place.anchor) in sections, place
 
 
-def test_every_word_of_a_row_begins_a_paragraph(view: PageView) -> None:
-    for place in {place for place in PARTS.values() if place.word}:
+def test_every_word_of_a_row_begins_a_paragraph(view: PageView, sit: Sit) -> None:
+    panels = [place_about(one.widget, "draw") for one in sit(HANOI).window.docks.panels]
+    assert MODES["draw"] not in panels
+    for place in {place for place in (*PARTS.values(), *panels) if place.word}:
         view.show_place(place)
         assert view.textCursor().block().text().startswith(place.word), place
 

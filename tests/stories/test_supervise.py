@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.events import (
     Commanded,
     GivenBack,
@@ -224,3 +225,20 @@ def test_v_on_what_is_vetoed_already_offers_to_restore_it(sit: Sit) -> None:
     assert at.pane.step_in.prune.text() == "Prune…"
     at.press(Key.Key_Return)
     at.person.until(lambda: at.standing("Op_2b") in ("possible", "next"))
+
+
+def test_every_command_of_the_menu_that_a_pause_allows_asks_with_the_words_of_its_row(
+    sit: Sit,
+) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    rows = [row for row in COMMANDS.values() if row.tip and row.word != "full_map"]
+    rows = [row for row in rows if "paused" not in {*row.refused, *row.useless}]
+    assert {"veto", "prune", "take_over"} <= {row.word for row in rows}
+    for row in rows:
+        assert at.person.window.actions_table[row.word].isEnabled(), row.word
+        at.person.window.actions_table[row.word].trigger()
+        assert row.consequence in at.asked, row.word
+        at.press(Key.Key_Escape)
+        assert at.asked == "", row.word
+    assert [word for word, _ in at.commanded()] == ["step"]

@@ -20,27 +20,19 @@ def offers(driver: Driver) -> tuple[Offer, ...]:
     if driver.ended is not None:
         return ()
     state, phase = driver.state, driver.phase
-    if phase == "stopped":
-        return _offer("reset"), _offer("end")
-    if phase == "taken_over":
-        return tuple(_taken_over(driver))
+    always = tuple(_offer(row.word) for row in COMMANDS.values() if phase in row.offered)
+    if phase == "taken_over" and state.offered is not None:
+        return _offer("accept", states=_states(state.offered)), *always
     if state.held is not None and phase in ("no_route", "fault_hold"):
-        return tuple(_held(driver))
-    if driver.carrier is not None and state.too_late is not None:
+        return *_held(driver), *always
+    if not always and driver.carrier is not None and state.too_late is not None:
         words = f"Stop {state.too_late}, for which a veto came too late."
         return (Offer("stop", "", words),)
-    return ()
-
-
-def _taken_over(driver: Driver) -> Iterator[Offer]:
-    offered = driver.state.offered
-    if offered is not None:
-        yield _offer("accept", states=_states(offered))
-    yield _offer("give_back")
-    yield _offer("stop")
+    return always
 
 
 def _held(driver: Driver) -> Iterator[Offer]:
+    """Yield the offers about a configuration or an operation that a held run names."""
     held, course, found = driver.state.held, driver.course, driver.trouble.candidates
     assert held is not None
     if held.kind != NO_ROUTE and len(found) == 1:
@@ -55,9 +47,6 @@ def _held(driver: Driver) -> Iterator[Offer]:
         elif hazards and one.permitted:
             words = f"Carry out {one.address}. It leaves {named(hazards)}."
             yield Offer("ask", str(one.address), words)
-    yield _offer("resume")
-    yield _offer("take_over")
-    yield _offer("end")
 
 
 def _offer(word: str, address: str = "", **words: str) -> Offer:

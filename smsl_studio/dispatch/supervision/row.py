@@ -98,7 +98,8 @@ class CommandRow:
     ``supervisors`` says that a supervisor may decide it for an operation. ``label``, ``key`` and
     ``icon`` belong to its button. A command with a ``tip`` is in the Run menu. ``question`` and
     ``consequence`` are the words of a second question, and ``verb`` those of its button (by default
-    the label); ``{name}`` is the operation. ``offer`` is the sentence with which a run offers it.
+    the label); ``{name}`` is the operation. ``offer`` is the sentence with which a run offers it,
+    and ``offered`` are the run states in which it always does so. ``offers`` decides about others.
     """
 
     word: str = field(kw_only=False)
@@ -127,6 +128,7 @@ class CommandRow:
     question: str = ""
     consequence: str = ""
     offer: str = ""
+    offered: tuple[str, ...] = ()
 
     def command(self, *args: Any, **kwargs: Any) -> Command:
         """Return the command with its arguments. TypeError if they do not fit the effect."""

@@ -41,6 +41,7 @@ _ASKED = "people are being asked, it goes on when they have answered"
 _HOLDS = "the run holds already"
 _NOT_TAKEN = "nobody has taken over"
 _LOCKED = {"taken_over": _TAKEN, "stopped": _STOPPED}
+_HELD = ("no_route", "fault_hold")
 _EDGE = {"address": Argument(EDGE)}
 
 
@@ -102,6 +103,7 @@ class Commands:
         key="F5",
         icon="play",
         offer="Read the scene again and go on from there.",
+        offered=_HELD,
     )
     step = CommandMethod(
         "step",
@@ -208,6 +210,7 @@ class Commands:
         tip="Lock the automation out, or have it go on from the state that is located",
         consequence="The automation is locked out and only observes, until you give back.",
         offer="Take over, and give back when it stands where it should.",
+        offered=_HELD,
     )
     give_back = CommandMethod(
         "give_back",
@@ -220,6 +223,7 @@ class Commands:
         icon="hand",
         consequence="The scene is read. Exactly one state must check true, and you accept it.",
         offer="Ask the scene where the procedure stands.",
+        offered=("taken_over",),
     )
     accept = CommandMethod(
         "accept",
@@ -259,6 +263,7 @@ class Commands:
         key="F8",
         icon="stop",
         offer="Brake and latch.",
+        offered=("taken_over",),
     )
     reset = CommandMethod(
         "reset",
@@ -271,6 +276,7 @@ class Commands:
         tip="Unlatch a stop, to paused",
         consequence="It unlatches the stop, to paused; nothing moves until you say so",
         offer="Unlatch the stop. The run is paused then.",
+        offered=("stopped",),
     )
     end = CommandMethod(
         "end",
@@ -286,6 +292,7 @@ class Commands:
         tip="Finish a run that is stopped or holds",
         consequence="It ends the run for good; its record is closed",
         offer="End the run here.",
+        offered=("stopped", *_HELD),
     )  # fmt: skip
 
     # people, view, trials -----------------------------------------------------------------------

@@ -78,6 +78,10 @@ class DockPanel:
     tall: bool = False
     after: str = ""
 
+    def __post_init__(self) -> None:
+        """Write the name at the widget, so that help finds the panel around what has the focus."""
+        self.widget.setProperty("panel", self.name)
+
 
 class Feature:
     """One feature of a window, in the form that the shell knows. A subclass fills what it has.

@@ -162,6 +162,9 @@ class RowsView(QListView):
         self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
 
+    def keyboardSearch(self, search: str, /) -> None:
+        """Do nothing: letters are keys of the window."""
+
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._delegate.tokens = tokens

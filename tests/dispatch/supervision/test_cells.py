@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.host.protocol import Outcome
+from smsl_studio.runlog.phase import RUN_STATES
 from tests.dispatch.fake_host import Fault
 from tests.dispatch.runs import Story, blueprint, branch, sample
 from tests.dispatch.supervision.runs import (
@@ -398,9 +400,18 @@ def test_a_hold_offers_every_way_out_with_a_sentence() -> None:
                   avoid=["SB1/State_aaa/Op_1b"])  # fmt: skip
     story.run()
     assert story.phase == "fault_hold"
-    assert offered(story) == ["restore", "ask", "resume", "take_over", "end"]
+    always = [row.word for row in COMMANDS.values() if "fault_hold" in row.offered]
+    assert {"resume", "take_over", "end"} <= set(always)
+    assert offered(story) == ["restore", "ask", *always]
     assert all(offer.sentence.endswith(".") for offer in story.dispatcher.status.offers)
     assert story.dispatcher.status.details
+
+
+def test_a_command_with_a_sentence_of_offer_is_offered_in_some_run_state() -> None:
+    about_something = {"adopt", "restore", "ask", "accept"}
+    for row in COMMANDS.values():
+        assert bool(row.offer) == bool(row.offered or row.word in about_something), row.word
+        assert set(row.offered) <= set(RUN_STATES), row.word
 
 
 def test_the_loop_guard_holds_what_begins_again_and_again() -> None:

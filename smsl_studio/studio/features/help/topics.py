@@ -29,9 +29,6 @@ MODES = {
 
 PARTS = {
     "Canvas": _panel("Canvas"),
-    "Outline": _panel("Outline"),
-    "Facts": _panel("Facts"),
-    "Library": _panel("Library"),
     "Properties": _window("forms"),
     "HeaderForm": _panel("Branch header"),
     "ClaimsLine": _window("inspection"),
@@ -40,8 +37,6 @@ PARTS = {
     "InspectionPanel": _window("inspection"),
     "ClaimTable": HelpPlace("shown.md"),
     "RunView": HelpPlace("shown.md"),
-    "History": _panel("History"),
-    "BranchTable": _panel("Table"),
     "DrawingFindBar": _window("finding"),
     "Palette": _window("finding", "Anything"),
     "FixCard": _panel("Findings"),
@@ -82,26 +77,37 @@ PARTS = {
     "QMessageBox": _window("files", "Saving"),
     "QFileDialog": _window("files"),
 }
-"""By the class of a widget: what is explained while it, or a part of it, has the focus."""
+"""By the class of a widget: what is explained while it, or a part of it, has the focus.
+
+A panel beside the drawing needs no entry: its name leads to its row in the table of panels.
+"""
 
 
 def place_about(focus: QWidget | None, mode: str) -> HelpPlace:
     """What explains the widget that has the keyboard focus.
 
-    The innermost part that has a row counts, else the mode.
+    The innermost part counts that has an entry or is a panel, else the mode.
     """
-    found = part_with_row(focus)
+    widget = focus
+    while widget is not None:
+        if found := _entry(widget):
+            return PARTS[found]
+        if name := widget.property("panel"):
+            return _panel(name)
+        widget = None if widget.isWindow() else widget.parentWidget()
     # The other pages of Draw have no row of their own.
-    return PARTS[found] if found else MODES.get(mode, MODES["draw"])
+    return MODES.get(mode, MODES["draw"])
 
 
 def part_with_row(widget: QWidget | None) -> str:
-    """The class of the innermost part around a widget that has a row; empty if none has one."""
+    """Return the class of the innermost part around a widget that has an entry, or ``""``."""
     while widget is not None:
-        for kind in type(widget).__mro__:
-            if kind.__name__ in PARTS:
-                return kind.__name__
-        if widget.isWindow():
-            return ""
-        widget = widget.parentWidget()
+        if found := _entry(widget):
+            return found
+        widget = None if widget.isWindow() else widget.parentWidget()
     return ""
+
+
+def _entry(widget: QWidget) -> str:
+    """Return the name under which ``PARTS`` has a widget, or the empty text."""
+    return next((one.__name__ for one in type(widget).__mro__ if one.__name__ in PARTS), "")
