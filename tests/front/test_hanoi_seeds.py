@@ -1,4 +1,7 @@
-"""The game in physics from many starts: three millimetres of jitter, sensed at 50 Hz."""
+"""The game in physics from a few starts: three millimetres of jitter, sensed at 50 Hz.
+
+``benches/physics.py`` solves it from twenty and from a hundred.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,8 @@ from smsl_studio.shipped import samples_dir
 @pytest.mark.parametrize(
     ("sample", "moves", "seed"),
     [
-        *(("hanoi-corrected.json", 7, seed) for seed in range(20)),
-        *(("hanoi-4.json", 15, seed) for seed in range(2)),
+        *(("hanoi-corrected.json", 7, seed) for seed in range(3)),
+        *(("hanoi-4.json", 15, seed) for seed in range(1)),
     ],
 )
 def test_every_start_reaches_the_goal(sample: str, moves: int, seed: int) -> None:

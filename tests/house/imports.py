@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+
+from tests.house.survey import Asked, survey
 
 PACKAGE = "smsl_studio"
 
@@ -80,11 +81,11 @@ class Import:
 
 def imports_of(package: Path) -> Iterator[Import]:
     """Every import below ``package``, those inside functions and of literal names included."""
-    for path in sorted(package.rglob("*.py")):
-        file = path.relative_to(package).as_posix()
-        for node in ast.walk(ast.parse(path.read_text("utf-8"), file)):
-            for name in _names(node):
-                yield Import(file, getattr(node, "lineno", 0), name)
+    for one in survey(package):
+        file = one.path.relative_to(package).as_posix()
+        for asked in one.asked:
+            for name in _names(asked):
+                yield Import(file, asked.line, name)
 
 
 def faults(package: Path) -> list[str]:
@@ -98,25 +99,11 @@ def room_of(file: str) -> str:
     return file.partition("/")[0].removesuffix(".py")
 
 
-def _names(node: ast.AST) -> Iterator[str]:
-    if isinstance(node, ast.Import):
-        yield from (alias.name for alias in node.names)
-    elif isinstance(node, ast.ImportFrom):
-        if node.level:
-            yield "." * node.level + (node.module or "")
-        elif node.module in WHOLE:
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
-        else:
-            yield node.module or ""
-    elif isinstance(node, ast.Call) and node.args and _imports_by_name(node.func):
-        wanted = node.args[0]
-        if isinstance(wanted, ast.Constant) and isinstance(wanted.value, str):
-            yield wanted.value
-
-
-def _imports_by_name(function: ast.expr) -> bool:
-    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
-    return name in {"import_module", "__import__"}
+def _names(asked: Asked) -> Iterator[str]:
+    if asked.names and asked.module in WHOLE:
+        yield from (f"{asked.module}.{name}" for name in asked.names)
+    else:
+        yield asked.module
 
 
 def _fault(item: Import) -> str:

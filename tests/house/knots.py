@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Mapping
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+
+from tests.house.survey import Surveyed, survey
 
 
 def modules_below(root: Path, top: str) -> dict[str, set[str]]:
@@ -13,8 +14,8 @@ def modules_below(root: Path, top: str) -> dict[str, set[str]]:
 
     Imports inside functions and under TYPE_CHECKING count as well.
     """
-    found = {_name(root, path): path for path in sorted((root / top).rglob("*.py"))}
-    return {module: _asked(path, module, set(found)) for module, path in found.items()}
+    found = {_name(root, one.path): one for one in survey(root / top)}
+    return {module: _asked(one, module, set(found)) for module, one in found.items()}
 
 
 def folders_of(modules: Mapping[str, set[str]]) -> dict[str, set[str]]:
@@ -48,12 +49,10 @@ def _folder(module: str, packages: set[str]) -> str:
     return module if module in packages or at_the_top else module.rpartition(".")[0]
 
 
-def _asked(path: Path, module: str, known: set[str]) -> set[str]:
+def _asked(one: Surveyed, module: str, known: set[str]) -> set[str]:
     asked: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Import):
-            asked.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            whole = {f"{node.module}.{alias.name}" for alias in node.names}
-            asked.update(name if name in known else node.module for name in whole)
+    for item in one.asked:
+        if not item.literal and item.module:
+            whole = {f"{item.module}.{name}" for name in item.names} or {item.module}
+            asked.update(name if name in known else item.module for name in whole)
     return (asked & known) - {module}

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-import ast
 import re
 import tomllib
 from importlib.metadata import version
 from pathlib import Path
 
+from tests.house.survey import survey
+
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 LOCK = (ROOT / "requirements.lock").read_text("utf-8")
-CODE = [p for top in ("smsl_studio", "plugins", "benches") for p in (ROOT / top).rglob("*.py")]
+TOPS = ("smsl_studio", "plugins", "benches")
+CODE = [path for top in TOPS for path in (ROOT / top).rglob("*.py")]
 
 LONGEST = 400
 LONG = 300
@@ -34,10 +36,11 @@ def test_no_file_has_a_name_that_says_nothing() -> None:
 
 def test_no_class_is_a_manager() -> None:
     named = [
-        (path.name, node.name)
-        for path in CODE
-        for node in ast.walk(ast.parse(path.read_text("utf-8")))
-        if isinstance(node, ast.ClassDef) and re.search(r"(Manager|Helper|Singleton)$", node.name)
+        (one.path.name, name)
+        for top in TOPS
+        for one in survey(ROOT / top)
+        for name in one.classes
+        if re.search(r"(Manager|Helper|Singleton)$", name)
     ]
     assert named == []
 
