@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog
 
 from smsl_studio.studio.base import announcement
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
+from smsl_studio.studio.base.rows import LINE
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
 from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.shell.frame.key_table import KeyTable
@@ -137,6 +138,29 @@ def test_a_search_that_finds_something_does_not_say_that_it_finds_nothing(
     assert [words.partition(". ")[0] for words, _ in heard] == [
         "Nothing is called “tower of hanoiq”"
     ]
+
+
+def test_the_row_that_is_marked_in_the_search_is_told(sit: Sit, heard: Heard) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    heard.clear()
+    person.ctrl(Key.Key_K)
+    assert [words.rpartition(", ")[2].startswith("1 of ") for words, _ in heard] == [True]
+    heard.clear()
+    person.type("110b")
+    first = "Operation110B, SB1 / State110, 1 of 1"
+    assert heard[-1] == (first, False)
+    person.ctrl(Key.Key_A)
+    person.type("110")
+    heard.clear()
+    rows = [row.text for row in person.window.command_palette.list.rows.rows if row.kind == LINE]
+    for at in (1, 2, 1):
+        person.press(Key.Key_Down if len(heard) < 2 else Key.Key_Up)
+        words = heard[-1][0]
+        assert words.startswith(rows[at])
+        assert words.endswith(f", {at + 1} of {len(rows)}")
+    assert len(heard) == 3
+    person.press(Key.Key_Escape)
+    assert len(heard) == 3
 
 
 def test_a_comparison_is_told_in_one_sentence(sit: Sit, heard: Heard, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.guards import needs_words
 from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.paint.guard_sign import WORDS
+from smsl_studio.studio.base.words import counted
 
 FINDING = {"E": "error", "W": "warning", "I": "note"}
 
@@ -57,7 +58,10 @@ def words_for(canvas: Stage, address: Address) -> str:
 
 
 def state_words(canvas: Stage, state: int) -> str:
-    """The words for a state, such as "State_1100, active, 7 operations out"."""
+    """The words for a state, such as "State_1100, active, 7 operations out, 1 loop".
+
+    A loop leads back to its own state, so it leads nowhere else and is counted apart.
+    """
     sheet = canvas.sheet
     assert sheet is not None
     face, look = sheet.picture.face(state), sheet.looks.node(state)
@@ -69,6 +73,8 @@ def state_words(canvas: Stage, state: int) -> str:
     words += ["activating"] if face.activating else []
     if look.finding:
         words.append(FINDING.get(look.finding, "finding"))
-    out = len(sheet.picture.branch.table[face.name])
-    words.append(f"{out} operation{'' if out == 1 else 's'} out")
+    targets = sheet.picture.branch.table[face.name].values()
+    loops = sum(target == face.name for target in targets)
+    words.append(f"{counted(len(targets) - loops, 'operation')} out")
+    words += [counted(loops, "loop")] if loops else []
     return ", ".join(words)

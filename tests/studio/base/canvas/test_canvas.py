@@ -23,11 +23,13 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.picture.marks import Marks
 from smsl_studio.shipped import samples_dir
+from smsl_studio.studio.base.canvas.accessible import state_words
 from smsl_studio.studio.base.canvas.node_item import NodeItem
 from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.shell import accessible_factory
 from tests.bombs.table import BY_NAME
 from tests.bombs.test_work import read
+from tests.plugin_folder import blueprint_of
 from tests.stories.at_canvas import Drawer, sample
 
 ROOMY = Spacing()
@@ -200,6 +202,15 @@ def test_assistive_tools_hear_every_state(hfsm: Drawer, qapp: QApplication) -> N
     assert found.childAt(place.x(), place.y()).text(QAccessible.Text.Name) == words[2]
     hfsm.click(hfsm.place("State110"))
     assert hfsm.canvas.accessibleDescription() == "State110, selected, 2 operations out"
+
+
+def test_assistive_tools_hear_loops_apart(qtbot: QtBot) -> None:
+    """A loop leads to no other state."""
+    table = {"State0": {"go": "State1", "stay": "State0"}, "State1": {"a": "State1", "b": "State1"}}
+    drawer = Drawer(qtbot, blueprint_of({"SB1": table}))
+    words = [state_words(drawer.canvas, at) for at in (0, 1)]
+    assert words[0].endswith(", 1 operation out, 1 loop")
+    assert words[1].endswith(", 0 operations out, 2 loops")
 
 
 def test_a_banner_is_shown_and_taken_away(hfsm: Drawer) -> None:

@@ -70,6 +70,7 @@ class Palette(QFrame):
         self.show()
         self.raise_()
         self.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self._tell()
 
     def close_palette(self) -> None:
         """Close, and return the keyboard focus to the widget that had it."""
@@ -100,6 +101,7 @@ class Palette(QFrame):
         }
         if key in steps:
             self._step(steps[Qt.Key(key)])
+            self._tell()
             return True
         if key in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
             self._run(self.list.currentIndex())
@@ -117,6 +119,15 @@ class Palette(QFrame):
             place = lines.index(at) if at in lines else -1
             to = max(0, min(len(lines) - 1, place + by))
             self.list.setCurrentIndex(self.list.rows.index(lines[to]))
+
+    def _tell(self) -> None:
+        """Let a screen reader read the marked row. The keyboard focus stays in the field, so a
+        reader would not notice that another row is marked."""
+        lines = [at for at, row in enumerate(self.list.rows.rows) if row.kind == LINE]
+        index = self.list.currentIndex()
+        if self.isVisible() and index.row() in lines:
+            words = index.data(Qt.ItemDataRole.AccessibleTextRole)
+            announce(self.field, f"{words}, {lines.index(index.row()) + 1:,} of {len(lines):,}")
 
     def _run(self, index: QModelIndex) -> None:
         if not index.isValid():
@@ -140,3 +151,4 @@ class Palette(QFrame):
         self.list.scrollToTop()
         self.list.setCurrentIndex(QModelIndex())
         self._step(1)
+        self._tell()
