@@ -9,7 +9,9 @@ from dataclasses import dataclass
 
 def escape(name: str) -> str:
     """Return a name as one part of an address."""
-    return name.replace("~", "~0").replace("/", "~1")
+    if "~" in name or "/" in name:
+        return name.replace("~", "~0").replace("/", "~1")
+    return name
 
 
 def _unescape(part: str) -> str:
@@ -59,6 +61,11 @@ class Address:
         """Return the address in a text from outside, such as a log. None if it is no address."""
         names = Address.split(text)
         return Address(*names) if len(names) <= 3 and all(names) else None
+
+
+def state_text(branch: str, state: str) -> str:
+    """Return the address of a state as text."""
+    return f"{escape(branch)}/{escape(state)}"
 
 
 def fact_text(branch: str, digit: int) -> str:

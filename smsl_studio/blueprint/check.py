@@ -11,7 +11,7 @@ from functools import cached_property, lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import state_text
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 FactKey = tuple[str, int]
@@ -64,7 +64,7 @@ class Term:
     reason: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CheckResult:
     """The result of a state check: every term, and from them true, false or unknown (None)."""
 
@@ -72,10 +72,19 @@ class CheckResult:
     state: str
     terms: tuple[Term, ...]
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, CheckResult):
+            return NotImplemented
+        same = self.branch == other.branch and self.state == other.state
+        return same and self.terms == other.terms
+
+    def __hash__(self) -> int:
+        return hash((self.branch, self.state, self.terms))
+
     @cached_property
     def address(self) -> str:
         """The state's address as text."""
-        return str(Address(self.branch, self.state))
+        return state_text(self.branch, self.state)
 
     @cached_property
     def truth(self) -> bool | None:
@@ -100,20 +109,56 @@ class CheckResult:
         return tuple(term for term in self.terms if term.truth is None)
 
 
-class _Expected(NamedTuple):
-    """The values that each fact of a state must have, for a state without sub-SBs.
+class _Met(CheckResult):
+    """The result in which every fact has the value that the state needs.
 
-    ``fresh`` are these values as readings of this instant. Two results are made in advance: one for
-    all facts sensed with these values, and one for no sensed fact.
+    Most checks of a run are such, and nobody asks for their terms. So these are made when they are
+    first asked for.
+    """
+
+    truth = True
+    _own: StateBranch
+    _reason: str
+
+    def __init__(self, branch: StateBranch, state: str, reason: str = "") -> None:
+        kept = self.__dict__  # as a frozen value is made, and quicker than by its own way
+        kept["branch"], kept["state"] = branch.name, state
+        kept["_own"], kept["_reason"] = branch, reason
+
+    @cached_property
+    def terms(self) -> tuple[Term, ...]:
+        """The terms, all true."""
+        name, reason = self.branch, self._reason
+        values = enumerate(self._own.facts(self.state))
+        return tuple(Term((name, digit), value, value, True, reason) for digit, value in values)
+
+
+class _Sensed(NamedTuple):
+    """The values that each fact of a state must have, and the result if they are sensed.
+
+    ``fresh`` are these values as readings of this instant.
     """
 
     pairs: tuple[tuple[FactKey, str], ...]
     fresh: ItemsView[FactKey, Reading]
-    sensed: CheckResult
-    believed: CheckResult
+    result: CheckResult
 
 
-_KEY = "_expected"
+class _Kept:
+    """The results that are kept for the states of one SB, each since it was first asked for.
+
+    ``whole`` says that no sub-SB expands a fact.
+    """
+
+    __slots__ = ("believed", "sensed", "whole")
+
+    def __init__(self, branch: StateBranch) -> None:
+        self.whole = not branch.subs
+        self.believed: dict[str, CheckResult] = {}
+        self.sensed: dict[str, _Sensed] = {}
+
+
+_KEY = "_kept_checks"
 BELIEVED = "believed, nobody senses it"
 
 IN_TRANSIT = "in transit"
@@ -187,40 +232,45 @@ def as_expected(
     (``held``) to be in the state. The result is also None if a sub-SB expands a fact, because each
     term must then be checked. Most checks of a run end here, so each state keeps its two results.
     """
-    try:
-        kept: _Expected = branch.__dict__[_KEY][state]
-    except KeyError:
-        kept = branch.__dict__.setdefault(_KEY, {})[state] = _expected(branch, state)
+    kept: _Kept | None = branch.__dict__.get(_KEY)
+    if kept is None:
+        kept = branch.__dict__.setdefault(_KEY, _Kept(branch))
+    if not kept.whole:
+        return None
     readings = scene.readings
     if not readings:
-        return kept.believed if held == state and kept.pairs else None
-    if not kept.pairs:
+        return _believed(kept, branch, state) if held == state else None
+    wanted = kept.sensed.get(state)
+    if wanted is None:
+        wanted = kept.sensed[state] = _sensed(branch, state)
+    if not wanted.pairs:
         return None
-    if kept.fresh <= readings.items():
-        return kept.sensed
+    if wanted.fresh <= readings.items():
+        return wanted.result
     unsensed = 0
-    for key, value in kept.pairs:
+    for key, value in wanted.pairs:
         reading = readings.get(key)
         if reading is None or not reading.sensed:
             unsensed += 1
         elif reading.value != value:
             return None
     if not unsensed:
-        return kept.sensed
-    return kept.believed if held == state and unsensed == len(kept.pairs) else None
+        return wanted.result
+    believed = held == state and unsensed == len(wanted.pairs)
+    return _believed(kept, branch, state) if believed else None
 
 
-def _expected(branch: StateBranch, state: str) -> _Expected:
-    name, values = branch.name, branch.facts(state)
-    pairs = tuple(((name, digit), value) for digit, value in enumerate(values))
-    sensed = tuple(Term(key, value, value, True) for key, value in pairs)
-    believed = tuple(Term(key, value, value, True, BELIEVED) for key, value in pairs)
-    return _Expected(
-        pairs if not branch.subs else (),
-        {key: fresh_reading(value) for key, value in pairs}.items(),
-        CheckResult(name, state, sensed),
-        CheckResult(name, state, believed),
-    )
+def _believed(kept: _Kept, branch: StateBranch, state: str) -> CheckResult:
+    found = kept.believed.get(state)
+    if found is None:
+        found = kept.believed[state] = _Met(branch, state, BELIEVED)
+    return found
+
+
+def _sensed(branch: StateBranch, state: str) -> _Sensed:
+    pairs = tuple(((branch.name, d), value) for d, value in enumerate(branch.facts(state)))
+    fresh = {key: fresh_reading(value) for key, value in pairs}
+    return _Sensed(pairs, fresh.items(), _Met(branch, state))
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:

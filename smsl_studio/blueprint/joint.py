@@ -34,6 +34,15 @@ class JointAction:
     committed: Mapping[str, str]
     transit: frozenset[FactKey]
     after: frozenset[FactKey]
+    targets: tuple[tuple[str, str], ...] = field(init=False, repr=False, compare=False)
+    """The state in which each moved or committed SB must be afterwards."""
+    texts: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    """The addresses of the edges that commit."""
+
+    def __post_init__(self) -> None:
+        targets = tuple({**self.moved, **self.committed}.items())
+        object.__setattr__(self, "targets", targets)
+        object.__setattr__(self, "texts", tuple([edge.text for edge in self.commits]))
 
 
 @dataclass(frozen=True)
@@ -46,6 +55,14 @@ class JointStep:
     cost: float
     after: Mapping[str, str]
     """The new state of every SB that has moved at the end."""
+    leaves: tuple[tuple[str, str], ...] = field(init=False, repr=False, compare=False)
+    """Each SB of its edges, with the state that the first of them leaves."""
+
+    def __post_init__(self) -> None:
+        leaves: dict[str, str] = {}
+        for edge in self.edges:
+            leaves.setdefault(edge.branch, edge.source)
+        object.__setattr__(self, "leaves", tuple(leaves.items()))
 
     def names(self, branch: str) -> tuple[str, ...]:
         """Return the names of the edges of one SB in this step."""

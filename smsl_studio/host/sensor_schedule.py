@@ -14,7 +14,7 @@ from smsl_studio.host.brief import invalid
 from smsl_studio.host.call import words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
-from smsl_studio.monitor.sample import BAD, GOOD, Sample, sample_of
+from smsl_studio.monitor.sample import BAD, GOOD, LONGEST, Sample, SensorRound, sample_of
 
 _REMEMBERED = 1000
 """So many different values of sensors are remembered: far more than facts have."""
@@ -44,8 +44,10 @@ class SensorSchedule:
             (partial(one.function, **one.arguments), one.branch, one.digit, one.name)
             for one in self._sensors
         )
+        self._facts = tuple((one.branch, one.digit) for one in self._sensors)
+        self._brief = all(max(len(s.branch), len(s.name)) <= LONGEST for s in self._sensors)
         self._read: set[str] = set()
-        """Values that were looked at before and are readings."""
+        """Values that were looked at before, and are readings of a usual length."""
         self._every = tuple(_ticks(sensor.period, tick) for sensor in self._sensors)
         self._indices: Sequence[int] = range(len(self._sensors))
         self._slowest = max(self._every, default=1)
@@ -105,9 +107,13 @@ class SensorSchedule:
     def _heard(self, indices: Sequence[int], subject: Any, time: float) -> tuple[Sample, ...]:
         if not indices and not self._disturbed:
             return ()
-        samples = self._samples(indices, subject, time)
+        samples, values = self._samples(indices, subject, time)
         if not self._disturbed:
-            return tuple(samples)
+            if len(values) < len(self._facts) or not self._brief:
+                return tuple(samples)
+            found = SensorRound(samples)
+            found.time, found.facts, found.values = time, self._facts, tuple(values)
+            return found
         heard: list[Sample] = []
         for index, sample in zip(indices, samples, strict=True):
             if index in self._disturbed:
@@ -118,10 +124,13 @@ class SensorSchedule:
             heard.extend(disturbed.release(time))
         return tuple(heard)
 
-    def _samples(self, indices: Sequence[int], subject: Any, time: float) -> list[Sample]:
-        """Read these sensors, all in one pass."""
+    def _samples(
+        self, indices: Sequence[int], subject: Any, time: float
+    ) -> tuple[list[Sample], list[str]]:
+        """Read these sensors, all in one pass. Return the samples, and the usual values."""
         rows, spoken, boot, read = self._rows, self._spoken, self._boot, self._read
         samples: list[Sample] = []
+        usual: list[str] = []
         for index in indices:
             call, branch, digit, name = rows[index]
             spoken[index] = count = spoken[index] + 1
@@ -135,12 +144,14 @@ class SensorSchedule:
             if type(value) is not str or value not in read:
                 value, reason = self._weighed(value, reason)
                 quality = BAD if value is None else GOOD
+            else:
+                usual.append(value)
             samples.append(
                 sample_of(
                     (branch, digit, name, value, time, count, boot, reason, quality, None, "")
                 )
             )
-        return samples
+        return samples, usual
 
     def _weighed(self, value: Any, reason: str) -> tuple[str | None, str]:
         """Return what a sensor returned if it is a reading, or None with the reason."""
@@ -149,7 +160,7 @@ class SensorSchedule:
             return None, wrong
         if value is None:
             return None, reason or "no valid reading"
-        if len(self._read) < _REMEMBERED:
+        if len(self._read) < _REMEMBERED and len(value) <= LONGEST:
             self._read.add(value)
         return str(value), reason
 

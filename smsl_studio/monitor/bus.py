@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from itertools import chain
 
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.sample import LONGEST, Sample, SensorRound
 from smsl_studio.monitor.speaker import same_word
 
 MOST_SOURCES = 4096
@@ -23,9 +23,6 @@ MOST_SOURCES = 4096
 MOST_SPEAKERS = 4
 """The largest number of speakers of one source with waiting samples. Two make it unknown
 already."""
-
-LONGEST = 1000
-"""The largest length of a name, a value or a reason, in characters."""
 
 SourceKey = tuple[str, int, str]
 """Branch, digit and source."""
@@ -47,37 +44,45 @@ class BusCounts:
 
 
 class Mailbox:
-    """The samples that wait for one subscriber: ``waiting`` has those of each source."""
+    """The samples that wait for one subscriber."""
 
     def __init__(self, bus: FactBus) -> None:
         self._bus = bus
-        self.waiting: dict[SourceKey, list[Sample]] = {}
+        self._waiting: dict[SourceKey, list[Sample]] = {}
+        self._round: SensorRound | None = None
+        """All that waits, if it is one round of sensors. This is so nearly always."""
 
     def take(self) -> tuple[Sample, ...]:
         """Return the newest sample of every speaker since the last call, in the order in which the
         sources first sent samples."""
-        if not self.waiting:
+        if self._round is None and not self._waiting:
             return ()
         with self._bus.lock:
-            waiting, self.waiting = self.waiting, {}
-        return tuple(chain.from_iterable(waiting.values()))
+            whole, self._round = self._round, None
+            waiting, self._waiting = self._waiting, {}
+        return tuple(chain.from_iterable(waiting.values())) if whole is None else whole
 
     def close(self) -> None:
         """End the subscription. A second call does nothing."""
         self._bus.forget(self)
-        self.waiting = {}
+        self._waiting, self._round = {}, None
 
     def put(self, samples: Collection[Sample]) -> list[tuple[str, SourceKey]]:
         """Add waiting samples, while the bus holds its lock. Return a pair (kind of loss, source)
         for each sample that was left out."""
         left_out: list[tuple[str, SourceKey]] = []
-        if not self.waiting and len(samples) <= MOST_SOURCES:
+        if self._round is not None:
+            self._waiting, self._round = {one[:3]: [one] for one in self._round}, None
+        if not self._waiting and len(samples) <= MOST_SOURCES:
+            if isinstance(samples, SensorRound):
+                self._round = samples
+                return left_out
             # Nearly always they are all that waits, and each is of another source.
             alone = {sample[:3]: [sample] for sample in samples}
             if len(alone) == len(samples):
-                self.waiting = alone
+                self._waiting = alone
                 return left_out
-        waiting = self.waiting
+        waiting = self._waiting
         for sample in samples:
             key = sample[:3]
             known = waiting.get(key)
@@ -115,13 +120,13 @@ class FactBus:
     def publish(self, samples: Iterable[Sample], *, retained: bool = False) -> None:
         """Hand samples to all subscribers. Retained samples are only counted."""
         with self.lock:
-            heard = list(samples)
+            heard = samples if isinstance(samples, SensorRound) else tuple(samples)
             self._counts["published"] += len(heard)
             if retained:
                 self._counts["retained"] += len(heard)
                 return
             if not _all_short(heard):
-                short = [sample for sample in heard if not too_long(sample)]
+                short = tuple(sample for sample in heard if not too_long(sample))
                 self._counts["refused"] += len(heard) - len(short)
                 heard = short
             for inbox in self._inboxes:
@@ -177,7 +182,9 @@ def _beside(waiting: list[Sample], sample: Sample) -> bool:
 
 def _all_short(samples: Collection[Sample]) -> bool:
     """Whether a bus refuses none of these samples for certain: even all texts of each together
-    are short."""
+    are short. Those of a round are, by its promise."""
+    if isinstance(samples, SensorRound):
+        return True
     for sample in samples:
         texts = len(sample.branch) + len(sample.source) + len(sample.reason) + len(sample.node)
         if texts + len(sample.value or "") > LONGEST:

@@ -9,7 +9,7 @@ a source.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Protocol
@@ -19,6 +19,7 @@ from smsl_studio.blueprint.check import NOTHING_SENSED, FactKey, Reading, Scene,
 from smsl_studio.errors import UsageError
 from smsl_studio.monitor.aggregate import NOBODY, Aggregate, FactRule, SourceValue, aggregate
 from smsl_studio.monitor.ledger import Ledger
+from smsl_studio.monitor.rounds import Rounds
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.monitor.speaker import HAIR
 
@@ -90,7 +91,8 @@ class FactMonitor:
     """Makes the scene from the samples of the sensors (paper, Eq. 5, ``C_fact``).
 
     The order of the sensors of one fact is their priority. Samples of unknown sensors are dropped
-    and counted as ``strangers``. A person's answer comes only through ``answer``.
+    and counted as ``strangers``. A person's answer comes only through ``answer``. ``whole`` says
+    that every fact of the last scene has a value that its only source has sent at this instant.
     """
 
     def __init__(
@@ -102,6 +104,9 @@ class FactMonitor:
         self._fresh: dict[FactKey, str] = {}
         """The values that lone sources have sent at the instant ``_fresh_at``."""
         self._fresh_at = 0.0
+        self._rounds = Rounds()
+        self._values: tuple[str, ...] | None = None
+        """The values of the round that ``_fresh`` was made from, None if it was made otherwise."""
         self._shown: dict[FactKey, str] = {}
         """The values of the newest readings if all facts were fresh."""
         self._readings = NOTHING_SENSED
@@ -123,23 +128,37 @@ class FactMonitor:
             alone = len(fact.sources) == 1 and not fact.rule.people
             if alone and fact.rule.aggregation in ("single", "any", "priority"):
                 fact.alone = next(iter(fact.sources.values()))
+        self.whole = not self._facts
         self._lone = all(fact.alone is not None for fact in self._facts.values())
 
-    def accept(self, samples: Iterable[Sample], now: float) -> None:
+    def accept(self, samples: Sequence[Sample], now: float) -> None:
         """Take in samples, at ``now`` (s) on the clock of the run."""
-        if self._fresh_at != now:
-            self._fresh, self._fresh_at = {}, now
-        ledgers, fresh = self._ledgers, self._fresh
+        if self._lone:
+            whole = self._rounds.take(samples, now)
+            if whole is not None:
+                if self._values != whole.values:
+                    self._fresh = dict(zip(whole.facts, whole.values, strict=True))
+                    self._values = whole.values
+                self._fresh_at = now
+                return
+            self._rounds.end()
+        fresh = dict(self._fresh) if self._fresh_at == now else {}
+        self._fresh, self._fresh_at, self._values = fresh, now, None
+        ledgers = self._ledgers
+        found: list[Ledger] = []
         for sample in samples:
             ledger = ledgers.get(sample[:3])
             if ledger is None:
                 self.strangers += 1
                 continue
+            found.append(ledger)
             value = ledger.take(sample, now)
             if value is not None:
                 fresh[sample[:2]] = value
             else:
                 fresh.pop(sample[:2], None)
+        if self._lone and len(found) == len(ledgers):
+            self._rounds.begin(samples, found, now)
 
     def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
         """Take in the answer of a person ``who`` to a fact, at ``now`` (s). None takes it back.
@@ -169,8 +188,10 @@ class FactMonitor:
             if self._bare.time != now:
                 self._bare = Scene(time=now)
             return self._bare
-        if self._lone and self._fresh_at == now and len(self._fresh) == len(self._facts):
+        self.whole = self._lone and self._fresh_at == now and len(self._fresh) == len(self._facts)
+        if self.whole:
             return Scene(self._fresh_readings(), now)
+        self._rounds.write()
         readings = {key: _reading(fact, now, live) for key, fact in self._facts.items()}
         return Scene(MappingProxyType(readings), now)
 
@@ -178,15 +199,18 @@ class FactMonitor:
         """Return the readings if every fact has a value of this instant. They are the same object
         as before if no value is another, which is so in most ticks."""
         fresh = self._fresh
+        if fresh is self._shown:
+            return self._readings
         if fresh != self._shown:
-            self._shown = dict(fresh)
             self._readings = MappingProxyType(
                 {key: fresh_reading(fresh[key]) for key in self._facts}
             )
+        self._shown = fresh
         return self._readings
 
     def sources(self, now: float, live: float = 0.0) -> tuple[SourceState, ...]:
         """Return the state of every source at ``now`` (s), even of sources that do not count."""
+        self._rounds.write()
         found = []
         for key, fact in self._facts.items():
             for ledger in fact.sources.values():

@@ -44,6 +44,17 @@ class Ledger:
         self._weigh(sample, now if sample.received is None else sample.received)
         return None
 
+    def punctual(self, sample: Sample, now: float) -> bool:
+        """Whether its only speaker has just sent this sample, at ``now`` (s) and without delay."""
+        only = self._only
+        return only is not None and only.sample is sample and only.punctual(now)
+
+    def renew(self, sample: Sample, count: int) -> None:
+        """Accept the last of ``count`` samples that its only speaker has sent without any delay."""
+        if self._only is not None:
+            self._only.renew(sample)
+            self.counted += count
+
     def speaker(self, now: float, live: float = 0.0) -> Speaker | None:
         """Return the speaker of the newest sample, or None if there is no sample yet.
 

@@ -1,4 +1,4 @@
-"""Sample: the reading of one source for one fact at one instant."""
+"""Sample: the reading of one source for one fact at one instant. A round has one of each sensor."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from functools import partial
 from typing import NamedTuple
 
 from smsl_studio.blueprint.check import FactKey
+
+LONGEST = 1000
+"""The largest length of a name, a value or a reason, in characters."""
 
 GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
 """The quality that a source gives to its own reading. Only a good reading is evidence."""
@@ -43,6 +46,20 @@ class Sample(NamedTuple):
     def order(self) -> tuple[int, int]:
         """The pair (boot, sequence). It must grow from one sample of a source to the next."""
         return self.boot, self.sequence
+
+
+class SensorRound(tuple[Sample, ...]):
+    """The samples of all sensors of one opened world, read in this order at one instant.
+
+    A schedule makes a round only if nothing is unusual. Each sample is of another source, was read
+    at ``time`` (s), is a good reading, and has a higher sequence than all before it. None of its
+    texts is long. ``facts`` are the facts of the samples: one object in all rounds of an opened
+    world. ``values`` are the values of the samples.
+    """
+
+    time: float
+    facts: tuple[FactKey, ...]
+    values: tuple[str, ...]
 
 
 SampleFields = tuple[

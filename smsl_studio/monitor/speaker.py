@@ -134,6 +134,18 @@ class Speaker:
         self.live = received is not None
         return True
 
+    def punctual(self, now: float) -> bool:
+        """Whether its newest sample came at ``now`` (s), and neither this one nor the quickest had
+        any delay. It is a sensor of the run itself.
+        """
+        exact = self._quickest == 0.0 and self.latency == 0.0
+        return exact and self.received == now == self._time and not (self.live or self.over)
+
+    def renew(self, sample: Sample) -> None:
+        """Accept a sample of the same kind: it came when it was read."""
+        self.sample = sample
+        self._time = self.received = self.heard = sample.time
+
     def take(self, sample: Sample, now: float) -> None:
         """Accept its next sample, which came at ``now`` (s)."""
         self._clocked(sample, now)

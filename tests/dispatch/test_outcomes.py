@@ -98,8 +98,8 @@ def test_clause_8_no_agreeing_configuration_is_never_adopted() -> None:
 
 def test_clause_8_an_unknown_fact_holds() -> None:
     class Loses(FakeHost):
-        def tick(self) -> Any:
-            result = super().tick()
+        def _resume(self) -> Outcome:
+            result = super()._resume()
             self.facts["SB1", 0] = None
             return result
 

@@ -85,3 +85,25 @@ def test_a_reading_from_before_a_doubt_does_not_end_it() -> None:
         senses.tick()
         assert senses.time < began + 1.0
     assert senses.time >= began + 0.2 - 1e-9, "it was read before"
+
+
+def test_a_tick_that_read_every_sensor_needs_no_other_look() -> None:
+    """But a sensor that is disturbed, or a fact in doubt, is looked at once more."""
+    hanoi = sample("hanoi-2")
+    host = LocalHost(hanoi, "table")
+    opened = host.open({"SB1": "State_aa"})
+    senses = Senses(host, opened, opened.rules)
+    senses.look()
+    for _ in range(3):
+        senses.tick()
+        assert senses.whole
+    host.disturb("table_SB1_0", "dropout")
+    senses.doubt([("SB1", 0)], "it was cancelled")
+    senses.tick()
+    assert not senses.whole
+    host.disturb("table_SB1_0", "none")
+    senses.tick()
+    assert senses.whole
+    senses.distrust()
+    senses.tick()
+    assert not senses.whole

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.monitor.bus import LONGEST, MOST_SOURCES, BusCounts, FactBus
-from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.bus import MOST_SOURCES, BusCounts, FactBus
+from smsl_studio.monitor.sample import LONGEST, Sample
 
 
 def _sample(source: str = "eye", sequence: int = 1, boot: int = 0, value: str = "1") -> Sample:

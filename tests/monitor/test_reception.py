@@ -9,11 +9,11 @@ from typing import Any
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.monitor.bus import LONGEST
 from smsl_studio.monitor.facts import FactMonitor
 from smsl_studio.monitor.message import Status, status_payload
 from smsl_studio.monitor.nodes import MOST_NODES, NodeState
 from smsl_studio.monitor.reception import SHOWN, Reception
+from smsl_studio.monitor.sample import LONGEST
 from smsl_studio.monitor.topics import FactTopic, StatusTopic
 
 EYE = FactTopic("lab", "main", "SB1", 0, "eye")

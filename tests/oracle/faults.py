@@ -27,7 +27,14 @@ from smsl_studio.dispatch.drive.driver import Driver
 from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.drive.review import ALLOWED, Reviewer
 from smsl_studio.dispatch.drive.supervisor import Verdict
-from smsl_studio.dispatch.execution import carrier, guards, hazard_guard, safeguards, trouble
+from smsl_studio.dispatch.execution import (
+    carrier,
+    guards,
+    hazard_guard,
+    safeguards,
+    step_watch,
+    trouble,
+)
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.safeguards import Safeguards
@@ -212,10 +219,10 @@ def _true(term: Term) -> Term:
 def _only_in_deciding(patch: Patch, check: Callable[..., CheckResult]) -> None:
     whole = Carrier._decide
 
-    def deciding(self: Carrier) -> None:
+    def deciding(self: Carrier, looked: bool = False) -> None:
         with pytest.MonkeyPatch.context() as inner:
             inner.setattr(LiveRun, "check", check)
-            whole(self)
+            whole(self, looked)
 
     patch.setattr(Carrier, "_decide", deciding)
 
@@ -225,9 +232,9 @@ def _a_told_failure_is_none(patch: Patch) -> None:
 
 
 def _nothing_settles(patch: Patch) -> None:
-    def at_once(self: Carrier) -> None:
+    def at_once(self: Carrier, looked: bool = False) -> None:
         self._until = self._run.time
-        self._decide()
+        self._decide(looked)
 
     patch.setattr(Carrier, "_settle", at_once)
 
@@ -441,7 +448,7 @@ def _later_functions_are_not_asked(patch: Patch) -> None:
 
 
 def _hazards_are_not_watched_in_motion(patch: Patch) -> None:
-    patch.setattr(carrier, "newly_met", lambda run: ())
+    patch.setattr(step_watch, "newly_met", lambda run: ())
 
 
 def _hazards_are_not_watched_while_idle(patch: Patch) -> None:

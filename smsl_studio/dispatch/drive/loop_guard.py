@@ -21,22 +21,23 @@ class LoopGuard:
 
     def __init__(self, most: int = VISITS) -> None:
         self.most = most
-        self._visits: dict[tuple[str, ...], int] = {}
-        """How often each edge (last, as text) was begun from each configuration."""
+        self._visits: dict[str, dict[tuple[str, ...], int]] = {}
+        """How often each edge (as text) was begun from each configuration."""
 
     def why_not(self, configuration: Mapping[str, str], edge: Edge) -> str:
         """Return why an edge must not begin: it was begun too often from here. Empty if it may
         begin.
         """
-        if self._visits.get((*configuration.values(), edge.text), 0) < self.most:
+        begun = self._visits.get(edge.text)
+        if begun is None or begun.get(tuple(configuration.values()), 0) < self.most:
             return ""
         here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
         return f"{edge} was begun {self.most} times from {here} without getting further."
 
     def count(self, configuration: Mapping[str, str], edge: Edge) -> None:
         """Count one beginning of an edge."""
-        key = (*configuration.values(), edge.text)
-        self._visits[key] = self._visits.get(key, 0) + 1
+        begun, here = self._visits.setdefault(edge.text, {}), tuple(configuration.values())
+        begun[here] = begun.get(here, 0) + 1
 
     def forget(self) -> None:
         """Set all counts to zero."""

@@ -23,6 +23,9 @@ class StartTasks:
     First people tell the facts of the start that only they know. Then the state checks of the start
     follow. If ``findings`` is not empty, a person must then accept the findings of inspection.
     ``goals`` and ``seed`` are for the record.
+
+    ``told`` says that the run has begun, which means that the world was checked at the start.
+    ``over`` says that it may move.
     """
 
     def __init__(
@@ -36,23 +39,13 @@ class StartTasks:
     ) -> None:
         self._run, self._desk, self._conduct = run, desk, conduct
         self._seed, self._goals, self._findings = seed, tuple(goals), findings
-        self._told = False
-
-    @property
-    def over(self) -> bool:
-        """Whether the run may move."""
-        return self._told and not self._findings
-
-    @property
-    def told(self) -> bool:
-        """Whether the run has begun, which means that the world was checked at the start."""
-        return self._told
+        self.told = self.over = False
 
     def go_on(self) -> None:
         """Go on as far as possible now. RunRefused if the world is not at the start, or if nobody
         is there to tell.
         """
-        if self._told:
+        if self.told:
             self._accepted()
             return
         run = self._run
@@ -81,12 +74,13 @@ class StartTasks:
 
     def _tell(self, changes: tuple[FactChanged, ...]) -> None:
         self._run.emit(*start_events(self._run, self._seed, self._goals, changes))
-        self._told = True
+        self.told = True
         self._accepted()
 
     def _accepted(self) -> None:
         """Ask whether the findings are accepted, if there are any."""
         if not self._findings:
+            self.over = True
             return
         nobody = self._desk.ask([start_task(self._findings)], self._decided)
         if nobody:
@@ -94,7 +88,7 @@ class StartTasks:
 
     def _decided(self, closed: tuple[Closed, ...]) -> None:
         if closed[0].yes:
-            self._findings = ""
+            self._findings, self.over = "", True
         elif closed[0].outcome == ANSWERED:
             self._conduct.finish("refused", f"The findings were not accepted: {no_words(closed)}.")
         else:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from smsl_studio.blueprint.address import Address, split_fact
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.execution.desk import no_words, who_words
 from smsl_studio.dispatch.execution.effects import changed_by, touched
 from smsl_studio.dispatch.execution.guards import doubt
-from smsl_studio.dispatch.execution.hazard_guard import met_words, newly_met, objection_to, tell
+from smsl_studio.dispatch.execution.hazard_guard import objection_to
 from smsl_studio.dispatch.execution.needed import in_checks
 from smsl_studio.dispatch.execution.run import LiveRun
-from smsl_studio.dispatch.execution.safeguards import Safeguards
 from smsl_studio.dispatch.execution.stage import (
     ASKING,
     DONE,
@@ -27,6 +26,7 @@ from smsl_studio.dispatch.execution.stage import (
     StepFailure,
     fault_words,
 )
+from smsl_studio.dispatch.execution.step_watch import StepWatch
 from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.questions import operation_task
@@ -60,13 +60,10 @@ class Carrier:
         self._run = run
         self._index = 0
         self._until = 0.0
-        self._fault = ""
+        self._fault = self._by = ""
         self._blame = self._answerable = True
         self._unanswered = False
-        self._by = ""
-        self._rests = Safeguards(run, step) if run.guarded else None
-        self._lost: tuple[str, ...] = ()
-        self._met: tuple[str, ...] = ()
+        self._watch = StepWatch(run, step) if run.guarded else None
 
     @property
     def bound(self) -> Bound:
@@ -112,22 +109,22 @@ class Carrier:
         """Make one tick. Then ``stage`` says whether the step goes on, is done or has failed.
         ``shut`` are the edges that must not begin, with reasons.
         """
-        if self.stage is NEXT:
-            self._begin(shut)
-        elif self.stage is RUNNING:
+        if self.stage is RUNNING:
             self._go_on()
+        elif self.stage is NEXT:
+            self._begin(shut)
         elif self.stage is SETTLING:
             tick = self._tick()
             self._notice()
-            if self._met or tick.time >= self._until - HAIR:
-                self._decide()
+            if self._endangered or tick.time >= self._until - HAIR:
+                self._decide(looked=self._run.senses.whole)
 
     def watch(self) -> None:
         """End the operation if a fact that the step needs is false or unknown, in the way that the
         operation declares (``finish`` lets it go on to its end). In any case nothing commits any
         more.
         """
-        if not self.moving or not self._notice():
+        if self._watch is None or not self.moving or not self._notice():
             return
         own = self.stage is RUNNING or self._person_acts
         if self.stage is SETTLING or (own and self.bound.stop == "finish"):
@@ -140,22 +137,18 @@ class Carrier:
 
     def _notice(self) -> bool:
         """Return whether the step has just lost a needed fact, or a hazard is met just now."""
-        if self._rests is None:
-            return False
-        hazards = newly_met(self._run)
-        if hazards:
-            tell(self._run, hazards)
-            self._met += tuple(one.name for one in hazards)
-            self._lost += met_words(hazards)
-        if self._lost:
-            return bool(hazards)
-        asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
-        self._lost = self._rests.lost([fact for fact in asked if fact is not None])
-        return bool(self._lost)
+        return self._watch is not None and self._watch.notice(self.wants)
+
+    @property
+    def _endangered(self) -> bool:
+        return self._watch is not None and bool(self._watch.met)
 
     @property
     def _lost_words(self) -> str:
-        return f"{self.action.edge} cannot go on: {'; '.join(self._lost)}"
+        """Why the step cannot go on, empty if it has lost no fact and meets no hazard."""
+        if self._watch is None or not self._watch.lost:
+            return ""
+        return f"{self.action.edge} cannot go on: {'; '.join(self._watch.lost)}"
 
     @property
     def _person_acts(self) -> bool:
@@ -210,21 +203,13 @@ class Carrier:
     def _begin(self, shut: Mapping[Address, str]) -> None:
         action, run = self.action, self._run
         barred = next((edge for edge in self.uncommitted if edge in shut), None) if shut else None
-        if barred is not None:
-            self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
-            return
-        if self._rests is not None:
-            lost = run.hazards and self._notice()
-            self._lost = self._lost if lost else self._rests.begin(action)
-        if self._lost:
-            self._fail(self._lost_words, risky=False, pending=bool(run.transit))
-            return
-        unsure = doubt(run, action.edge) if self._index else ""
-        endangers = objection_to(run, action) if self._index and not unsure else None
-        if endangers is not None:
-            self._met, unsure = (endangers.hazard,), endangers.sentence
-        if unsure:
-            self._fail(unsure, risky=False, pending=bool(run.transit))
+        no = "" if barred is None else f"{barred} is {shut[barred]}"
+        if not no and self._watch is not None and self._watch.begin(action):
+            no = self._lost_words
+        if not no and self._index:  # before the first action, all guards have agreed just now
+            no = doubt(run, action.edge) or self._objection()
+        if no:
+            self._fail(no, risky=False, pending=bool(run.transit))
             return
         run.cross(action.transit, moving=action.moved)
         now = run.senses.time
@@ -241,6 +226,14 @@ class Carrier:
             return
         run.host.begin(action.edge.address)
         self.stage = RUNNING
+
+    def _objection(self) -> str:
+        """Return why the next function must not run because of a hazard, or the empty text."""
+        found = objection_to(self._run, self.action)
+        if found is None or self._watch is None:
+            return ""
+        self._watch.refused_by(found.hazard)
+        return found.sentence
 
     def _want(self, *questions: Question) -> None:
         self.wants, self.stage = questions, ASKING
@@ -294,55 +287,57 @@ class Carrier:
         tick, changes = self._run.senses.tick()
         if changes:
             self._run.emit(*changes)
-        if tick.outcome is GOES_ON:
+        outcome = tick.outcome
+        if outcome is GOES_ON:
             self.watch()
             limit = self.bound.timeout
             if self.stage is not RUNNING or tick.time - self.since < limit - HAIR:
                 return
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
             self._cancel("abort", "timed_out", self._fault)
-        elif tick.outcome is RETURNED:
+            self._settle()
+            return
+        if outcome is RETURNED:
             self._ended("returned", tick.message or self._by)
-            self._notice()
         else:
-            self._ended(ENDED[tick.outcome], tick.message or self._by)
+            self._ended(ENDED[outcome], tick.message or self._by)
             self._fault = fault_words(self.action.edge, tick)
-            self._notice()
-        self._settle()
+        self._notice()
+        self._settle(looked=self._run.senses.whole)
 
     def _ended(self, outcome: str, message: str) -> None:
         run, address = self._run, self.action.edge.text
         now = run.senses.time
         run.tell(OperationEnded(t=now, address=address, outcome=outcome, message=message))
 
-    def _settle(self) -> None:
+    def _settle(self, looked: bool = False) -> None:
+        """Let the world settle. ``looked`` says that every sensor was read at this instant."""
         self.stage = SETTLING
-        settle = self._run.opened.settle
-        self._until = self._run.senses.time + settle
-        if settle <= 0 or self._met:
-            self._decide()
+        run = self._run
+        settle = run.opened.settle
+        self._until = run.senses.time + settle
+        if settle <= 0 or self._endangered:
+            self._decide(looked)
 
-    def _decide(self) -> None:
+    def _decide(self, looked: bool = False) -> None:
         """End the action: the state check on sensed facts decides, whatever the function
-        returned.
+        returned. ``looked`` says that every sensor was read at this instant.
         """
         run, action = self._run, self.action
-        run.look()
-        if self._rests is not None:
-            self._notice()
+        if not looked:
+            run.look()
+        if self._watch is not None:
+            self._watch.notice(self.wants)
         if self._fault:
             self._fail(self._fault, risky=self._blame, unanswered=self._unanswered)
             return
-        if self._lost:
+        if self._watch is not None and self._watch.lost:
             self._fail(self._lost_words, risky=False)
             return
         after = action.after
         run.cross(after, action.moved)
-        targets = action.moved
-        if action.committed is not targets:  # where one SB moves alone they are one object
-            targets = {**targets, **action.committed}
-        checks: list[CheckResult] = []
-        for branch, state in targets.items():
+        checks = []
+        for branch, state in action.targets:
             checks.append(run.check(branch, state, after))
         asked = in_checks(run, checks) if run.people_say and self._answerable else ()
         if asked and all(check.truth is not False for check in checks):
@@ -357,12 +352,10 @@ class Carrier:
                 return
         if action.commits:
             run.commit(action.committed, action.commits)
-            operations = tuple([edge.text for edge in action.commits])
-            committed = dict(action.committed)
-            now = run.senses.time
+            now, operations, committed = run.senses.time, action.texts, action.committed
             run.tell(Committed(t=now, operations=operations, configuration=committed))
-        if self._rests is not None:
-            self._rests.end(action)
+        if self._watch is not None:
+            self._watch.end(action)
         self._index += 1
         if self._index == len(self.step.actions):
             self.stage = DONE
@@ -374,16 +367,17 @@ class Carrier:
             self._fail(words, risky=False, pending=bool(run.transit))
 
     def _told(self, check: CheckResult) -> None:
-        run, truth, address = self._run, check.truth, check.address
-        now = run.senses.time
+        run, truth, now = self._run, check.truth, self._run.senses.time
         if truth:
-            run.tell(StateChecked(t=now, address=address, result="true"))
+            run.tell(StateChecked(t=now, address=check.address, result="true"))
             return
         misses = all_words(run.blueprint, check.misses)
         unknown = all_words(run.blueprint, check.unknown)
         result = truth_word(truth)
         run.tell(
-            StateChecked(t=now, address=address, result=result, misses=misses, unknown=unknown)
+            StateChecked(
+                t=now, address=check.address, result=result, misses=misses, unknown=unknown
+            )
         )
 
     def _fail(
@@ -394,7 +388,7 @@ class Carrier:
         """
         if pending is None:
             pending = bool(self.action.transit)
-        edge = self.action.edge
-        found = self._lost, self._met
+        edge, watch = self.action.edge, self._watch
+        found = (watch.lost, watch.met) if watch is not None else ((), ())
         self.failure = StepFailure(edge, reason, risky, pending, unanswered, *found)
         self.stage = FAILED

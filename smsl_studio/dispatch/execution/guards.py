@@ -55,14 +55,12 @@ def _sources(run: LiveRun, step: JointStep) -> list[str]:
     are checked when the run gets there.
     """
     found: list[str] = []
-    met: set[str] = set()
-    for edge in step.edges:
-        branch, source = edge.branch, edge.source
-        if branch not in met and source == run.configuration[branch]:
+    configuration = run.configuration
+    for branch, source in step.leaves:
+        if source == configuration[branch]:
             check = run.check(branch, source)
             if check.truth is not True:
                 found.append(check_words(run.blueprint, check))
-        met.add(branch)
     return found
 
 

@@ -32,10 +32,8 @@ def of_step(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
     """Return questions for the unknown facts that the guards of a step need."""
     if not run.people_say:
         return ()
-    branches = dict.fromkeys(edge.branch for edge in step.edges)
-    sources = {name: next(e.source for e in step.edges if e.branch == name) for name in branches}
-    standing = (n for n, state in sources.items() if state == run.configuration[n])
-    checks = [run.check(name, sources[name]) for name in standing]
+    standing = ((name, state) for name, state in step.leaves if state == run.configuration[name])
+    checks = [run.check(name, state) for name, state in standing]
     if any(check.truth is False for check in checks):
         return ()
     required = [term for edge in step.edges for term in needs(run, edge)]

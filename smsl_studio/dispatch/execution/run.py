@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
@@ -205,21 +205,24 @@ class LiveRun:
         """Forget pending states and digits in transit. The committed configuration remains."""
         self.pending, self.transit, self.moving = {}, frozenset(), NOWHERE
 
-    def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
+    def commit(self, committed: Mapping[str, str], edges: Collection[Edge]) -> None:
         """Set the states that were committed together with these edges."""
-        configuration, since, previous = self.configuration, self.since, self.previous
-        configuration.update(committed)
-        now = self.senses.time
+        since, previous, now = self.since, self.previous, self.senses.time
+        self.configuration.update(committed)
         for name in committed:
             since[name] = now
             previous.pop(name, None)
         for edge in edges:
-            self.operations += 1
             since[edge.branch], previous[edge.branch] = now, edge.address
             self.history.append((edge.text, "committed"))
-        for name, state in tuple(self.pending.items()):
-            if configuration[name] == state:
-                del self.pending[name]
+        self.operations += len(edges)
+        pending = self.pending
+        if pending == committed:  # where one SB moves alone
+            self.pending = {}
+            return
+        for name, state in tuple(pending.items()):
+            if self.configuration[name] == state:
+                del pending[name]
 
 
 def critical_facts(blueprint: Blueprint) -> dict[str, tuple[int, ...]]:

@@ -52,6 +52,9 @@ class Senses:
     All samples come over ``bus``: those of the host's sensors, of remote sensors
     (``OpenedWorld.remote``), and of anybody else who publishes there. Remote samples age on the
     monotonic clock, all others in simulated time. ``rules`` say how facts follow from samples.
+
+    ``whole`` says that the last tick has read every sensor and each has a value. Then another look
+    at the same instant shows nothing new, as long as nothing but time has acted on the world.
     """
 
     def __init__(self, host: Host, opened: OpenedWorld, rules: Mapping[FactKey, FactRule]) -> None:
@@ -66,6 +69,8 @@ class Senses:
         self._doubts: dict[FactKey, _Doubt] = {}
         self.time = 0.0
         self.scene = Scene()
+        self.whole = False
+        self._disturbed = False
 
     def look(self) -> tuple[FactChanged, ...]:
         """Read every sensor once, and return the changed facts."""
@@ -82,7 +87,13 @@ class Senses:
         """Make one tick of the host. Return its result and the changed facts."""
         tick = self._host.tick()
         self.time = tick.time
-        return tick, self._take(tick.samples)
+        changes = self._take(tick.samples)
+        self.whole = self._monitor.whole and not (self._disturbed or self._doubts)
+        return tick, changes
+
+    def distrust(self) -> None:
+        """Note that a sensor is disturbed. It may say another thing at the same instant."""
+        self._disturbed = True
 
     @property
     def sensed(self) -> tuple[FactKey, ...]:
@@ -163,8 +174,9 @@ class Senses:
             self.bus.publish(samples)
         if self._remote is not None:
             self.bus.publish(self._remote.heard())
-        if self._inbox.waiting:
-            self._monitor.accept(self._inbox.take(), self.time)
+        heard = self._inbox.take()
+        if heard:
+            self._monitor.accept(heard, self.time)
         live = self._live if self._remote is not None else 0.0
         self.scene = self._monitor.scene(self.time, live)
         if self._doubts:

@@ -24,6 +24,7 @@ def disturb(
         raise
     except StudioError as error:
         return _words(error)
+    run.senses.distrust()
     told = {name: str(value) for name, value in parameters.items()}
     run.emit(Disturbed(t=run.time, target=target, kind=kind, parameters=told, sensors=met))
     return ""
