@@ -226,5 +226,6 @@ class _Judge:
 
 def _fact(text: str) -> tuple[str, int]:
     found = split_fact(text)
-    assert found is not None
+    if found is None:
+        raise ValueError(f"{text} is no fact")
     return found
