@@ -9,13 +9,14 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
+from smsl_studio.cli import main
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.run.low_page import TIMELINE, WORLD
 from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.at_supervise import AtSupervise
-from tests.stories.at_tasks import AtTasks
+from tests.stories.at_tasks import SURGEON, AtTasks
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 from tests.stories.test_run_small import paused
@@ -94,6 +95,53 @@ def test_where_nobody_is_entered_the_button_for_that_is_in_view(
     person.window.resize(*LARGE)
     person.until(lambda: room.card.answer.isAncestorOf(enter) and is_whole(enter))
     assert enter.y() > room.card.answer.who.y()
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1272, 692), (960, 572)])
+def test_what_decides_is_in_view_without_scrolling(sit: Sit, size: tuple[int, int]) -> None:
+    """The button lay below the persons who must answer, under the edge of 1280 x 800."""
+    person = at(sit, PEOPLE, size)
+    room = AtTasks(person)
+    room.start()
+    person.until(lambda: room.card.card is not None)
+    person.until(lambda: is_whole(room.card.answer.enter))
+    room.person.windows.persons.put(SURGEON)
+    room.answer_as(SURGEON)
+    first = room.card.options[0]
+    person.until(lambda: is_whole(room.card.answer.who.choice) and is_whole(first))
+    button = room.card.answer.button
+    if size[1] > 600:
+        person.until(lambda: is_whole(button))
+    room.choose(first.option.words)
+    person.until(lambda: is_whole(button) and button.isEnabled())
+
+
+def test_the_word_for_the_run_has_room_beside_four_modes(sit: Sit, tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    assert main(["run", str(HFSM), "--world", "table", "--log", str(log)]) == 0
+    person = sit(HFSM, LARGE)
+    person.window.open_path(log)
+    segments = person.window.mode_bar.segments
+    person.until(lambda: segments.buttons["mode_replay"].isVisible())
+    supervise = AtSupervise(person)
+    person.press(Key.Key_F5)
+    supervise.until_phase("Goal reached")
+    shrink(person, LOWEST)
+    phase = supervise.pane.bar.phase
+    person.until(lambda: is_whole(phase))
+    assert phase.text() == "●  At goal" or phase.text() == "At goal"
+    assert is_whole(supervise.pane.bar.stop)
+    assert all(is_whole(button) for button in segments.buttons.values())
+
+
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_how_to_begin_a_run_is_read_whole(sit: Sit, size: tuple[int, int]) -> None:
+    person = at(sit, HFSM, size)
+    notice = AtSupervise(person).pane.notice
+    person.until(notice.isVisible)
+    for part in (*notice.findChildren(QLabel), notice.begin):
+        person.until(partial(is_whole, part))
+        assert part.height() >= part.heightForWidth(part.width())
 
 
 def test_in_the_lowest_run_page_the_timeline_and_the_world_are_tabs_that_are_whole(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRect, Qt
+import pytest
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QWidget
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.at_tasks import PATIENCE, AtTasks
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -15,6 +17,12 @@ LOW = (632, 326)
 """A screen of 1280 by 720 at twice the size, less the frame of the window."""
 
 
+@pytest.fixture(autouse=True)
+def any_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here a window may be smaller than this screen asks for, also when it is looked at later."""
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+
+
 def on_screen(part: QWidget) -> QRect:
     return QRect(part.mapToGlobal(QPoint(0, 0)), part.size())
 
@@ -22,7 +30,7 @@ def on_screen(part: QWidget) -> QRect:
 def low(person: Person) -> None:
     """Draw on as little as such a screen leaves."""
     person.window.canvas.camera.motion = False
-    person.window.setMinimumSize(0, 0)
+    person.window.setMinimumSize(1, 1)
     person.window.resize(*LOW)
     person.until(lambda: person.window.height() == LOW[1])
 

@@ -94,6 +94,27 @@ def test_the_path_covers_no_state_wherever_one_looks(sit: Sit) -> None:
     assert crumb.pos() == home
 
 
+def test_the_key_to_short_names_covers_no_state_wherever_one_looks(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json", (900, 560))
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    key = canvas.overlays.key
+    canvas.zoom_to(0.5)
+    shown = 0
+    for dx in range(-300, 301, 100):
+        for dy in range(-300, 301, 75):
+            canvas.fit(smooth=False)
+            canvas.zoom_to(0.5)
+            canvas.camera.pan(dx, dy)
+            if key.isHidden():
+                continue
+            shown += 1
+            assert canvas.rect().contains(key.geometry())
+            for name in canvas.positions:
+                assert not node(person, f"SB1/{name}").intersects(key.geometry()), (dx, dy)
+    assert shown > 5, "it is shown where there is room"
+
+
 def test_the_legend_leaves_a_note_free(sit: Sit) -> None:
     person = sit(HFSM, (1280, 800))
     canvas = person.window.canvas

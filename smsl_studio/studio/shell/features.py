@@ -133,6 +133,7 @@ class Features(QObject):
         people.take_places(supervise.task_slot, supervise.add_levels)
         people.hear(supervise)
         supervise.low_changed.connect(people.card.set_low)
+        supervise.room_changed.connect(people.card.set_room)
         pane.moved.connect(self.draw.outline.set_run)
         pane.moved.connect(self._light_source)
         pane.run_exists.connect(self.run_exists)

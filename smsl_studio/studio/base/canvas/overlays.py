@@ -156,12 +156,16 @@ class Overlays:
         self._place_key()
 
     def _place_key(self) -> None:
-        """Put the key at the top right, or below the breadcrumb where that leaves no room."""
-        key = self.key
-        place = QRect(QPoint(self._canvas.width() - key.width() - EDGE, 12), key.size())
-        if place.intersects(self.breadcrumb.geometry()):
-            place.moveTop(self.breadcrumb.geometry().bottom() + 6)
-        key.move(place.topLeft())
+        """Put the key where it covers nothing, best at the top right, else hide it."""
+        key, canvas, size = self.key, self._canvas, self.key.size()
+        right = max(canvas.width() - size.width() - EDGE, 0)
+        foot = canvas.height() - size.height() - EDGE
+        below = min(self.breadcrumb.geometry().bottom() + 6, foot)
+        places = (QPoint(right, 12), QPoint(right, below), QPoint(EDGE, foot))
+        free = (at for at in places if not self._taken(at, size, key) and not self._hides(at, size))
+        place = next(free, None)
+        key.setVisible(bool(key.rows) and place is not None)
+        key.move(place or key.pos())
 
     def fitted(self) -> None:
         """A movement of the camera has ended: place the widgets for the new view."""

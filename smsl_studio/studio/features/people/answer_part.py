@@ -8,14 +8,11 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.front.views.card_view import CardView, OptionView
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.theme import CONTROL_DECISION
 from smsl_studio.studio.features.people.who import Who
 from smsl_studio.studio.running.persons import Persons
 
-ENTER = 2
-"""The place of the button for persons, below the choice and what is missing."""
 CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
 
 
@@ -48,7 +45,6 @@ class AnswerPart(QWidget):
         self.button = Decide(CHOOSE)
         self.button.setProperty("role", "primary")
         self.button.setEnabled(False)
-        self.sentence = label("", "hint")
         self._persons = persons
         self.enter = QPushButton("Enter who works here…")
         self.enter.setToolTip("No person is entered yet: add the name, role and PIN of who answers")
@@ -62,25 +58,18 @@ class AnswerPart(QWidget):
             self.enter,
             self.refusal,
             self.button,
-            self.sentence,
         ):
             column.addWidget(part)
         self.button.clicked.connect(self.decided)
         self.who.pin.returnPressed.connect(self._pin_typed)
 
-    def put_enter(self, place: QVBoxLayout | None) -> None:
-        """Put the button ``enter`` into another layout.
-
-        None puts it back below the choice of persons.
-        """
-        if place is None:
-            self._column.insertWidget(ENTER, self.enter)
-        else:
-            place.addWidget(self.enter)
+    def put_who(self, place: QVBoxLayout | None) -> None:
+        """Put what says who answers into another layout. None puts it back at the top here."""
+        for at, part in enumerate((self.who, self.objection, self.enter)):
+            (place or self._column).insertWidget(at, part)
 
     def show_card(self, card: CardView, chosen: OptionView | None, refusal: str) -> None:
         """Show this card's lower part; ``chosen`` is the selected option."""
-        self.sentence.setText(card.sentence)
         self.objection.say(card.objection)
         self.enter.setVisible(not self._persons.all)
         self.refusal.say(refusal)

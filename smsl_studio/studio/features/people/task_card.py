@@ -33,7 +33,7 @@ from smsl_studio.studio.features.people.places import PersonPlaces
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.running.run_session import RunSession
 
-PAD = 14
+PAD, ANY = 14, 16_777_215
 
 
 class TaskCard(QWidget):
@@ -51,13 +51,14 @@ class TaskCard(QWidget):
         self.tasks: tuple[Task, ...] = ()
         self._time = 0.0
         self._shown = ""
-        self._low = False
+        self._low, self._high = False, 0
         self.outcomes = Outcomes()
         self._build(persons, tokens)
         self.answer.who.changed.connect(self._refresh)
         self.answer.who.edit_wanted.connect(self.persons_wanted)
         self.answer.decided.connect(self._decide)
         self.answers.changed.connect(self._refresh)
+        self.answers.changed.connect(self._see_button)
         self.answers.settled.connect(self._lead_to_button)
         self.head.turned.connect(self._turn)
         self._refresh()
@@ -112,14 +113,29 @@ class TaskCard(QWidget):
         self.outcomes.clear()
 
     def set_low(self, low: bool) -> None:
-        """In a low page, move the button to enter persons to the top.
+        """In a low page, move the choice of the person, and the button to enter some, to the top.
 
-        Nobody can answer before persons are entered. Below the answers one would have to scroll to
-        the button.
+        Nobody can answer before that. Below the answers one would have to scroll to it.
         """
         if low != self._low:
             self._low = low
-            self.answer.put_enter(self._first if low else None)
+            self.answer.put_who(self._first if low else None)
+
+    def set_room(self, high: int) -> None:
+        """Be at most so high (pixels), so that the button that decides is in view.
+
+        The question scrolls if it has too little space. 0 means that there is no limit.
+        """
+        self._high = high
+        self._bound()
+
+    def _bound(self) -> None:
+        """Never be lower than the parts that do not scroll."""
+        rest = self._room.sizeHint().height() - self._room.minimumSizeHint().height()
+        least = self.heightForWidth(max(self.width(), 1)) - rest
+        most = max(self._high, least) if self._high else ANY
+        if most != self.maximumHeight():
+            self.setMaximumHeight(most)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -155,6 +171,7 @@ class TaskCard(QWidget):
         self.lines.dismissed.connect(self._dismiss)
         self.answer = AnswerPart(persons)
         self._question, self._detail = label("", "question"), label("", "small")
+        self._sentence = label("", "hint")
         inner = QWidget()
         asked = QVBoxLayout(inner)
         asked.setContentsMargins(PAD, 12, PAD, 4)
@@ -163,14 +180,14 @@ class TaskCard(QWidget):
             text.setWordWrap(True)
             asked.addWidget(text)
         asked.addSpacing(4)
-        asked.addWidget(self.answers)
+        for part in (self.answers, self._places, self._sentence):
+            asked.addWidget(part)
         self._room = Room(inner)
         self._first = QVBoxLayout()
         self._first.setContentsMargins(PAD, 10, PAD, 0)
+        self._first.setSpacing(8)
         below = QVBoxLayout()
         below.setContentsMargins(PAD, 6, PAD, 12)
-        below.setSpacing(10)
-        below.addWidget(self._places)
         below.addWidget(self.answer)
         column = QVBoxLayout(self.frame)
         column.setContentsMargins(1, 1, 1, 1)
@@ -218,26 +235,33 @@ class TaskCard(QWidget):
         self.setVisible(card is not None or bool(self.outcomes.lines))
         self.changed.emit()
         if card is None:
+            self._bound()
             return
         at = [task.name for task in self.tasks].index(self._shown)
         self.head.show_card(card, at + 1, len(self.tasks))
         self._question.setText(card.question)
         self._detail.setText(card.detail)
         self._detail.setVisible(bool(card.detail))
+        self._sentence.setText(card.sentence)
         self._places.show_persons(card.persons)
         self._places.setVisible(len(card.persons) > 1 or card.persons[0].place != "Anybody")
         self.answers.open(not card.objection)
         self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
+        self._bound()
 
     def _lead_to_button(self) -> None:
         """Give the focus to the button that decides, or to a PIN that is not typed yet.
 
         A tall card scrolls until the button is visible.
         """
-        button, above = self.answer.button, self.parentWidget()
         who = self.answer.who
-        (who.pin if who.has_pin and not who.opens() else button).setFocus()
-        while above is not None:
+        (who.pin if who.has_pin and not who.opens() else self.answer.button).setFocus()
+        self._see_button()
+
+    def _see_button(self) -> None:
+        """Scroll so far that the button is in view, if an answer is selected."""
+        button, above = self.answer.button, self.parentWidget()
+        while above is not None and self.answers.chosen is not None:
             if isinstance(above, QScrollArea):
                 above.ensureWidgetVisible(button)
             above = above.parentWidget()

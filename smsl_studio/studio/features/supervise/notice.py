@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
@@ -12,6 +13,9 @@ from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.running.run_session import RunSession
+
+ROOMY, LOW = (32, 24, 32, 72), (32, 4, 32, 4)
+"""The margins, and those where the explanation would be cut otherwise (pixels)."""
 
 
 class Notice(QWidget):
@@ -29,8 +33,8 @@ class Notice(QWidget):
         self.begin.setFixedWidth(140)
         self.begin.clicked.connect(self.pressed)
         self._refusal = ""
-        column = QVBoxLayout(self)
-        column.setContentsMargins(32, 24, 32, 72)
+        column = self._column = QVBoxLayout(self)
+        column.setContentsMargins(*ROOMY)
         column.setSpacing(10)
         column.addStretch(1)
         for part in (self._title, self._why):
@@ -40,6 +44,31 @@ class Notice(QWidget):
         column.addSpacing(6)
         column.addWidget(self.begin, 0, Qt.AlignmentFlag.AlignCenter)
         column.addStretch(1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep small margins in a low page, so that the explanation is whole."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Leave the height to the page that is shown instead."""
+        super().hideEvent(event)
+        self.setMinimumHeight(0)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Ask for the height again."""
+        super().showEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        if not self.isVisible():
+            return
+        side, above, _, below = ROOMY
+        text = sum(p.heightForWidth(self.width() - 2 * side) for p in (self._title, self._why))
+        need = text + self.begin.sizeHint().height() + 4 * self._column.spacing()
+        roomy = self.height() >= need + above + below
+        self._column.setContentsMargins(*(ROOMY if roomy else LOW))
+        self.setMinimumHeight(need + LOW[1] + LOW[3])
 
     @property
     def words(self) -> str:
@@ -73,3 +102,4 @@ class Notice(QWidget):
                 "the operations out of it are shown here."
             )
         self.begin.setVisible(not run.exists)
+        self._fit()

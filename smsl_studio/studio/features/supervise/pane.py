@@ -39,7 +39,9 @@ from smsl_studio.studio.running.run_session import RunSession
 RIGHT = 396
 NARROW, LOW_PAGE, TWO = 900, 420, 640
 """A page narrower than the first has a narrow column at the right, one lower than the second
-scrolls in both columns; below the third the panels below stand below each other (pixels)."""
+scrolls at the left; below the third the panels below stand below each other (pixels)."""
+LOW_RIGHT = 520
+"""A page lower than this scrolls at the right, because a question has no room above Step in."""
 BELOW = 246
 """The designed height of the panels below the partial view (pixels)."""
 KEYS = {Qt.Key(ord(row.key)): row.word for row in COMMANDS.values() if len(row.key) == 1}
@@ -50,12 +52,13 @@ class SupervisePane(QWidget):
     """Shows the run of this window and sends it the supervisor's commands.
 
     ``task_slot`` and ``level_slot`` are layouts for the task card and the panel of levels.
+    ``room_changed`` tells how high the task card may be.
     """
 
     begin_wanted = Signal()
     """The person wants to start a run."""
     low_changed = Signal(bool)
-    """bool: whether the page is now so low that its columns scroll."""
+    """bool: whether the page is now so low that the column at the right scrolls."""
 
     def __init__(
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
@@ -209,7 +212,7 @@ class SupervisePane(QWidget):
         left.setStretchFactor(0, 1)
         left.setSizes([560, BELOW])
         self._right = RightColumn(self.hold, self.step_in)
-        self.task_slot = self._right.task_slot
+        self.task_slot, self.room_changed = self._right.task_slot, self._right.room_changed
         self._sides = _split(Qt.Orientation.Horizontal, _Rolled(left), self._right)
         self._sides.setStretchFactor(0, 1)
         self._sides.setSizes([1044, RIGHT])
@@ -295,7 +298,7 @@ class SupervisePane(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the columns to the new size."""
         super().resizeEvent(event)
-        narrow, low = self.width() < NARROW, self.height() < LOW_PAGE
+        narrow, low = self.width() < NARROW, self.height() < LOW_RIGHT
         self._right.fit(narrow, low)
         self.low_changed.emit(low)
         left = self.width() - self._right.minimumWidth()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.controls import rule
@@ -11,6 +11,7 @@ from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running.hold_card import HoldCard
 
+MARGIN = 12
 WIDE, NARROW = 330, 240
 """The smallest width of the column, and that in a narrow page (pixels)."""
 
@@ -23,12 +24,15 @@ class RightColumn(QWidget):
     back* does not scroll. ``task_slot`` is the layout for the task card.
     """
 
+    room_changed = Signal(int)
+    """int: the height (pixels) that the task card has above Step in. 0 if the column scrolls."""
+
     def __init__(self, hold: HoldCard, step_in: StepIn) -> None:
         super().__init__()
         self._step_in, self._low, self._pinned = step_in, False, False
         inner = QWidget()
         self._column = QVBoxLayout(inner)
-        self._column.setContentsMargins(12, 12, 12, 0)
+        self._column.setContentsMargins(12, MARGIN, 12, 0)
         self._column.setSpacing(12)
         self.task_slot = QVBoxLayout()
         self.task_slot.setContentsMargins(0, 0, 0, 0)
@@ -40,6 +44,8 @@ class RightColumn(QWidget):
         self._below.addWidget(step_in)
         panel, whole = empty_panel()
         self._room, self._edge = Room(inner), rule()
+        for part in (self._room.viewport(), step_in):
+            part.installEventFilter(self)
         self._edge.hide()
         # The line shows that the part above can be scrolled.
         self._room.verticalScrollBar().rangeChanged.connect(lambda *_: self._ranged())
@@ -64,6 +70,20 @@ class RightColumn(QWidget):
         self._column.setContentsMargins(12, 12, 12, 12 if low else 0)
         self._pin()
         self._room.updateGeometry()
+        self._tell_room()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell the task card how high it may be."""
+        if event.type() == QEvent.Type.Resize:
+            self._tell_room()
+        return super().eventFilter(watched, event)
+
+    def _tell_room(self) -> None:
+        """Step in is as high as it needs to be, so the task card gets what is left."""
+        wide = self.width()
+        below = self._below.heightForWidth(wide) if self._below.hasHeightForWidth() else 0
+        below = max(below, self._below.sizeHint().height())
+        self.room_changed.emit(0 if self._low else max(self.height() - below - MARGIN - 1, 1))
 
     def _pin(self) -> None:
         """Put *Give back* below the scrolled part while the person has control, so that it is

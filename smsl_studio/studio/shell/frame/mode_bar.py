@@ -34,6 +34,8 @@ DRAW_TOOLS = (
 )
 SEARCH = 248
 """Largest width of the search field; it becomes narrower in a narrow bar (pixels)."""
+TIGHT = 760
+"""Below this width of the bar, the buttons of four modes leave room for the word of the run."""
 WORDS = 560
 """The width of the drawing tools from which their buttons have words (pixels)."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
@@ -89,7 +91,7 @@ class ModeBar(QToolBar):
         self._middle.setMinimumWidth(1)
         self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
-        inner = _Whole()
+        inner = _Whole(self.segments)
         layout = QHBoxLayout(inner)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(12)
@@ -186,9 +188,14 @@ class _Whole(QWidget):
 
     precedence: Precedence
 
+    def __init__(self, segments: Segments) -> None:
+        super().__init__()
+        self._segments = segments
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Decide again which parts are hidden."""
         super().resizeEvent(event)
+        self._segments.fit(self.width())
         self.precedence.fit()
 
 
@@ -254,6 +261,7 @@ class Segments(QFrame):
         super().__init__()
         self.setObjectName("segments")
         self.setAccessibleName("Mode")
+        self._room, self._tight = QWIDGETSIZE_MAX, False
         layout = row(spacing=0)
         layout.setContentsMargins(2, 2, 2, 2)
         self.buttons: dict[str, QToolButton] = {}
@@ -274,6 +282,20 @@ class Segments(QFrame):
     def show_segment(self, name: str, shown: bool) -> None:
         """Show or hide the button of a mode."""
         self.buttons[name].setVisible(shown)
+        self.fit(self._room)
+
+    def fit(self, room: int) -> None:
+        """Take less space beside the words if all modes are shown in a narrow bar (pixels)."""
+        self._room = room
+        every = not any(button.isHidden() for button in self.buttons.values())
+        tight = every and room < TIGHT
+        if tight != self._tight:
+            self._tight = tight
+            self.setProperty("tight", tight)
+            for part in (self, *self.buttons.values()):
+                part.style().unpolish(part)
+                part.style().polish(part)
+                part.updateGeometry()
 
 
 class SearchBox(QAbstractButton):
