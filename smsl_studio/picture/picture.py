@@ -52,6 +52,8 @@ class Face:
     short: str
     initial: bool
     activating: bool
+    pinned: bool = False
+    """Whether the window marks it as pinned. Exported pictures do not show that."""
 
 
 MOST_CHIPS = 64
@@ -347,6 +349,7 @@ class Picture:
             short=short,
             initial=name == branch.initial,
             activating=name == branch.activating,
+            pinned=name in branch.notes.pinned,
         )
 
     def _chip(self, digit: int, value: str) -> Chip:

@@ -79,7 +79,8 @@ def test_keys_menus_and_properties_pin_and_unpin(sit: Sit) -> None:
     assert (line.words.text(), line.button.text()) == ("Level 1, row 1", "Pin")
     person.click(line.button)
     assert pins(person) == {FIRST}
-    assert (line.words.text(), line.button.text()) == ("Level 1, row 1, pinned", "Unpin")
+    assert (line.words.text(), line.button.text()) == ("Level 1, row 1", "Unpin")
+    assert line.words.accessibleName() == "Place: Level 1, row 1, pinned"
     assert not table["pin"].isEnabled()
     person.click(line.button)
     assert pins(person) == set()
@@ -158,3 +159,26 @@ def test_bends_between_pinned_states_stay(sit: Sit) -> None:
     person.window.session.select(())
     tidy(person)
     assert set(person.blueprint[SB].notes.edges) == {(source, operation)}
+
+
+def test_a_pinned_state_has_a_mark(sit: Sit) -> None:
+    person = sit(FILE)
+    canvas = person.window.canvas
+    window = person.window
+    window.session.select([person.blueprint.resolve(f"{SB}/{SECOND}")])
+    canvas.setFocus()
+
+    def corner() -> list[int]:
+        """The pixels around the upper left corner of the state."""
+        rect = canvas.rect_of(window.session.selection[0])
+        assert rect is not None
+        at = canvas.mapFromScene(rect).boundingRect().topLeft()
+        image = canvas.viewport().grab().toImage()
+        return [image.pixel(at.x() + x, at.y() + y) for x in range(-4, 5) for y in range(-4, 5)]
+
+    plain = corner()
+    person.press(Key.Key_P)
+    marked = corner()
+    assert sum(a != b for a, b in zip(plain, marked, strict=True)) > 20
+    person.press(Key.Key_P, [Shift])
+    assert corner() == plain

@@ -15,6 +15,7 @@ from smsl_studio.legible import one_line, plain_text
 from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE, rest_mark
 from smsl_studio.picture.node_rows import TITLED, rows_of
 from smsl_studio.picture.picture import Chip, Face
+from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.paint.change_signs import (
     change_colours,
     change_dashes,
@@ -155,6 +156,8 @@ def paint_node(
         draw_change(painter, rect.left() + 10.0, rect.top(), 5.5, look.change, ink.tokens)
     elif look.change:
         draw_change(painter, rect.right() - 2, rect.top() + 2, 7.0, look.change, ink.tokens)
+    if face.pinned:
+        _pin(painter, QPointF(rect.left() + 1.0, rect.top() + 1.0), ink)
     if look.conflict:
         draw_conflict(painter, rect.right() + 3, rect.top() - 3, look.conflict, ink.tokens)
 
@@ -239,6 +242,15 @@ def _initial(painter: QPainter, tip: QPointF, ink: Ink) -> None:
     painter.setBrush(colour)
     painter.drawEllipse(QPointF(x - 17.0, y), 5.0, 5.0)
     painter.drawPolygon(QPolygonF([tip, QPointF(x - 7, y - 3.6), QPointF(x - 7, y + 3.6)]))
+
+
+def _pin(painter: QPainter, at: QPointF, ink: Ink) -> None:
+    """Paint the mark of a pinned state around a point at the upper left corner."""
+    tokens = ink.tokens
+    painter.setPen(pen(tokens.nl, 1.0))
+    painter.setBrush(tokens.surf)
+    painter.drawEllipse(at, 7.0, 7.0)
+    draw(painter, "pin", QRectF(at.x() - 4.5, at.y() - 4.5, 9.0, 9.0), tokens.tx2, tokens.surf)
 
 
 def _short(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:

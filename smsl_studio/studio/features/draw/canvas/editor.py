@@ -363,8 +363,10 @@ def _sentence(error: StudioError) -> str:
 
 
 def _same_picture(before: StateBranch, after: StateBranch) -> bool:
-    """Whether two SBs are equal except for their layout."""
+    """Whether two SBs are equal except for the places of their states and lines."""
     if before.name != after.name or before.header != after.header:
+        return False
+    if before.notes.pinned != after.notes.pinned:
         return False
     if list(before.table) != list(after.table):
         return False

@@ -44,8 +44,9 @@ class PlaceLine(QWidget):
         """Show the place of a state. ``places`` has those of all states of its SB."""
         self._pinned = state in branch.notes.pinned
         words = place_words(branch, state, places)
-        self.words.setText(f"{words}, pinned" if self._pinned else words)
-        self.words.setAccessibleName(plain_text(f"Place: {self.words.text()}"))
+        self.words.setText(words)
+        told = f"Place: {words}{', pinned' if self._pinned else ''}"
+        self.words.setAccessibleName(plain_text(told))
         self.button.setText("Unpin" if self._pinned else "Pin")
         self.button.setToolTip(UNPIN if self._pinned else PIN)
 
