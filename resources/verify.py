@@ -47,10 +47,9 @@ def lines(raw):
 		digest.update(line[:-66]); no(line[-76:] != b',"chain":"%s"}' % digest.hexdigest().encode(),
 			f"line {number}: the chain breaks: this line, or one before it, was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
-	whole, signed = {"count": len(told) - 1, "hash": digest.hexdigest()}, read(head).get("signed")
-	no(end or head != plain({"head": whole, "signed": signed} if signed else {"head": whole}),
-		"it has no head that fits: it was cut, or its run did not end")
-	return found[0] | {"head": plain(whole), "signed": signed}, found[1:]
+	said = read(head) | {"head": {"count": len(told) - 1, "hash": digest.hexdigest()}}; no(end or head
+		!= plain(said) or [*said][1:] != ["signed"] * bool(said.get("signed")), "its head does not fit")
+	return found[0] | {"head": plain(said["head"]), "signed": said.get("signed")}, found[1:]
 # 3 The story: the run is told again, event by event.
 CAUSES = dict(resumed="resume", operation_pruned="prune", operation_restored="restore",
 	reset="reset", taken_over="take_over", given_back="accept", stopped="stop", disturbed="disturb",
@@ -82,10 +81,9 @@ def edge(s, address):
 	diff = {n for n in range(sb.count) if sb.facts[source][n] != sb.facts[target][n]}
 	for n in diff & {*sb.subs} if load else (): new = placed(s, name, n, target) | new
 	return Story(name=name, source=source, target=target, note=note, new=new, t=s.t, address=address,
-		needs=load or not diff & {*sb.subs} or diff - {*sb.subs}, level=level(s, address,
-		f"{escape(name)}/{own}") or note.get("actor"), along=[(name, n) for n in diff] + [(b, n) for b in
-		new if b != name for n in s.sbs[b].subs], crossed=[n for n in new if s.sbs[n].goal in {was[n]} ^
-		{new[n]}])
+		needs=load or not diff or diff - {*sb.subs}, level=level(s, address, f"{escape(name)}/{own}") or
+		note.get("actor"), along=[(name, n) for n in diff] + [(b, n) for b in new if b != name for n in
+		s.sbs[b].subs], crossed=[n for n in new if s.sbs[n].goal in {was[n]} ^ {new[n]}])
 def way(s): return {key for op in s.begun for sub in op.crossed for key in s.bases[sub]}  # digits
 def hazards(s, at): return {h for h in s.hazards if all(holds(s, *f, at) for f in s.hazards[h])}
 def safe(s, at): no(hazards(s, at) - s.met, "a hazard is met unsaid")
@@ -243,10 +241,12 @@ def trusted(load):  # the policy, and whose keys count
 		in persons for key in map(base64.b64decode, one["keys"])}
 def opened(envelope, keys, kind):  # what is signed, and by whom
 	from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey as Key
-	(one,), kind = envelope["signatures"], f"application/vnd.{kind}+json"
-	body, key = base64.b64decode(envelope["payload"]), keys[one["keyid"]]
-	Key.from_public_bytes(key["key"]).verify(base64.b64decode(one["sig"]), b"DSSEv1 %d %b %d %b" %
-		(len(kind), kind.encode(), len(body), body)); return body, key
+	(one,), kind = envelope["signatures"], f"application/vnd.{kind}+json"; key = keys[one["keyid"]]
+	body, sig = raw = [base64.b64decode(text) for text in (envelope["payload"], one["sig"])]
+	text = [base64.b64encode(each).decode() for each in raw]; no(envelope != {"payload": text[0],
+		"payloadType": kind, "signatures": [{"keyid": one["keyid"], "sig": text[1]}]})
+	Key.from_public_bytes(key["key"]).verify(sig, b"DSSEv1 %d %b %d %b" % (len(kind), kind.encode(),
+		len(body), body)); return body, key
 def void(key, at, policy, *more):  # revoked, or not valid at that time
 	return key.get("revoked") or at > when(key.get("until") or "9999-12-30") or {*more,
 		sha(key["key"])} & {one.rpartition(":")[2] for one in policy.get("revoked", ())}
@@ -290,10 +290,10 @@ def main():
 	logs = [tried(one, lambda: tell(known, one.read_bytes(), hexes)) or {} for one in files("logs/*")]
 	said = ["No log: nothing is said about a run."] * (not logs) + [f"Not checked: {one}." for one in
 		NOT_CHECKED] + ["The head of a log is signed by " + (str(tried("head", lambda: recorder(log,
-		load))) if log.get("signed") else "nobody") + "." for log in logs]
-	records = files("records/*"); signed = records or files("policy.toml")
-	for log in signed and (logs or [{}]): tried("records", lambda: judge(load, records, known, log))
-	said += ["No record: nobody has approved this blueprint."] * (not signed) + wrong
+		load))) if log.get("signed") else "nobody") + "." for log in logs]; records = files("records/*")
+	for log in (records or files("policy.toml")) and (logs or [{}]): tried("records", lambda:
+		judge(load, records, known, log))
+	said += ["No record: nobody has approved this blueprint."] * (not records) + wrong
 	for line in [*said, "Not consistent." if wrong else "Consistent."]:
 		print(" ".join(line.split()).encode("ascii", "backslashreplace").decode()[:500])
 	return bool(wrong)

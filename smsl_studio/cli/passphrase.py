@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.cli.output import note
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.files import read_content
 
@@ -35,6 +36,26 @@ def passphrase(file: str | None, whose: str) -> bytes:
     return _given(file, VARIABLE) or _typed(f"Passphrase of {whose}: ", "--passphrase-file")
 
 
+def recorder_passphrase(file: str | None) -> bytes:
+    """Return the passphrase of the key with which this computer signs its logs.
+
+    It is empty if there is no such key. It is also empty if nobody gives a passphrase and there is
+    no terminal for a prompt. Then a note says that the log is not signed.
+    """
+    from smsl_studio.front.log_seals import recorder_name
+
+    name = recorder_name()
+    if not name:
+        return b""
+    given = _given(file, VARIABLE)
+    if given:
+        return given
+    if not _has_terminal():
+        note(f"the log is not signed: there is no passphrase for {name}")
+        return b""
+    return _typed(f"Passphrase of {name}, which signs the log: ", "--passphrase-file")
+
+
 def new_passphrase(file: str | None, whose: str, variable: str = VARIABLE) -> bytes:
     """Return a passphrase for a new key or a new copy. A prompt asks for it twice."""
     given = _given(file, variable)
@@ -56,12 +77,15 @@ def _given(file: str | None, variable: str) -> bytes:
     return line
 
 
-def _typed(prompt: str, option: str) -> bytes:
+def _has_terminal() -> bool:
     try:
-        asks = sys.stdin is not None and sys.stdin.isatty()
+        return sys.stdin is not None and sys.stdin.isatty()
     except ValueError:
-        asks = False
-    if not asks:
+        return False
+
+
+def _typed(prompt: str, option: str) -> bytes:
+    if not _has_terminal():
         raise UsageError(
             "there is no passphrase, and nobody to ask for it",
             advice=f"Name a file with {option}, or set SMSL_PASSPHRASE.",

@@ -17,6 +17,7 @@ from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import Place, ReadError, UsageError
+from smsl_studio.front.log_seals import has_recorder
 from smsl_studio.front.logs import check_page, verify_stream
 from smsl_studio.legible import json_text, one_line
 from smsl_studio.runlog.grammar.log_reader import (
@@ -31,6 +32,9 @@ from smsl_studio.smsl.files import save_document
 BEFORE = (
     f"a log of version {FORMER}: its goals were told without a fresh check, "
     "and it does not say what its states want of their facts"
+)
+UNSIGNED = (
+    "its head is not signed, and this computer has a recorder's key: another may have written it"
 )
 WITHOUT = "the story was not told again, because no --blueprint FILE is named"
 
@@ -96,11 +100,14 @@ def _verify(
         assert verdict.head is not None
         many = f"{verdict.events} event{'' if verdict.events == 1 else 's'}"
         former = f" ({BEFORE})" if verdict.version == FORMER else ""
+        signed = f", signed by {verdict.signer}" if verdict.signer else ""
         told = f", told again from {blueprint.file}" if blueprint is not None else ""
-        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}{told}"))
+        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}{signed}{told}"))
     if verdict.order is not None:
         odd = verdict.order
         note(f"{odd.place}: the blueprint permits this, and it is odd: {odd.sentence}")
+    if verdict.doubt is None and not verdict.signer and has_recorder():
+        note(UNSIGNED)
     if blueprint is None and verdict.doubt is None:
         note(WITHOUT)
     return 0 if verdict.doubt is None else 1
@@ -117,6 +124,7 @@ def _as_json(verdict: LogVerdict, file: str) -> dict[str, object]:
         "line": doubt.place.line if doubt else None,
         "column": doubt.place.column if doubt else None,
         "message": doubt.sentence if doubt else "",
+        **({"signed": verdict.signer} if verdict.signer else {}),
     }
 
 

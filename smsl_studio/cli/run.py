@@ -16,6 +16,7 @@ from smsl_studio.cli.arguments import (
 )
 from smsl_studio.cli.blueprint_argument import STDIN, read_argument, standard_input
 from smsl_studio.cli.output import Output, note
+from smsl_studio.cli.passphrase import recorder_passphrase
 from smsl_studio.cli.signals import Signals
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import UsageError
@@ -66,6 +67,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--broker", default="", metavar="HOST[:PORT]", help="the MQTT broker of sensors elsewhere"
     )
     parser.add_argument("--site", default="", help="the site whose sensors are heard")
+    parser.add_argument(
+        "--passphrase-file",
+        metavar="FILE",
+        help="with --log: the passphrase of the recorder's key, which signs the log (else "
+        "SMSL_PASSPHRASE, else a prompt)",
+    )
     add_format(parser)
 
 
@@ -115,11 +122,14 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
             "a log is a file; the events go to standard output anyway",
             advice="Name a new file, or leave out --log.",
         )
+    if options.passphrase_file is not None and options.log is None:
+        raise UsageError("--passphrase-file is for --log alone", advice="Name a log, too.")
     blueprint = read_argument(options.file)
     script = _script(options.script, options.file, blueprint)
     # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):
         note(f"{finding.place}: {finding.message}")
+    words = b"" if options.log is None else recorder_passphrase(options.passphrase_file)
     look_for_garbage()
     done = run(
         blueprint,
@@ -139,9 +149,10 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         site=options.site,
         policy=options.policy,
         record=options.record,
+        passphrase=words,
     )
-    for words in done.unbound:
-        note(words)
+    for unbound in done.unbound:
+        note(unbound)
     if done.trust and done.reason != "refused":
         note(done.trust)
     if script is not None:

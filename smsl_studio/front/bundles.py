@@ -34,7 +34,8 @@ content/      what their digests are made of, as canonical JSON: a folder for ea
 logs/         the logs of runs, byte for byte
 records/      what people have signed about the blueprint, if anybody has
 policy.toml   whose signatures are needed, with register.json, the register of persons that it names
-keys.json     the public halves of keys that have signed, where no register says whose they are
+keys.json     the public halves of keys that have signed records, or the head of a log. They count
+              where no register says whose they are
 verify.py     the checks. It is short, and a list in it says what it does not check.
 report.html   is absent: this version of the program does not write it.
 """
@@ -73,8 +74,9 @@ def bundled(
             f"{os.fspath(output)!r} is no name of a bundle", advice="Let it end in .zip."
         )
     files = dict(_blueprint_files(blueprint))
-    files.update(_log_files(logs))
-    files.update(signed_files(blueprint, signed))
+    told = dict(_log_files(logs))
+    files.update(told)
+    files.update(signed_files(blueprint, signed, tuple(told.values())))
     files["verify.py"] = verifier_file().read_bytes()
     files["README.txt"] = _README.encode("ascii")
     return _zipped(files)

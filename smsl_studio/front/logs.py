@@ -11,7 +11,7 @@ from typing import BinaryIO
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.errors import Place, UsageError
+from smsl_studio.errors import Place, SealError, UsageError
 from smsl_studio.runlog.grammar.log_reader import (
     IMPOSSIBLE,
     Doubt,
@@ -57,11 +57,11 @@ def verify(log: Name, blueprint: Blueprint | None = None) -> LogVerdict:
 def verify_stream(stream: BinaryIO, file: str, blueprint: Blueprint | None = None) -> LogVerdict:
     """Check the log in a stream, as ``verify`` does. Messages call it by ``file``."""
     if blueprint is None:
-        return verify_log(stream, file, COMMANDS)
+        return _with_signer(verify_log(stream, file, COMMANDS), file)
     from smsl_studio.front.verifier import told_again
 
     raw = stream.read()
-    verdict = verify_log(BytesIO(raw), file, COMMANDS)
+    verdict = _with_signer(verify_log(BytesIO(raw), file, COMMANDS), file)
     why = told_again(raw, blueprint)
     if not why and verdict.doubt is not None and verdict.doubt.sentence.startswith(IMPOSSIBLE):
         return replace(verdict, doubt=None, order=verdict.doubt)
@@ -70,6 +70,22 @@ def verify_stream(stream: BinaryIO, file: str, blueprint: Blueprint | None = Non
     line = _LINE.match(why)
     place = Place(file, int(line[1]) if line else 1, 1)
     return replace(verdict, doubt=Doubt(place, why[line.end() :] if line else why))
+
+
+def _with_signer(verdict: LogVerdict, file: str) -> LogVerdict:
+    """Return the verdict with the signer of the head, or with the doubt that nobody here signed
+    it."""
+    head = verdict.head
+    if head is None or not head.signed or verdict.doubt is not None:
+        return verdict
+    from smsl_studio.inspection.approval.log_seal import signer_of
+
+    try:
+        key = signer_of(head.raw, head.signed)
+    except SealError as error:
+        place = Place(file, verdict.events + 2, 1)
+        return replace(verdict, doubt=Doubt(place, error.sentence))
+    return replace(verdict, signer=f"{key.person} ({key.id})")
 
 
 _LINE = re.compile(r"line (\d+): ", re.ASCII)

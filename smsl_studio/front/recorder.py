@@ -123,7 +123,7 @@ def start_log(request: RunRequest, loaded: Loaded | None) -> RunLog:
     """
     if request.log is None:
         raise UsageError("no file is named for the log of this run")
-    return RunLog(request.log, log_header(request, loaded))
+    return RunLog(request.log, log_header(request, loaded), request.seal)
 
 
 def new_recording(folder: Path, file: str, now: datetime) -> Path:

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.errors import UsageError
+from smsl_studio.front.log_seals import Seal
 from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.script import Script
@@ -42,7 +43,8 @@ class RunRequest:
 
     ``policy`` is the file of a trust policy, and ``record`` the file of a record. If either is
     given, the run starts only if the blueprint is approved. ``now`` is the time for this question;
-    None means the clock of the computer. ``trust`` is the answer to it.
+    None means the clock of the computer. ``trust`` is the answer to it. ``seal`` signs the head of
+    the log (see ``log_seals``).
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -71,6 +73,7 @@ class RunRequest:
     record: Path | None = None
     now: datetime | None = None
     trust: RunTrust | None = None
+    seal: Seal | None = field(default=None, repr=False)
 
     @property
     def asks_approval(self) -> bool:

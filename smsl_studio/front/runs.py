@@ -20,6 +20,7 @@ from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.inputs import refuse_nonsense
+from smsl_studio.front.log_seals import seal_of_logs
 from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.request import RunRequest, Several, several
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
@@ -169,6 +170,7 @@ def run(
     site: str = "",
     policy: Path | str | None = None,
     record: Path | str | None = None,
+    passphrase: bytes = b"",
 ) -> Run:
     """Run a blueprint without a window to its end, and return what happened.
 
@@ -179,12 +181,13 @@ def run(
     ``on_event`` is called with each event after that. ``stop_when`` is called before every tick,
     and True stops the run. ``broker`` (HOST:PORT) and ``site`` are for remote sensors; with such
     sensors ``speed`` is at most 1. ``policy`` is a trust policy, and ``record`` a record: with
-    either the run is refused unless the blueprint is approved. ``RunRequest`` explains the other
-    arguments.
+    either the run is refused unless the blueprint is approved. ``passphrase`` opens the recorder's
+    key of this computer, which signs the head of the log; without it ``SMSL_PASSPHRASE`` counts,
+    and without both the log is not signed. ``RunRequest`` explains the other arguments.
 
-    AddressError, UsageError, PluginError and WorldError for names that do not exist. ReadError if
-    the script injects a fault that the world does not have. Every other failure is the ``reason``
-    of the run.
+    SealError if the passphrase is wrong. AddressError, UsageError, PluginError and WorldError for
+    names that do not exist. ReadError if the script injects a fault that the world does not have.
+    Every other failure is the ``reason`` of the run.
 
     >>> done = run(read("hanoi-corrected.json"), goal="State_ccc", seed=0)
     >>> done.reason, done.events[-1].operations
@@ -210,6 +213,7 @@ def run(
         plugin_paths=tuple(plugin_paths),
         policy=None if policy is None else Path(policy),
         record=None if record is None else Path(record),
+        seal=None if log is None else seal_of_logs(passphrase),
     )
     return run_request(request, on_event, stop_when)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
 from typing import NamedTuple
 
@@ -37,18 +37,25 @@ class SignedPaths(NamedTuple):
 UNSIGNED = SignedPaths()
 
 
-def signed_files(blueprint: Blueprint, paths: SignedPaths) -> Iterator[tuple[str, bytes]]:
+def signed_files(
+    blueprint: Blueprint, paths: SignedPaths, logs: Sequence[bytes] = ()
+) -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of each file that is needed to verify the signatures.
 
-    ReadError if one cannot be read.
+    ``logs`` have the bytes of the logs, because their heads may be signed. ReadError if a file
+    cannot be read.
     """
+    heads = [raw.rstrip(b"\n").rpartition(b"\n")[2] for raw in logs]
+    signed = [head for head in heads if b',"signed":' in head]
     record = paths.record
     if record is None and os.path.lexists(record_beside(blueprint.file)):
         record = record_beside(blueprint.file)
     if record is not None:
         raw = bytes_of(record, "record")
         yield f"records/{PurePath(record).name}", raw
-        yield "keys.json", _keys(raw)
+        signed.append(raw)
+    if signed:
+        yield "keys.json", _keys(b"\n".join(signed))
     if paths.policy is not None:
         yield "policy.toml", bytes_of(paths.policy, "policy")
         policy = read_policy(Path(paths.policy))
@@ -75,8 +82,8 @@ def bytes_of(file: str, what: str) -> bytes:
     return raw
 
 
-def _keys(record: bytes) -> bytes:
-    """Return the public keys in the user's store that have signed a record.
+def _keys(signed: bytes) -> bytes:
+    """Return the public keys in the user's store that have signed a record, or the head of a log.
 
     The form is that of a register.
     """
@@ -85,7 +92,7 @@ def _keys(record: bytes) -> bytes:
 
     persons = []
     for key in sorted(stored_keys().values(), key=lambda one: one.identity):
-        if key.identity.encode() in record:
+        if key.identity.encode() in signed:
             said = {"person": key.person, "roles": [key.role], "keys": [base64_text(key.public)]}
             persons.append({**said, "revoked": key.revoked} if key.revoked else said)
     return canonical({"persons": persons})

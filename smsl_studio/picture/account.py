@@ -118,7 +118,10 @@ def _outcome(run: LoggedRun, moment: RunMoment) -> Iterator[str]:
     elif run.head is not None:
         yield '<p class="seal"><strong>Verified</strong>: the chain holds over the whole log '
         yield f"({run.head.count} events), and its head <code>{markup(run.head.hash)}</code>. "
-        yield "It is not signed: nothing was changed since, unless all of it was written anew."
+        if run.head.signed:
+            yield "It carries a signature of its head, which <code>replay --verify</code> checks."
+        else:
+            yield "It is not signed: nothing was changed since, unless all of it was written anew."
         yield "</p>"
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 import errno
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from smsl_studio.runlog.events import Event
 
 Json = Any
+Seal = Callable[[bytes], Mapping[str, Json]]
+"""Signs the bytes of a head, and returns the envelope with the signature."""
 FORMAT = "smsl-run"
 VERSION = 3
 """Version 1 had no chain. In version 2 goals were told without a fresh check, and the header had no
@@ -49,11 +51,13 @@ class RunLog:
     """A log that is being written. SaveError if it cannot be written, before anything has run.
 
     UsageError if the file is not empty, because a record is never overwritten. The file must be an
-    ordinary file and not a link, because nobody can wait for the disk behind a pipe.
+    ordinary file and not a link, because nobody can wait for the disk behind a pipe. ``seal`` signs
+    the head; without it the head has no signature.
     """
 
-    def __init__(self, path: Path, header: Mapping[str, Json]) -> None:
+    def __init__(self, path: Path, header: Mapping[str, Json], seal: Seal | None = None) -> None:
         self.path = path
+        self._seal = seal
         self._chain = Chain()
         self._count = 0
         try:
@@ -75,8 +79,10 @@ class RunLog:
 
     def finish(self) -> None:
         """Append the head and end the log. When it returns, everything is on the disk."""
-        head = {"head": {"count": self._count, "hash": self._chain.digest}}
-        self._put(_line(head).encode("ascii") + b"\n")
+        head = {"count": self._count, "hash": self._chain.digest}
+        signed = self._seal(_line(head).encode("ascii")) if self._seal is not None else None
+        last = {"head": head} if signed is None else {"head": head, "signed": signed}
+        self._put(_line(last).encode("ascii") + b"\n")
         self._settle()
         self.close()
 

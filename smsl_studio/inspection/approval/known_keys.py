@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
-from smsl_studio.inspection.approval.statement import AUTOMATIC
+from smsl_studio.inspection.approval.statement import AUTOMATIC, RECORDER
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +26,9 @@ class KnownKey:
 
     @property
     def is_automatic(self) -> bool:
-        """Whether a program signs with this key. Such a signature never counts as a person's."""
-        return AUTOMATIC in map(name_of, self.roles)
+        """Whether a program or a recorder signs with this key. Such a signature never counts as a
+        person's."""
+        return not {AUTOMATIC, RECORDER}.isdisjoint(map(name_of, self.roles))
 
     def may_sign_at(self, moment: datetime) -> bool:
         """Whether the key is valid at a moment."""

@@ -28,6 +28,8 @@ PAYLOAD_TYPE = "application/vnd.in-toto+json"
 APPROVED, CONDITIONS, REJECTED = "approved", "conditions", "rejected"
 AUTOMATIC = "automatic"
 """The role of keys with which programs sign. It never counts as a person."""
+RECORDER = "recorder"
+"""The role of keys with which computers sign the heads of logs. They approve nothing."""
 
 MEANINGS: Mapping[str, str] = MappingProxyType(
     {

@@ -30,7 +30,10 @@ from smsl_studio.smsl.inputs import open_ordinary
 Json = Any
 Going = Callable[[float], None]
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
-_HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\}\}\n')
+_HEAD = re.compile(
+    rb'\{"head":(\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\})'
+    rb'(?:,"signed":(\{.{1,2000}\}))?\}\n'
+)
 OFTEN = 256
 """The number of events between two reports of progress."""
 _LOOKED_AT = 100
@@ -46,10 +49,16 @@ _UNWRITTEN = "the line has content that no run writes"
 
 @dataclass(frozen=True, slots=True)
 class LogHead:
-    """The last line of a log: the number of events, and the SHA-256 of all bytes before it."""
+    """The last line of a log: the number of events, and the SHA-256 of all bytes before it.
+
+    ``raw`` has the bytes of both, and ``signed`` the envelope with their signature, as the log has
+    it. It is empty if nobody has signed the head.
+    """
 
     count: int
     hash: str
+    raw: bytes = b""
+    signed: bytes = b""
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,7 +199,7 @@ class LogReader:
         found = _HEAD.fullmatch(line)
         if found is None:
             raise self._wrong("the head is not as it was written")
-        self.head = LogHead(int(found[1]), found[2].decode("ascii"))
+        self.head = LogHead(int(found[2]), found[3].decode("ascii"), found[1], found[4] or b"")
         if self.head.count != self.count:
             self._doubts(f"the head counts {self.head.count} events; there are {self.count}")
         elif self.head.hash != self._chain.digest:
@@ -231,7 +240,8 @@ class LogVerdict:
 
     It has the number of events, the head, the reason if the log is not verified, and the version of
     its format (0 without a header). ``order`` is set if the run agrees with its blueprint, but its
-    events are in an unusual order.
+    events are in an unusual order. ``signer`` is who has signed the head; it is empty if nobody
+    has.
     """
 
     events: int
@@ -239,6 +249,7 @@ class LogVerdict:
     doubt: Doubt | None
     version: int = 0
     order: Doubt | None = None
+    signer: str = ""
 
 
 def open_log(path: Path) -> BinaryIO:

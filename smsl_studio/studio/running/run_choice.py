@@ -9,6 +9,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.log_seals import seal_of_logs
 from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.script.script import Script
@@ -54,7 +55,9 @@ class RunChoice:
 
 
 def log_of(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
-    """Start the log of a run; raises SaveError if it cannot be written."""
+    """Start the log of a run; raises SaveError if it cannot be written, and SealError if the
+    recorder's key does not open."""
     agent = supervisor_of(Levels(request.blueprint, request.levels))
     path = new_recording(folder, request.blueprint.file, datetime.now())
-    return start_log(replace(request, log=path, supervisor=agent, person=who), loaded)
+    seal = seal_of_logs()
+    return start_log(replace(request, log=path, supervisor=agent, person=who, seal=seal), loaded)
