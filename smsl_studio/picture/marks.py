@@ -23,7 +23,8 @@ class Marks:
     conflict of a merge, a tick if it is chosen. ``guards`` says
     whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why in
     words. ``found`` are the hits of a search, and ``hit`` is the one that is shown. ``ways`` are
-    the operations on the ways between two selected states.
+    the operations on the ways between two selected states. If ``walked``, the marks of a run show
+    steps that somebody looks at, and nothing runs.
     """
 
     selection: tuple[Address, ...] = ()
@@ -49,3 +50,4 @@ class Marks:
     hit: Address | None = None
     ways: tuple[Address, ...] = ()
     dimmed: bool = False
+    walked: bool = False

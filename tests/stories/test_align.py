@@ -143,7 +143,7 @@ def test_keys_alone_open_the_menu_and_choose(sit: Sit) -> None:
 def test_menu_palette_and_pointer_offer_the_same(sit: Sit) -> None:
     person = sit(FILE)
     window = person.window
-    blueprint = next(m for m in window.findChildren(QMenu) if m.title() == "Blueprint")
+    blueprint = next(m for m in window.findChildren(QMenu) if m.title() == "&Blueprint")
     blueprint.aboutToShow.emit()
     (offered,) = (one for one in blueprint.actions() if one.text() == "Align…")
     assert not offered.isEnabled()

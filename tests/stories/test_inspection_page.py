@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from smsl_studio.studio.base.canvas.accessible import state_words
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.help.pages import HelpPlace
 from smsl_studio.studio.features.inspection.panel import InspectionPanel
@@ -151,6 +152,9 @@ def test_the_run_is_walked_on_the_drawing_in_base_and_sub(sit: Sit, tmp_path: Pa
     assert run.count.text() == "2 operations, shown at the start"
     assert window.canvas.marks.active == "State_0"
     assert window.canvas.marks.next_states == {"State_1"}, "its name is shown, however far away"
+    # Nothing runs, so a screen reader does not hear that a state is active.
+    read = [state_words(window.canvas, at) for at in range(2)]
+    assert [words.split(", ")[1] for words in read] == ["at the shown step", "at a later step"]
     path = [one.operation for one in run.lit.steps[1:] if one.operation]
     for number, operation in enumerate(path, 1):
         person.click(run.step)

@@ -82,7 +82,7 @@ def test_a_procedure_is_drawn_run_and_saved_without_a_pointer(
 
     target = tmp_path / "drawn.json"
     monkeypatch.setattr(Dialogs, "file_to_save", lambda *_: target)
-    take(person, *steps.SAVE)
+    take(person, *steps.LETTER, steps.Step("Esc"), steps.Step("Esc"), *steps.SAVE)
     assert not person.window.session.edited
     assert tables(target) == steps.DRAWN
 
@@ -115,3 +115,6 @@ def test_a_screen_reader_reads_every_step_of_it(display: str, home: Path, tmp_pa
     # The first finding led into the sub-SB.
     assert told["states"] == list(steps.DRAWN["SB2"])
     assert told["run"] == "The run: Stopped"
+    assert told["menu"] == ["Menu of home"]
+    assert len(told["focused"]) == 1, told["focused"]
+    assert "Initial state: Default (Off0)" in told["combos"]

@@ -199,12 +199,6 @@ class Combo(QComboBox):
         self.setItemDelegate(NameDelegate(self))
         self.view().setAccessibleName("Choices")
 
-    def setAccessibleName(self, name: str) -> None:
-        """Set what it is called. On Linux, Qt names it by its present entry, so that a reader would
-        not learn what is chosen; the description says it there."""
-        super().setAccessibleName(name)
-        self.setAccessibleDescription(name)
-
     def width_of_entries(self, least: int, most: int) -> int:
         """The width that the longest entry needs (pixels), between ``least`` and ``most``."""
         metrics = self.fontMetrics()

@@ -4,30 +4,58 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAccessible, QAccessibleInterface
+from PySide6.QtWidgets import QApplication, QComboBox, QListView, QTabBar, QTreeView
+from shiboken6 import getCppPointer, isValid
 
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.shell.accessible_areas import area_of
+from smsl_studio.studio.shell.accessible_choice import ChoiceAccessible
+from smsl_studio.studio.shell.accessible_program import ProgramAccessible
+from smsl_studio.studio.shell.accessible_rows import rows_of
+from smsl_studio.studio.shell.accessible_tabs import TabsAccessible
 
 INSTALLED = "smsl accessible factory"
 
+QT_S_OWN = ("QListView", "QListWidget", "QTreeView", "QTreeWidget", "QTabBar", "QComboBox",
+            "QApplication")  # fmt: skip
+"""Classes of Qt that the window uses itself. What Qt makes inside its own dialogs and combo boxes
+has other names, and keeps Qt's interfaces."""
+
 
 class Factory:
-    """Makes the interface of a canvas or a scroll area when an assistive tool asks for it.
+    """Makes the interface of an object when an assistive tool asks for it.
 
     Qt calls it with the name of each class of an object, from the most special to the most general.
     """
 
     def __init__(self) -> None:
-        self._kept: dict[int, CanvasAccessible] = {}
+        self._kept: dict[int, QAccessibleInterface] = {}
 
     def __call__(self, class_name: str, thing: QObject) -> QAccessibleInterface | None:
-        if not isinstance(thing, Canvas):
+        made = _made(thing)
+        if made is None:
             return area_of(class_name, thing)
-        self._kept = {k: i for k, i in self._kept.items() if i.isValid()}
-        made = CanvasAccessible(thing)
-        self._kept[id(thing)] = made
+        # PySide would free what nobody holds. Qt has deleted the interfaces of what is gone.
+        self._kept = {key: one for key, one in self._kept.items() if isValid(one)}
+        self._kept[getCppPointer(thing)[0]] = made
         return made
+
+
+def _made(thing: QObject) -> QAccessibleInterface | None:
+    """The interface of an object for which Qt's is missing or faulty; None for all others."""
+    if isinstance(thing, Canvas):
+        return CanvasAccessible(thing)
+    made_of = thing.metaObject().className()
+    if made_of.startswith("Q") and made_of not in QT_S_OWN:
+        return None
+    if isinstance(thing, QListView | QTreeView):
+        return rows_of(thing)
+    if isinstance(thing, QTabBar):
+        return TabsAccessible(thing)
+    if isinstance(thing, QComboBox) and not thing.isEditable():
+        return ChoiceAccessible(thing)
+    return ProgramAccessible() if isinstance(thing, QApplication) else None
 
 
 def install(application: QCoreApplication) -> None:

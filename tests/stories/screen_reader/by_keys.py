@@ -12,7 +12,7 @@ import sys
 from functools import partial
 
 from tests.stories.screen_reader import steps
-from tests.stories.screen_reader.reader import Reader
+from tests.stories.screen_reader.reader import Reader, has_focus, told
 
 
 def take(reader: Reader, *group: steps.Step) -> None:
@@ -40,15 +40,27 @@ def main() -> None:
     process, file = int(sys.argv[1]), sys.argv[2]
     reader = Reader(process)
     reader.activate()
-    take(reader, steps.Step("Ctrl+N", "'Canvas'"), *steps.FACTS, *steps.STATES, *steps.BACK)
-    take(reader, *steps.SUB, *steps.CHECK, *steps.RUN, *steps.SUPERVISE, *steps.STOP, *steps.SAVE)
+    take(reader, steps.Step("Ctrl+N", "'Canvas'"), *steps.FACTS, *steps.STATES, *steps.MENU)
+    # A menu that is open is found by walking, too.
+    menu = [thing.name for _, thing in reader.walk(depth=1) if thing.getRoleName() == "popup menu"]
+    take(reader, steps.Step("Esc"), *steps.BACK)
+    focused = [told(thing) for _, thing in reader.walk() if has_focus(thing)]
+    take(reader, *steps.SUB, *steps.CHECK, *steps.RUN, *steps.SUPERVISE, *steps.STOP)
+    take(reader, *steps.LETTER)
+    for _ in range(2):
+        # The first closes the menu, the second leaves the menu bar.
+        reader.press("Esc")
+        reader.pump(0.3)
+    take(reader, *steps.SAVE)
     reader.type(file)
     reader.press("Return")
     reader.until(lambda: bool(reader.find("drawn.json", "filler")), "the name of the saved file")
     canvas = reader.find("Canvas")[0]
     states = [thing.name.split(",")[0] for deep, thing in reader.walk(canvas, 1) if deep == 1]
     run = [thing.name for _, thing in reader.walk() if (thing.name or "").startswith("The run: ")]
-    print(json.dumps({"states": states, "run": run[0] if run else ""}))
+    combos = [thing.name for _, thing in reader.walk() if thing.getRoleName() == "combo box"]
+    print(json.dumps({"states": states, "run": run[0] if run else "", "menu": menu,
+                      "focused": focused, "combos": combos}))  # fmt: skip
 
 
 main()

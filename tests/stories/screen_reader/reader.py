@@ -170,7 +170,14 @@ def told(thing: Any) -> str:
     words = [thing.getRoleName(), repr(thing.name or "")]
     words += [thing.description] if thing.description else []
     words += [word for word, state in STATES.items() if states.contains(state)]
+    if states.contains(pyatspi.STATE_EXPANDABLE) and not states.contains(pyatspi.STATE_EXPANDED):
+        words.append("(collapsed)")
     return " ".join(words)
+
+
+def has_focus(thing: Any) -> bool:
+    """Whether a thing says that it has the keyboard focus."""
+    return bool(thing.getState().contains(pyatspi.STATE_FOCUSED))
 
 
 STATES = {
@@ -202,7 +209,9 @@ def details(thing: Any) -> Iterator[str]:
 def _walk(thing: Any, deep: int, depth: int) -> Iterator[tuple[int, Any]]:
     try:
         states, count = thing.getState(), thing.childCount
-        if deep and not states.contains(pyatspi.STATE_VISIBLE):
+        # Qt calls the cells of a table hidden that are scrolled out of view.
+        cell = thing.getRoleName() == "table cell"
+        if deep and not cell and not states.contains(pyatspi.STATE_VISIBLE):
             return
         yield deep, thing
         for at in range(count) if deep < depth else ():

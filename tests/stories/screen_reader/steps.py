@@ -42,6 +42,8 @@ STATES = (
     Step("Return", "list item 'home, S001 to S000"),
 )  # fmt: skip
 
+MENU = (Step("Menu", "popup menu 'Menu of home'"),)
+
 BACK = (
     Step("G", "list item 'S000, selected"),
     Step("O", "list item 'clamp, S000 to S100"),
@@ -79,7 +81,8 @@ RUN = (Step("Ctrl+2"), Step("F10", "announced: The run: Paused."))
 SUPERVISE = (Step("Ctrl+3", "Supervise"), Step("2", "unclamp"), Step("V", "Veto unclamp once"),
              Step("Return"))  # fmt: skip
 STOP = (Step("F8", "announced: The run: Stopped."),)
-SAVE = (Step("Ctrl+1", "'Canvas'"), Step("Ctrl+S"))
+LETTER = (Step("Ctrl+1", "'Canvas'"), Step("Alt+B", "menu item 'Add state'"))
+SAVE = (Step("Ctrl+S"),)
 
 DRAWN = {
     "SB1": {

@@ -9,6 +9,9 @@ from smsl_studio.studio.base.paint.guard_sign import WORDS
 from smsl_studio.studio.base.words import counted
 
 FINDING = {"E": "error", "W": "warning", "I": "note"}
+WALKED = {"active": "at the shown step", "visited": "at an earlier step",
+          "next": "at a later step"}  # fmt: skip
+"""Words for the states of a run that is only looked at, where nothing is active."""
 
 
 def edge_tip(canvas: Stage, edge: int) -> str:
@@ -42,7 +45,7 @@ def words_for(canvas: Stage, address: Address) -> str:
             if getattr(look, key)
         ]
         if look.running is not None:
-            words.append("running")
+            words.append(WALKED["active"] if canvas.marks.walked else "running")
         if look.finding:
             words.append(FINDING.get(look.finding, "finding"))
         bends = len(sheet.lines[edge].bends) if edge in sheet.lines else 0
@@ -68,7 +71,7 @@ def state_words(canvas: Stage, state: int) -> str:
     words = [face.name]
     for key in ("active", "selected", "visited", "next", "goal"):
         if getattr(look, key):
-            words.append(key)
+            words.append(WALKED.get(key, key) if canvas.marks.walked else key)
     words += ["initial"] if face.initial else []
     words += ["activating"] if face.activating else []
     if look.finding:

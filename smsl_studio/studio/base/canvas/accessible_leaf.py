@@ -1,4 +1,4 @@
-"""The accessible interfaces that the parts of a canvas share, with and without children.
+"""The accessible interfaces of the parts of a canvas, a list or tabs, with and without children.
 
 A part has no Qt object of its own, but it derives from Qt's interface of a widget. The reason is
 that only interfaces of widgets offer actions: PySide 6.11 crashes if a class overrides
@@ -21,6 +21,9 @@ Acts = Mapping[str, tuple[str, Call]]
 """What can be done with a part: by name, what it does in words, and the call."""
 Relation = tuple[QAccessibleInterface, QAccessible.RelationFlag]
 ALL = QAccessible.RelationFlag.AllRelations
+HELD: list[PartAccessible] = []
+"""Every part that a reader has asked for. Qt remembers each until the program ends, so Python must
+not free it: the process would crash when Qt uses it."""
 
 
 class PartAccessible(QAccessibleWidget):
@@ -29,6 +32,7 @@ class PartAccessible(QAccessibleWidget):
     def __init__(self, parent: QAccessibleInterface, widget: QWidget) -> None:
         super().__init__(widget, QAccessible.Role.ListItem, "")
         self._above = parent
+        HELD.append(self)
 
     def object(self) -> Any:
         """None: it is no Qt object."""

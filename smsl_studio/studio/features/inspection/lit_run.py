@@ -57,7 +57,7 @@ class LitRun(QObject):
         marks, branch = self._canvas.marks, self._session.branch
         if not self.steps:
             lit = replace(marks, active=None, visited=frozenset(), trail=(), running=None,
-                          next_states=frozenset())  # fmt: skip
+                          next_states=frozenset(), walked=False)  # fmt: skip
         else:
             step, past = self.steps[self.at], self.steps[: self.at + 1]
             later = {one.configuration.get(branch, "") for one in self.steps[self.at + 1 :]}
@@ -70,6 +70,7 @@ class LitRun(QObject):
                 trail=tuple(edge for one in past for edge in one.edges if edge.branch == branch),
                 running=running,
                 next_states=frozenset(later - {step.configuration.get(branch, "")}),
+                walked=True,
             )
         if lit != marks:
             self._canvas.set_marks(lit)

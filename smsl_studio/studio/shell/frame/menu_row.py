@@ -108,7 +108,8 @@ class MenuRow(QWidget):
 
     def _fill(self, actions: Actions, submenus: Mapping[str, tuple[str, Fill]]) -> None:
         for name in MENUS:
-            menu = self.menus.addMenu(name)
+            # Alt and the first letter open it.
+            menu = self.menus.addMenu(f"&{name}")
             menu.setToolTipsVisible(False)
             menu.aboutToShow.connect(actions.refresh)
             section = None

@@ -10,6 +10,8 @@ from smsl_studio.blueprint.model import Blueprint, ImportFault
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.words import capital
 
+SEVERITIES = {"E": "error", "W": "warning"}
+
 
 @dataclass(frozen=True)
 class OutlineLine:
@@ -44,6 +46,23 @@ class OutlineLine:
             return f"State Branch {self.text}, level {self.right}{where}"
         values = f", values {self.right}" if self.right else ""
         return f"{self.text}, digit {self.digit} of {self.branch}{values}"
+
+    def words(self, above: OutlineLine | None) -> str:
+        """The line for a screen reader. It says on which level the line is and what stands above
+        it, because a reader hears the lines one below the other. ``above`` is None at the top.
+        """
+        if self.fault:
+            return f"{self.text}, import that failed, {self.right}"
+        if self.digit is not None:
+            said = [self.text, f"digit {self.digit} of {self.branch}"]
+            said += [f"values {self.right}"] if self.right else []
+            said += ["expanded by a sub-SB"] if self.sub else []
+            return ", ".join(said)
+        said = [self.text, "State Branch", f"level {self.right}"]
+        said += [f"below {above.text} of {above.branch}"] if above is not None else []
+        said += [f"in {self.home}"] if self.home else []
+        said += [SEVERITIES[self.severity]] if self.severity else []
+        return ", ".join(said)
 
 
 def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> OutlineLine:

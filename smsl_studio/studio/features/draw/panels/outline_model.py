@@ -29,6 +29,7 @@ FEW = 50
 """If more SBs have changed, Qt is told that everything changed."""
 _TEXTS = (int(Qt.ItemDataRole.DisplayRole), int(Qt.ItemDataRole.EditRole))
 _TIP, _LINE = int(Qt.ItemDataRole.ToolTipRole), int(Qt.ItemDataRole.UserRole)
+_SAID = int(Qt.ItemDataRole.AccessibleTextRole)
 _PLAIN = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
 _NAMED = _PLAIN | Qt.ItemFlag.ItemIsEditable
 
@@ -77,9 +78,13 @@ class OutlineModel(QAbstractItemModel):
         return _NAMED if self.node(index).key[0] else _PLAIN
 
     def data(self, index: Index, /, role: int = _TEXTS[0]) -> Any:
-        """The text, the tooltip or the ``OutlineLine`` of a line."""
+        """The text, the words for a screen reader, the tooltip or the ``OutlineLine`` of a line."""
         if role in _TEXTS:
             return self.line(self.node(index)).text
+        if role == _SAID:
+            node = self.node(index)
+            above = node.above if node.above is not None and node.above.above is not None else None
+            return self.line(node).words(self.line(above) if above is not None else None)
         if role == _TIP:
             return tip_text(self.line(self.node(index)).tip)
         return self.line(self.node(index)) if role == _LINE else None
