@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
@@ -69,6 +70,21 @@ def test_a_pinned_state_stays_and_the_others_go_around_it(sit: Sit, tmp_path: Pa
     for _ in range(3):
         person.ctrl(Key.Key_Z)
     assert person.blueprint.document.text == FILE.read_text("utf-8")
+
+
+def test_the_place_of_a_pinned_state_keeps_its_last_digit(sit: Sit, tmp_path: Path) -> None:
+    """Places are written in tenths. What a file says more exactly stays so if it is pinned."""
+    layout = {"A": [12.345, 0], "B": [12.345, 4], "_pinned": {"A": True}}
+    states = {"A": {"go": "B"}, "B": {"on": "C"}, "C": {"back": "A"}}
+    path = tmp_path / "exact.json"
+    path.write_text(json.dumps({"SB": {**states, "_layout": layout}}), "utf-8")
+    person = sit(path)
+    person.window.canvas.setFocus()
+    tidy(person)
+    assert person.steps() == ["Tidy SB"]
+    written = person.blueprint.document.values["SB"]["_layout"]
+    assert written["A"] == [12.345, 0]
+    assert written["B"] != [12.345, 4]
 
 
 def test_keys_menus_and_properties_pin_and_unpin(sit: Sit) -> None:
