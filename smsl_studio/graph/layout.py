@@ -123,11 +123,16 @@ def _grid(branch: StateBranch) -> dict[str, Point]:
     return dict(zip(graph.names, places, strict=True))
 
 
-def joined(branch: StateBranch, fixed: Mapping[str, Point]) -> dict[str, Point]:
-    """Return ``fixed`` and places for the other states, near their neighbours."""
+def joined(
+    branch: StateBranch, fixed: Mapping[str, Point], gap: Point = NODE_GAP
+) -> dict[str, Point]:
+    """Return ``fixed`` and places for the other states, near their neighbours.
+
+    ``gap`` is the least distance of two places, across and down (pixels).
+    """
     graph = graph_of(branch)
     places = dict(fixed)
-    taken = TakenPlaces(places.values())
+    taken = TakenPlaces(places.values(), gap)
     queue = deque(graph.index[name] for name in fixed)
     queue.extend(i for i in range(len(graph)) if graph.names[i] not in fixed)
     seen: set[str] = set(fixed)
@@ -145,9 +150,14 @@ def joined(branch: StateBranch, fixed: Mapping[str, Point]) -> dict[str, Point]:
     return places
 
 
-def free_places(others: Mapping[str, Point], wanted: Mapping[str, Point]) -> dict[str, Point]:
-    """Return the places of ``others``, and for each state of ``wanted`` the nearest free place."""
-    taken = TakenPlaces(others.values())
+def free_places(
+    others: Mapping[str, Point], wanted: Mapping[str, Point], gap: Point = NODE_GAP
+) -> dict[str, Point]:
+    """Return the places of ``others``, and for each state of ``wanted`` the nearest free place.
+
+    ``gap`` is the least distance of two places, across and down (pixels).
+    """
+    taken = TakenPlaces(others.values(), gap)
     return {**others, **{name: taken.free(at) for name, at in wanted.items()}}
 
 

@@ -25,11 +25,12 @@ from smsl_studio.graph.around_pins import (
 )
 from smsl_studio.graph.arrangement import BEST, arranged, has_triangle, part_of, settles, ties_for
 from smsl_studio.graph.build import graph_of
-from smsl_studio.graph.crossings import CROSSING, Floats, cost_of
+from smsl_studio.graph.crossings import CROSSING, Floats, Ties, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.folded import folded_chain
 from smsl_studio.graph.layout import free_places, joined, place_anew
 from smsl_studio.graph.local_search import settle
+from smsl_studio.graph.taken_places import NODE_GAP
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
@@ -153,7 +154,8 @@ def _around(branch: StateBranch, former: Places, kind: str) -> dict[str, Point]:
     if 2 * len(stays) < len(names):
         wanted = shifted_to(around.stays, array_of(names, fresh.places), before)
     else:
-        wanted = array_of(names, joined(branch, {names[i]: former[names[i]] for i in stays}))
+        fixed = {names[number]: former[names[number]] for number in stays}
+        wanted = array_of(names, joined(branch, fixed, _gap_of(ties)))
     found = around.anew(wanted)
     if fresh.free and around.settles:
         kept = around.kept(before, most_of(ties, found))
@@ -176,11 +178,17 @@ def _some(branch: StateBranch, former: Places, own: list[str], kind: str) -> dic
     after = after + np.round(middle - (after.min(axis=0) + after.max(axis=0)) / 2.0)
     wanted = {name: (float(x), float(y)) for name, (x, y) in zip(own, after.tolist(), strict=True)}
     others = {name: at for name, at in former.items() if name in branch.table and name not in own}
-    placed = free_places(others, wanted)
     ties = ties_for(branch)
+    placed = free_places(others, wanted, _gap_of(ties))
     if settles(ties):
         numbers = graph_of(branch).index
         at = np.array([placed[name] for name in branch.table], dtype=np.float64)
         found = settle(ties, at, stays=[numbers[name] for name in others])
         placed |= {name: (float(x), float(y)) for name in own for x, y in [found[numbers[name]]]}
     return {name: placed[name] for name in branch.table}
+
+
+def _gap_of(ties: Ties) -> Point:
+    """Return the least distance of two states that go to free places, across and down."""
+    wide, high = np.maximum(NODE_GAP, 2.0 * ties.half.max(axis=0)).tolist()
+    return wide, high

@@ -102,6 +102,24 @@ def test_of_a_selection_the_pinned_states_stay() -> None:
     assert tidied(branch, shown, names[3:5]) == shown, "all of them are pinned"
 
 
+@pytest.mark.parametrize("seed", [0, 2])
+def test_wide_states_of_a_selection_cover_none(seed: int) -> None:
+    """So many operations join the states that none of them settles."""
+    chance = Random(seed)
+    names = [f"State_with_a_very_long_name_{number}" for number in range(24)]
+    table = {a: {f"to_{b}": b for b in chance.sample(names, 16)} for a in names}
+    branch = StateBranch("SB", dict(table))
+    shown = {name: (400.0 * (at % 6), 100.0 * (at // 6)) for at, name in enumerate(names)}
+    chosen, pins = chance.sample(names, 8), chance.sample(names, 2)
+    branch = pinned_branch(branch, {name: shown[name] for name in pins})
+    strewn = {**shown, **{n: shown[names[0]] for n in chosen if n not in pins}}
+    found = tidied(branch, strewn, chosen)
+    moved = {name for name in names if found[name] != strewn[name]}
+    assert moved
+    assert moved <= set(chosen) - set(pins)
+    assert covered(branch, found) == []
+
+
 def test_if_all_states_are_pinned_none_moves() -> None:
     branch = random_graph(9, 1)
     shown = {name: (13.37 * i, -0.1 * i) for i, name in enumerate(branch.table)}
