@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt
-from PySide6.QtGui import QHelpEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QEnterEvent, QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from smsl_studio.blueprint import editing
@@ -161,3 +161,23 @@ def test_the_values_of_a_fact_leave_the_state_free(sit: Sit) -> None:
         screen = window.screen().availableGeometry()
         foot = window.canvas.viewport().mapToGlobal(node(person, "SB1/State100").bottomLeft())
         window.move(window.pos() + QPoint(0, screen.bottom() - 30 - foot.y()))
+
+
+def test_the_zoom_control_stays_while_the_pointer_is_on_it(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration.json", (1240, 768))
+    canvas, zoom = person.window.canvas, person.window.canvas.overlays.zoom
+    canvas.camera.motion = False
+    person.until(lambda: zoom.isVisible() and canvas.camera.fitted)
+    before, at = zoom.geometry(), QPointF(zoom.more.geometry().center())
+    enter = QEnterEvent(at, at, QPointF(zoom.mapToGlobal(at)))
+    QApplication.sendEvent(zoom, enter)
+    for _ in range(4):
+        held = canvas.zoom
+        hit = zoom.childAt(at.toPoint())
+        assert hit is zoom.more
+        person.click(hit)
+        assert canvas.zoom > held
+        assert zoom.geometry() == before
+    QApplication.sendEvent(zoom, QEvent(QEvent.Type.Leave))
+    assert zoom.geometry() != before, "it would have gone away under the pointer"
+    assert zoom.outside.isVisible()

@@ -63,6 +63,7 @@ class Overlays:
         self._hush.setInterval(SPOKEN)
         self._hush.timeout.connect(self.hush)
         self.breadcrumb.clicked.connect(self._crumb)
+        self.zoom.left.connect(self.fitted)
         self.dense.collapse_wanted.connect(canvas.collapse_wanted)
         self.dense.lane_wanted.connect(self._list_lane)
         self.dense.bundle_wanted.connect(lambda: self.bundle.step(1))
@@ -323,6 +324,8 @@ class Overlays:
 
     def _count_outside(self) -> None:
         """Show how many states are outside the view; the zoom control grows for that."""
+        if self.zoom.held and not self.zoom.outside.underMouse():
+            return
         self.zoom.show_outside(self._canvas.outside)
         if self.zoom.size() != self.zoom.sizeHint():
             self.zoom.resize(self.zoom.sizeHint())
@@ -333,9 +336,12 @@ class Overlays:
         """Whether tools are shown over the drawing: it can be edited, and there is space."""
         return self._canvas.editing and self._canvas.height() >= LOWEST
 
-    def _place_zoom(self) -> None:
-        """Put the zoom control at the bottom right, or at the top where it would cover a node."""
+    def _place_zoom(self, anew: bool = False) -> None:
+        """Put the zoom control at the bottom right, or at the top where it would cover a node. It
+        stays while the pointer is on it, unless the view has another size (``anew``)."""
         canvas, zoom, map_ = self._canvas, self.zoom, self.map
+        if zoom.held and not anew:
+            return
         zoom.setVisible(self._has_tools)
         right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
         several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
@@ -386,7 +392,7 @@ class Overlays:
         self.banner.fit(width - 2 * EDGE)
         self.banner.move((width - self.banner.width()) // 2, 44)
         self._explain()
-        self._place_zoom()
+        self._place_zoom(anew=True)
         self._place_legend()
         self.empty.resize(self.empty.sizeHint())
         self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)

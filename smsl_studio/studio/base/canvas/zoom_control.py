@@ -5,8 +5,8 @@ If states are outside the view it shows how many; a click there fits all.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout
 
 from smsl_studio.studio.base.canvas.branch_view import BranchView
@@ -19,10 +19,19 @@ OUTSIDE = 92
 
 
 class ZoomControl(Card):
-    """The card with the zoom buttons, usually at the bottom right of the canvas."""
+    """The card with the zoom buttons, usually at the bottom right of the canvas.
+
+    While the pointer is on it, it keeps its place and its size: the next click hits the same
+    button.
+    """
+
+    left = Signal()
+    """The pointer has left it."""
 
     def __init__(self, canvas: BranchView, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
+        self.held = False
+        """Whether the pointer is on it."""
         self.less = IconButton(self, tokens, "minus", "Zoom out")
         self.value = IconButton(self, tokens, "", "Zoom to 100 % (Shift+0)")
         self.more = IconButton(self, tokens, "plus", "Zoom in")
@@ -46,6 +55,17 @@ class ZoomControl(Card):
         for all_ in (self.fit, self.outside):
             all_.clicked.connect(lambda: canvas.fit())
         self.show_zoom(1.0)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        """Stay from now on."""
+        super().enterEvent(event)
+        self.held = True
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Go where there is room now."""
+        super().leaveEvent(event)
+        self.held = False
+        self.left.emit()
 
     def sizeHint(self) -> QSize:
         """The size of the buttons; wider while it shows how many states are outside."""

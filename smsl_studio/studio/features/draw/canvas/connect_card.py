@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.controls import Label
 from smsl_studio.studio.base.overlays.card import PassingCard, tint
 from smsl_studio.studio.base.overlays.choices import Choices
@@ -44,6 +45,10 @@ class ConnectCard(PassingCard):
     ) -> None:
         super().__init__(parent, tokens, 10.0)
         operation, target = begun
+        self.line: tuple[QPointF, QPointF] | None = None
+        """Both ends of the line that is being named, as scene points. It stays in sight."""
+        self.about: tuple[Address, ...] = ()
+        """The states at both ends, which stay in sight, too."""
         self._names, self._commit = list(names), commit
         self._target_for, self._own_target, self._touched = target_for, False, False
         self.operation = NameLine(self, tokens, "Operation")

@@ -19,13 +19,10 @@ from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import rename_scopes
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.bend_verbs import Bends
+from smsl_studio.studio.features.draw.canvas.clear_place import clear_place
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
-from smsl_studio.studio.features.draw.canvas.free_places import (
-    clear_place,
-    on_grid,
-    place_near,
-)
+from smsl_studio.studio.features.draw.canvas.free_places import on_grid, place_near
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from smsl_studio.studio.features.draw.canvas.new_operation import NewOperation
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge

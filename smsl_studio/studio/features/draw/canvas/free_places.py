@@ -4,54 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QPoint, QPointF, QRect
+from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.picture.levels import FULL_SIZE, ROOM
 from smsl_studio.studio.base.canvas.branch_view import BranchView
-from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.gestures import GRID
-from smsl_studio.studio.features.draw.canvas.card_places import (
-    is_clear,
-    least_covering,
-    selected_places,
-)
-from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
-from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 
 Position = tuple[float, float]
-
-
-def clear_place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
-    """A place near a point of the view where a card covers no state and no note (pixels).
-
-    If there is none, the card still leaves the new state and the selected ones free.
-    """
-    w, h, off = card.width(), card.height(), 16
-    # The new state is drawn at the point; the card has to leave room for it.
-    aside = int(54 * max(canvas.zoom, 0.5)) + 14 if card.leaves_room else 16
-    inside = canvas.rect().adjusted(6, 6, -6, -6)
-    places = [
-        QPoint(at.x() + aside, at.y() - 20),
-        QPoint(at.x() - aside - w, at.y() - 20),
-        QPoint(at.x() + aside, at.y() - h // 2),
-        QPoint(at.x() - aside - w, at.y() - h // 2),
-        QPoint(at.x() - w // 2, at.y() + 40),
-        QPoint(at.x() - w // 2, at.y() - 40 - h),
-        QPoint(at.x() + off, at.y() - off - h),
-        QPoint(at.x() - off - w, at.y() - off - h),
-    ]
-    places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
-    places += [QPoint(p.x(), inside.top()) for p in places[:4]]
-    new = QRect(0, 0, 2 * aside - 8, aside)
-    new.moveCenter(at)
-    spared = [*([new] if card.leaves_room else []), *selected_places(canvas)]
-    for place in places:
-        area = QRect(place, card.size())
-        kept = not any(one.intersects(area) for one in spared)
-        if kept and inside.contains(area) and is_clear(canvas, area):
-            return place
-    return least_covering(canvas, card.size(), places[0], spared)
 
 
 def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:

@@ -84,7 +84,12 @@ class NewOperation:
         card.gone_on.connect(self._canvas.quick_add_wanted)
         if pattern:
             card.begin_with(pattern.partition("{")[0], whole="{" not in pattern)
+        end = QPointF(*place) if target is None else at
+        self._canvas.show_pending(source, target, end)
+        drawn = self._canvas.gestures.drawn
+        card.line = (drawn.start, drawn.end) if drawn is not None else None
+        card.about = (source, target) if target is not None else (source,)
         self._open(card, QPointF(self._canvas.mapFromScene(at)))
         # A card that was open before has closed now, and its line was removed with it. So the line
         # of this card is shown last.
-        self._canvas.show_pending(source, target, QPointF(*place) if target is None else at)
+        self._canvas.show_pending(source, target, end)

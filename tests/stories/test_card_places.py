@@ -1,0 +1,74 @@
+"""The card that asks for a name opens beside its line, and over none of the states at its ends."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, QRect
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+HANOI = SAMPLES / "hanoi-corrected.json"
+NEAR = 90
+"""How far the field of the name may be from its line where there is room (pixels)."""
+
+
+def connected(person: Person, source: str, target: str) -> ConnectCard:
+    """The card that opens after an operation was drawn between two states."""
+    start = person.blueprint.resolve(source)
+    end = person.blueprint.resolve(target)
+    person.window.canvas.connect_wanted.emit(
+        start, end, person.window.canvas.rect_of(end).center())  # fmt: skip
+    QApplication.processEvents()
+    card = person.window.editor.field
+    assert isinstance(card, ConnectCard)
+    return card
+
+
+def line(person: Person) -> list[QPoint]:
+    """Points of the line that is being named, in pixels of the view."""
+    canvas = person.window.canvas
+    drawn = canvas.gestures.drawn
+    assert drawn is not None
+    start, end = (QPointF(canvas.mapFromScene(at)) for at in (drawn.start, drawn.end))
+    return [(start + (end - start) * i / 40).toPoint() for i in range(41)]
+
+
+def node(person: Person, state: str) -> QRect:
+    canvas = person.window.canvas
+    rect = canvas.rect_of(person.blueprint.resolve(state))
+    assert rect is not None
+    return canvas.mapFromScene(rect).boundingRect()
+
+
+@pytest.mark.parametrize(
+    ("source", "target"),
+    [("State111", "State000"), ("State000", "State111"), ("State110", "State000")],
+)
+def test_the_name_is_asked_for_beside_the_line(sit: Sit, source: str, target: str) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1280, 800))
+    card = connected(person, f"SB1/{source}", f"SB1/{target}")
+    points, place = line(person), card.geometry()
+    assert not any(place.contains(at) for at in points)
+    field = QRect(card.operation.mapTo(person.window.canvas, QPoint()), card.operation.size())
+    middle = field.center()
+    assert min(abs(at.y() - middle.y()) for at in points if abs(at.x() - middle.x()) < 20) <= NEAR
+    for state in person.blueprint["SB1"].table:
+        assert not node(person, f"SB1/{state}").intersects(place)
+
+
+@pytest.mark.parametrize(
+    ("source", "target"),
+    [("State_aaa", "State_bbb"), ("State_ccc", "State_abc"), ("State_bba", "State_cab"),
+     ("State_bca", "State_aac"), ("State_acb", "State_cca")],
+)  # fmt: skip
+def test_in_a_crowd_the_card_covers_neither_end_nor_line(
+    sit: Sit, source: str, target: str
+) -> None:
+    person = sit(HANOI, (1280, 800))
+    card = connected(person, f"SB1/{source}", f"SB1/{target}")
+    for state in (source, target):
+        assert not node(person, f"SB1/{state}").intersects(card.geometry())
+    assert sum(card.geometry().contains(at) for at in line(person)) == 0
