@@ -23,6 +23,9 @@ Rect = tuple[float, float, float, float]
 _RECTS_AT_ONCE = 4_000
 """The number of places that are compared with all nodes at once. It limits the memory."""
 _RECTS_AT_A_LOOK = 8
+FOOT = 2.0
+"""The radius of the dot on its line where the leader of a label begins (pixels of a mark). It tells
+to which of several lines the label belongs."""
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
 
 

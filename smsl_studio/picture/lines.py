@@ -11,7 +11,7 @@ from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
 from smsl_studio.picture.guards import needs_words
 from smsl_studio.picture.hidden_names import RADIUS, HiddenNames, hidden_names
-from smsl_studio.picture.labels import AsideRect, leader
+from smsl_studio.picture.labels import FOOT, AsideRect, leader
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
@@ -63,6 +63,7 @@ def draw_labels(
         if isinstance(place, AsideRect):
             joined = leader(figure.geometry.shape(edge), place)
             yield polyline(joined, colours["edge"], 0.8, "2 2")
+            yield circle(joined[0], FOOT, colours["edge"])
     for names in hidden_names(figure.geometry, places):
         yield from _hidden(figure, names, colours)
     for edge, place in places.items():

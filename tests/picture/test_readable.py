@@ -8,12 +8,15 @@ import pytest
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.colours import LIGHT
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.hidden_names import hidden_names
-from smsl_studio.picture.labels import AsideRect, leader, meet
+from smsl_studio.picture.labels import FOOT, AsideRect, leader, meet
+from smsl_studio.picture.lines import draw_labels
 from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.strokes import number
 from tests.picture.test_former import Places, geometry_of
 from tests.picture.test_untouched import STYLES, some_drawing
 
@@ -83,6 +86,18 @@ def test_a_name_without_room_on_its_line_stands_beside_it_or_is_counted(seed: in
     for names in hidden_names(geometry, edges):
         assert names.words == f"+{len(names.edges)}"
         assert geometry.shape(names.edges[0]).distance(*names.at) < 0.01
+
+
+def test_a_leader_begins_with_a_dot_on_its_line() -> None:
+    geometry, places = crowded(1)
+    figure = Figure(geometry.picture, places)
+    # A figure gives crowded states more room; what is asked is how a crowd is drawn.
+    figure.geometry = geometry
+    edges = range(len(figure.picture.operations))
+    aside = [edge for edge in edges if isinstance(figure.geometry.label(edge), AsideRect)]
+    drawn = "".join(draw_labels(figure, edges, LIGHT))
+    assert aside
+    assert drawn.count(f'r="{number(FOOT)}"') == len(aside)
 
 
 def test_a_file_counts_the_names_that_it_does_not_show() -> None:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.canvas.handles import tail_of
 from smsl_studio.studio.features.draw.canvas.library_drop import library_data
 from tests.stories.person import LEFT, Person
 
@@ -39,6 +40,18 @@ class CountedHand:
         self.person.move_to(self.person.place(str(operation)))
         self.person.move_to(tip)
         self.person.drag(tip, end)
+
+    def drag_tail(self, operation: Address, end: QPoint) -> None:
+        """Drag an operation by its beginning. The pointer comes along the line, which does not
+        count."""
+        self.count += 1
+        sheet = self.person.window.canvas.sheet
+        assert sheet is not None
+        tail = tail_of(sheet, sheet.picture.edge(operation))
+        assert tail is not None
+        self.person.move_to(self.person.place(str(operation)))
+        self.person.move_to(self.person.on_canvas(tail))
+        self.person.drag(self.person.on_canvas(tail), end)
 
     def drag_from_edge(self, state: str, end: QPoint) -> None:
         """Drag from the handle of a state to a point of the canvas."""

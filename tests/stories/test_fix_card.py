@@ -109,3 +109,24 @@ def test_the_copy_that_is_proposed_has_the_canvas_for_itself(sit: Sit) -> None:
     person.press(Key.Key_Return)
     person.until_inspected()
     assert card.isHidden()
+
+
+@pytest.mark.parametrize(
+    ("state", "size"), [("State_cbb", (1280, 800)), ("State_bcc", (1000, 700))]
+)
+def test_the_card_leaves_both_ends_of_its_operation_free(
+    sit: Sit, state: str, size: tuple[int, int]
+) -> None:
+    person = sit(SAMPLES / "hanoi-corrected.json", size)
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    operations = person.blueprint["SB1"].table[state]
+    old, target = next(iter(operations.items()))
+    other = next(name for name in person.blueprint["SB1"].operation_names if name not in operations)
+    at = Address("SB1", state, old)
+    person.window.session.edit("Misprint", lambda bp: editing.rename(bp, at, other))
+    person.until_inspected()
+    person.window.session.select(())
+    person.window.session.select((Address("SB1", state, other),))
+    person.until(person.window.fix_card.isVisible)
+    assert not {state, target} & set(covered(person))

@@ -126,6 +126,15 @@ def retarget(sit: Sit, folder: Path) -> int:
     return hand.count
 
 
+def another_source(sit: Sit, folder: Path) -> int:
+    person = sit(SAMPLES / "hfsm.json")
+    hand = CountedHand(person)
+    operation = Address("SB1", "State000", "Operation000")
+    hand.drag_tail(operation, person.place("SB1/State110"))
+    assert person.blueprint["SB1"].table["State110"]["Operation000"] == "State100"
+    return hand.count
+
+
 def export(sit: Sit, folder: Path) -> int:
     person = sit(SAMPLES / "hfsm.json")
     hand = CountedHand(person)
@@ -147,6 +156,7 @@ TASKS: dict[str, Callable[[Sit, Path], int]] = {
     "Inner drawing of a state": inner_drawing,
     "Rename in three places": rename_in_three_places,
     "Another target": retarget,
+    "Another source": another_source,
     "Export as a picture": export,
 }
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QLabel
 from smsl_studio.studio.base.calm import is_calm, set_calm
 from smsl_studio.studio.base.own_keys import read_keys, written_keys
 from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.wheel_habit import wheel_scrolls
 from smsl_studio.studio.document.files.auto_save import AutoSave
 from smsl_studio.studio.features.settings.dialog import SettingsDialog
 from tests.plugin_folder import write_plugin
@@ -68,6 +69,18 @@ def test_theme_and_motion_change_at_once_and_are_kept(sit: Sit) -> None:
     dialog.switches["Less motion"].click()
     camera.go(QPointF(0.0, 0.0), 0.5)
     assert camera.zoom == 2.0, "it is on its way"
+
+
+def test_what_the_wheel_does_changes_at_once_and_is_kept(sit: Sit) -> None:
+    person = sit(SHIPPED)
+    dialog = settings_of(person)
+    assert not wheel_scrolls()
+    dialog.switches["The mouse wheel scrolls"].click()
+    assert wheel_scrolls()
+    assert Settings().wheel_scrolls
+    dialog.switches["The mouse wheel scrolls"].click()
+    assert not wheel_scrolls()
+    assert not Settings().wheel_scrolls
 
 
 def test_the_size_says_that_it_waits_for_the_next_start(sit: Sit) -> None:

@@ -149,6 +149,9 @@ class AllWindows(Protocol):
     def set_calm(self, on: bool) -> None:
         """Let the views of all windows jump instead of gliding."""
 
+    def set_wheel_scrolls(self, on: bool) -> None:
+        """Let a mouse wheel scroll the drawings of all windows, or zoom."""
+
     def set_keys(self, action: str, keys: tuple[str, ...] | None) -> None:
         """Give an action other keys in all windows; None gives it its shipped keys back."""
 

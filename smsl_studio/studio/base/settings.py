@@ -77,6 +77,16 @@ class Settings:
         self.store_text("calm", "true" if on else "")
 
     @property
+    def wheel_scrolls(self) -> bool:
+        """Whether a mouse wheel scrolls a drawing; otherwise it zooms."""
+        return self.text_of("wheel_scrolls") == "true"
+
+    @wheel_scrolls.setter
+    def wheel_scrolls(self, on: bool) -> None:
+        """Remember what a mouse wheel does."""
+        self.store_text("wheel_scrolls", "true" if on else "")
+
+    @property
     def autosave(self) -> bool:
         """Whether a file is saved by itself some time after the last change."""
         return self.text_of("autosave") == "true"

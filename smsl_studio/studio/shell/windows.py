@@ -17,6 +17,7 @@ from smsl_studio.studio.base.own_keys import read_keys, written_keys
 from smsl_studio.studio.base.settings import KEYS, Settings
 from smsl_studio.studio.base.style import dress, tokens_of
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.wheel_habit import set_wheel_scrolls
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.shell.departure import Departure
@@ -91,6 +92,7 @@ class Windows(QObject):
         self.persons = Persons(settings)
         self._sweeper = Sweeper(self)
         set_calm(settings.calm)
+        set_wheel_scrolls(settings.wheel_scrolls)
         name_plugin_folders(settings.plugin_folders)
         self.failure: tuple[str, str] | None = None
         """The last failure of the program: a sentence, and the trace; None if there was none."""
@@ -144,6 +146,11 @@ class Windows(QObject):
         """Let the views of all windows jump instead of gliding, and remember it."""
         self.settings.calm = on
         set_calm(on)
+
+    def set_wheel_scrolls(self, on: bool) -> None:
+        """Let a mouse wheel scroll the drawings of all windows, or zoom, and remember it."""
+        self.settings.wheel_scrolls = on
+        set_wheel_scrolls(on)
 
     def set_keys(self, action: str, keys: tuple[str, ...] | None) -> None:
         """Give an action other keys in all windows and remember them; None gives the shipped keys

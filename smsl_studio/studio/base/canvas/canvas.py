@@ -295,7 +295,7 @@ class Canvas(BranchView):
             QTimer.singleShot(0, self, self._fit_first)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom at the pointer, or pan with two fingers; with Ctrl and Shift see ``touch``."""
+        """Zoom at the pointer, or scroll; ``touch`` tells which."""
         turn(self.camera, event)
         event.accept()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from PySide6.QtCore import QLineF, QPointF
+from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QPainter
 
 from smsl_studio.picture import labels
@@ -27,7 +27,9 @@ class NameMarks:
         """The leaders before the last change. Lines that did not change are the same objects."""
 
     def paint(self, painter: QPainter, sheet: Sheet, names: Mapping[int, labels.Rect]) -> None:
-        """Paint a dotted line to each name that stands away from its line (mark pixels)."""
+        """Paint a dotted line to each name that stands away from its line, from a dot on that line
+        on (mark pixels).
+        """
         self._look_at(sheet)
         lines = [
             self._leader(sheet, edge, rect)
@@ -36,6 +38,10 @@ class NameMarks:
         ]
         painter.setPen(pen(sheet.ink.tokens.edge, 0.8, (2.0, 2.0)))
         painter.drawLines(lines)
+        foot = pen(sheet.ink.tokens.edge, 2.0 * labels.FOOT)
+        foot.setCapStyle(Qt.PenCapStyle.RoundCap)
+        painter.setPen(foot)
+        painter.drawPoints([line.p1() for line in lines])
 
     def paint_hidden(self, painter: QPainter, sheet: Sheet, edges: Iterable[int]) -> None:
         """Paint the marks in place of the names of these edges that have no room (mark pixels)."""

@@ -1,7 +1,8 @@
 """Touchpad and pen on a canvas: what a wheel event or a gesture of the system asks for.
 
-A mouse wheel turns in notches and zooms. A touchpad tells a way in pixels, or a phase of the
-fingers, and two fingers pan. Two fingers that spread zoom, about the place between them.
+A mouse wheel turns in notches, and zooms or scrolls, as the person has chosen. A touchpad tells a
+way in pixels, or a phase of the fingers, and two fingers pan. Two fingers that spread zoom, about
+the place between them.
 """
 
 from __future__ import annotations
@@ -10,7 +11,13 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 
 from smsl_studio.studio.base.canvas.camera import STEP, Camera
+from smsl_studio.studio.base.wheel_habit import wheel_scrolls
 
+CONTROL, SHIFT, ALT = (
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.ShiftModifier,
+    Qt.KeyboardModifier.AltModifier,
+)
 NOTCH = 120.0
 """The angle of one notch of a wheel, in eighths of a degree."""
 WAY = 0.6
@@ -25,11 +32,11 @@ ENDS = (Qt.NativeGestureType.BeginNativeGesture, Qt.NativeGestureType.EndNativeG
 def turn(camera: Camera, event: QWheelEvent) -> None:
     """Zoom or pan by a wheel event.
 
-    Two fingers pan; with Ctrl they zoom. A wheel zooms; with Ctrl it pans up and down, with Shift
-    sideways.
+    With Ctrl it always zooms. Two fingers pan. A wheel zooms or scrolls; with Shift it pans
+    sideways, with Alt up and down.
     """
     modifiers, angle, pixels = event.modifiers(), event.angleDelta(), event.pixelDelta()
-    control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
+    control, shift, alt = (bool(modifiers & one) for one in (CONTROL, SHIFT, ALT))
     if is_fingers(event):
         way = QPointF(pixels) if not pixels.isNull() else QPointF(angle) * WAY
         if control:
@@ -38,10 +45,15 @@ def turn(camera: Camera, event: QWheelEvent) -> None:
             camera.pan(way.x(), way.y())
         return
     delta = angle.y() or angle.x()
-    if modifiers & Qt.KeyboardModifier.ShiftModifier:
+    if control:
+        camera.zoom_at(STEP ** (delta / NOTCH), event.position())
+    elif shift:
         camera.pan(delta * WAY, 0.0)
-    elif control:
+    elif alt:
+        # Qt turns a wheel with Alt sideways.
         camera.pan(0.0, delta * WAY)
+    elif wheel_scrolls():
+        camera.pan(angle.x() * WAY, angle.y() * WAY)
     else:
         camera.zoom_at(STEP ** (delta / NOTCH), event.position())
 

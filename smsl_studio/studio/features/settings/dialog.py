@@ -33,6 +33,10 @@ THEMES = (
 )
 SIZE = "The size of letters, buttons and the drawing. It takes effect when Studio starts next."
 CALM = "The view jumps where it would glide. What a run moves still moves."
+WHEEL = (
+    "Otherwise it zooms about the pointer. With Ctrl it always zooms, with Shift it scrolls "
+    "sideways, and two fingers on a touchpad always scroll."
+)
 KEPT = (
     "Unsaved work is in a journal on this machine within a second, always. After a crash the next "
     "start offers it."
@@ -106,6 +110,10 @@ class SettingsDialog(QDialog):
         self._add("Size", self.size_choice, label(SIZE, "hint"))
         calm = self._switch("Less motion", program.settings.calm, program.set_calm)
         self._add("Motion", calm, label(CALM, "hint"))
+        wheel = self._switch(
+            "The mouse wheel scrolls", program.settings.wheel_scrolls, program.set_wheel_scrolls
+        )
+        self._add("Mouse wheel", wheel, label(WHEEL, "hint"))
 
     def _add_saving(self) -> None:
         settings = self._program.settings

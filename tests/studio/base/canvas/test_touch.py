@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import (
@@ -15,9 +17,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.wheel_habit import set_wheel_scrolls
 from tests.stories.at_canvas import Drawer, sample
 
 NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
+SHIFT, ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
 AT = QPointF(300.0, 200.0)
 
 
@@ -85,6 +89,47 @@ def test_a_wheel_still_zooms(hfsm: Drawer) -> None:
     assert (below(canvas) - before).manhattanLength() < 3
     wheel(canvas, MOUSE, QPoint(), QPoint(0, -120))
     assert canvas.zoom == pytest.approx(1.0)
+
+
+@pytest.fixture
+def scrolling() -> Iterator[None]:
+    set_wheel_scrolls(True)
+    yield
+    set_wheel_scrolls(False)
+
+
+@pytest.mark.usefixtures("scrolling")
+def test_a_wheel_scrolls_if_it_is_set_so(hfsm: Drawer) -> None:
+    canvas = ready(hfsm)
+    before = below(canvas)
+    wheel(canvas, MOUSE, QPoint(), QPoint(0, -120))
+    down = below(canvas) - before
+    assert (canvas.zoom, down.x()) == (1.0, 0.0)
+    assert down.y() > 0
+    wheel(canvas, MOUSE, QPoint(), QPoint(120, 0))
+    assert below(canvas).x() < before.x()
+    wheel(canvas, PAD, QPoint(30, -20), QPoint(60, -40))
+    assert canvas.zoom == 1.0
+
+
+@pytest.mark.parametrize("scrolls", [True, False])
+def test_ctrl_always_zooms_and_shift_and_alt_scroll(hfsm: Drawer, scrolls: bool) -> None:
+    canvas = ready(hfsm)
+    set_wheel_scrolls(scrolls)
+    try:
+        before = below(canvas)
+        wheel(canvas, MOUSE, QPoint(), QPoint(0, 120), SHIFT)
+        assert (below(canvas).x() < before.x(), below(canvas).y()) == (True, before.y())
+        before = below(canvas)
+        wheel(canvas, MOUSE, QPoint(), QPoint(120, 0), ALT)
+        assert (below(canvas).x(), below(canvas).y() < before.y()) == (before.x(), True)
+        assert canvas.zoom == 1.0
+        before = below(canvas)
+        wheel(canvas, MOUSE, QPoint(), QPoint(0, 120), CTRL)
+        assert canvas.zoom == pytest.approx(1.2)
+        assert (below(canvas) - before).manhattanLength() < 3
+    finally:
+        set_wheel_scrolls(False)
 
 
 def gesture(canvas: Canvas, kind: Qt.NativeGestureType, value: float) -> None:
