@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -17,10 +18,9 @@ NEAR = 90
 
 def connected(person: Person, source: str, target: str) -> ConnectCard:
     """The card that opens after an operation was drawn between two states."""
-    start = person.blueprint.resolve(source)
+    canvas, start = person.window.canvas, person.blueprint.resolve(source)
     end = person.blueprint.resolve(target)
-    person.window.canvas.connect_wanted.emit(
-        start, end, person.window.canvas.rect_of(end).center())  # fmt: skip
+    canvas.connect_wanted.emit(start, end, QPointF(*canvas.positions[end.state]))
     QApplication.processEvents()
     card = person.window.editor.field
     assert isinstance(card, ConnectCard)
@@ -72,3 +72,22 @@ def test_in_a_crowd_the_card_covers_neither_end_nor_line(
     for state in (source, target):
         assert not node(person, f"SB1/{state}").intersects(card.geometry())
     assert sum(card.geometry().contains(at) for at in line(person)) == 0
+
+
+def test_the_card_of_a_bundle_covers_neither_of_its_states(hanoi: Drawer) -> None:
+    canvas = hanoi.canvas
+    canvas.resize(740, 480)
+    QApplication.processEvents()
+    canvas.collapse.turn(True)
+    canvas.fit(smooth=False)
+    picture, card = hanoi.sheet.picture, canvas.overlays.bundle
+    opened = [first for first in picture.bundles.members if first != picture.bundles.lane]
+    assert len(opened) > 30
+    for first in opened:
+        card.open(first)
+        assert canvas.rect().contains(card.geometry())
+        for state in (picture.source[first], picture.target[first]):
+            rect = canvas.rect_of(hanoi.sheet.address_of_state(int(state)))
+            assert rect is not None
+            assert not canvas.mapFromScene(rect).boundingRect().intersects(card.geometry())
+        card.go()

@@ -27,6 +27,8 @@ LINGER = 450
 AWAY, RIM, HEAD = 14, 8, 34
 """The distance of the card from the chip, from the border of the view, and the height of its first
 line (pixels)."""
+FARTHER = (36, 60, 84)
+"""The distances from the chip that are tried, too, so that the card covers no state."""
 MOST_ROWS = 10
 """A card with more operations scrolls."""
 
@@ -225,8 +227,8 @@ class BundleCard(Card):
         self._canvas.update_edges(one for one in (former, edge) if 0 <= one < count)
 
     def _place(self, edge: int, wide: int, high: int) -> QRect:
-        """A place beside the chip where the card covers no state and not the chip, else the first
-        one inside the view."""
+        """A place beside the chip where the card covers no state and not the chip. If there is
+        none, one where it covers neither end of the bundle, else the first one inside the view."""
         canvas, sheet = self._canvas, self._canvas.sheet
         assert sheet is not None
         left, top, right, bottom = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
@@ -234,9 +236,21 @@ class BundleCard(Card):
         room = canvas.rect().adjusted(RIM, RIM, -RIM, -RIM)
         inside = [one for one in _places(chip, wide, high) if room.contains(one)]
         free = (one for one in inside if not self._covers(one))
+        ends = self._ends(edge)
+        beside = (one for one in inside if not any(map(one.intersects, ends)))
         x = min(max(chip.right() + AWAY, RIM), max(room.right() - wide, RIM))
         y = min(max(chip.top(), RIM), max(room.bottom() - high, RIM))
-        return next(free, inside[0] if inside else QRect(x, y, wide, high))
+        near = inside[0] if inside else QRect(x, y, wide, high)
+        return next(free, None) or next(beside, near)
+
+    def _ends(self, edge: int) -> list[QRect]:
+        """The places of the two states of a bundle in the view; of a lane, those of its first
+        operation."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        assert sheet is not None
+        states = int(sheet.picture.source[edge]), int(sheet.picture.target[edge])
+        rects = [canvas.rect_of(sheet.address_of_state(state)) for state in states if state >= 0]
+        return [canvas.mapFromScene(rect).boundingRect() for rect in rects if rect is not None]
 
     def _covers(self, place: QRect) -> bool:
         """Whether a state is below a place in the view."""
@@ -248,14 +262,15 @@ class BundleCard(Card):
 def _places(chip: QRect, wide: int, high: int) -> Iterator[QRect]:
     """The places around a chip that are tried, best first."""
     middle = chip.center().x() - wide // 2
-    above, below = chip.top() - AWAY - high, chip.bottom() + AWAY
-    left, right = chip.left() - AWAY - wide, chip.right() + AWAY
-    for x in (middle, chip.left() - 20, chip.right() + 20 - wide):
-        yield QRect(x, above, wide, high)
-        yield QRect(x, below, wide, high)
-    for y in (chip.center().y() - high // 2, chip.top() - 20, chip.bottom() + 20 - high):
-        yield QRect(right, y, wide, high)
-        yield QRect(left, y, wide, high)
+    for away in (AWAY, *FARTHER):
+        above, below = chip.top() - away - high, chip.bottom() + away
+        left, right = chip.left() - away - wide, chip.right() + away
+        for x in (middle, chip.left() - 20, chip.right() + 20 - wide):
+            yield QRect(x, above, wide, high)
+            yield QRect(x, below, wide, high)
+        for y in (chip.center().y() - high // 2, chip.top() - 20, chip.bottom() + 20 - high):
+            yield QRect(right, y, wide, high)
+            yield QRect(left, y, wide, high)
 
 
 def _own(picture: Picture, edge: int) -> tuple[int, ...]:
