@@ -12,7 +12,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import tail_of
-from tests.stories.at_canvas import LEFT, NONE, Drawer
+from tests.stories.at_canvas import LEFT, NONE, SAMPLES, Drawer
+from tests.stories.conftest import Sit
 
 Key = Qt.Key
 STATE, OP, OTHER = "State000", "Operation000", "State111"
@@ -106,6 +107,25 @@ def test_on_empty_canvas_and_with_escape_nothing_changes(hfsm: Drawer) -> None:
     assert hfsm.canvas.gestures.drawn is None
     let_go(hfsm, hfsm.place(OTHER))
     assert hfsm.steps() == 0
+
+
+def test_properties_let_it_start_from_another_state_by_keys_alone(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    person.window.session.select((Address("SB1", STATE, OP),))
+    form = person.window.properties.operation
+    form.start.setFocus()
+    assert form.start.currentText() == STATE
+    person.choose(form.start, "State110")
+    assert person.selected() == [f"SB1/State110/{OP}"]
+    assert form.start.currentText() == "State110"
+    assert person.steps() == [f"Let {OP} start from State110"]
+    person.window.session.edit("Add", lambda bp: add(bp, OTHER))
+    person.choose(form.start, OTHER)
+    assert person.selected() == [f"SB1/State110/{OP}"]
+    assert form.start.currentText() == "State110", "it was refused, and said so"
+    person.ctrl(Key.Key_Z)
+    person.ctrl(Key.Key_Z)
+    assert OP in person.blueprint["SB1"].table[STATE]
 
 
 def test_a_pointer_from_the_state_still_draws_a_new_operation(hfsm: Drawer) -> None:

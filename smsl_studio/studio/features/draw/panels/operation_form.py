@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import AUTOMATIC, OF_ACTOR
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.legible import plain_text
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.controls import Combo, label, row
@@ -24,7 +26,7 @@ from smsl_studio.studio.base.lines.roles import RolesLine
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLine
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.base.words import as_it_is, counted
+from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
 from smsl_studio.studio.document.session import Session
@@ -71,11 +73,15 @@ class OperationForm(NoteForm):
         self.scope = Combo()
         tip = "For which operations of this name a new name holds"
         self._scope = FormLine("Rename", self.scope, tip)
-        self.source = QPushButton()
+        self.start, self.target = Combo(), Combo()
+        self.start.activated.connect(self._move_source)
+        self.source = QPushButton("Select")
         self.source.setProperty("role", "link")
+        self.start.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.source.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.source.clicked.connect(self._select_source)
-        self._from = FormLine("From", self.source, "Select the state this operation starts from")
-        self.target = Combo()
+        tip = "The state this operation starts from"
+        self._from = FormLine("From", self.start, tip, self.source)
         self._to = FormLine("To", self.target, "The state this operation leads to")
         self.target.activated.connect(self._retarget)
         for line in (self.naming, self._scope, self._from, self._to):
@@ -161,13 +167,14 @@ class OperationForm(NoteForm):
         self.naming.setVisible(len(names) == 1 and together)
         self._from.setVisible(one is not None)
         self._to.setVisible(together)
-        for line in (self.naming, self._to):
+        for line in (self.naming, self._from, self._to):
             line.refuse("")
         self._show_scopes(blueprint, len(names) == 1 and together)
-        self.source.setText(as_it_is(edges[0].state))
+        self.source.setAccessibleName(plain_text(f"Select {edges[0].state}"))
         self.source.setToolTip(tip_text(f"Select {edges[0].state}"))
         if together:
             self._show_target(branch)
+            self._show_start()
         self.alone.show_edges(edges)
         self._show_details()
 
@@ -201,6 +208,14 @@ class OperationForm(NoteForm):
             self.target.clear()
             self.target.addItems(items)
         self.target.setCurrentIndex(states.index(first) if known else 0)
+
+    def _show_start(self) -> None:
+        """Show the state from which the first edge starts. The choices are those of the target."""
+        if self.start.model() is not self.target.model():
+            self.start.setModel(self.target.model())
+        states = list(self._session.blueprint[self._edges[0].branch].table)
+        before = self.start.count() - len(states)
+        self.start.setCurrentIndex(before + states.index(self._edges[0].state))
 
     def _show_details(self) -> None:
         blueprint = self._session.blueprint
@@ -283,6 +298,21 @@ class OperationForm(NoteForm):
                 lambda bp: editing.retarget(bp, edges, target),
                 self._to.refuse,
             )
+
+    def _move_source(self) -> None:
+        edge = self._edges[0]
+        states = list(self._session.blueprint[edge.branch].table)
+        # A first entry that is no state is about the target.
+        at = self.start.currentIndex() - (self.start.count() - len(states))
+        words = f"Let {edge.operation} start from {states[at]}"
+        done = at >= 0 and self.edit(
+            words, lambda bp: editing.move_source(bp, edge, states[at]), self._from.refuse
+        )
+        if done:
+            self._session.select((replace(edge, state=states[at]),))
+            self.start.setFocus()
+        else:
+            self._show_start()
 
     def _leading(self) -> str:
         return self._edges[0].operation if len(self._edges) == 1 else counted(
