@@ -136,12 +136,15 @@ def test_the_card_goes_with_the_pointer_unless_a_click_pins_it(sit: Sit) -> None
 def test_a_selected_state_opens_its_bundles_and_closes_them_again(sit: Sit) -> None:
     person = collapsed(sit)
     far = chip(person, "State_0000", "State_0010")
+    button = legend(person).all
+    place = button.mapToGlobal(button.rect().center())
     person.select(f"{SB}/State_1010")
     sheet = person.window.canvas.sheet
     assert sheet is not None
     own = sheet.picture.edges_of(sheet.picture.index["State_1010"])
     assert not any(sheet.picture.bundles.count(edge) for edge in own)
     assert "open" in legend(person).bundles.text()
+    assert button.mapToGlobal(button.rect().center()) == place, "no button moves by a selection"
     assert chip(person, "State_0000", "State_0010") == far, "other bundles stay as they are"
     person.click_canvas(FAR)
     assert (lines(person), legend(person).bundles.text()) == (26, "Bundles 12")

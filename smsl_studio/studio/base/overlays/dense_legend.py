@@ -47,6 +47,9 @@ class DenseLegend(Card):
         self._collapsed, self.empty = False, True
         self._room, self._words = WIDEST, dict[IconButton, str]()
         self._fitted: tuple[object, ...] = ()
+        self._widest = ""
+        """The longest words of the first button in this drawing. It has their width from the
+        beginning, so that a selection, which opens bundles, moves no other button."""
         self.bundles = IconButton(self, tokens, "bundle", "Bundles")
         self.bundles.clicked.connect(self.bundle_wanted)
         self.back = IconButton(self, tokens, "house", "Back to start")
@@ -78,6 +81,7 @@ class DenseLegend(Card):
         self.back.setVisible(bool(back))
         self.back.setEnabled(collapsed)
         words = f"Bundles {bundles:,}"
+        self._widest = f"{words}, {bundles:,} open" if collapsed else ""
         if collapsed and opened:
             words += f", {opened:,} open"
         self._say(self.bundles, words, THICK if collapsed else COULD_BE)
@@ -109,22 +113,25 @@ class DenseLegend(Card):
     def fit(self, room: int) -> None:
         """Take at most this width (pixels). If needed, hide the words beside the icons."""
         self._room = room
-        key = room, *self._words.values(), self.mixed.isHidden(), self.back.isHidden()
+        key = room, self._widest, *self._words.values(), self.mixed.isHidden(), self.back.isHidden()
         if key == self._fitted:
             return
         self._fitted = key
         for brief in (False, True):
             for button, words in self._words.items():
-                self._write(button, words[_number(words) :] if brief else words)
+                widest = self._widest if button is self.bundles else ""
+                cut = _number(words) if brief else 0
+                self._write(button, words[cut:], widest[cut:])
             if self.sizeHint().width() <= room:
                 break
         self.resize(self.sizeHint())
 
-    def _write(self, button: IconButton, words: str) -> None:
-        """Set the words of a button, and the width that they need."""
+    def _write(self, button: IconButton, words: str, widest: str) -> None:
+        """Set the words of a button, and the width that they need, or its widest words."""
         button.setText(words)
         icon = 0 if button is self.all else round(ICON + GAP / 2)
-        button.setFixedSize(round(self._type.width(words)) + ROOM + icon, 30)
+        wide = max(self._type.width(words), self._type.width(widest))
+        button.setFixedSize(round(wide) + ROOM + icon, 30)
 
     def sizeHint(self) -> QSize:
         """As wide as its words, 32 high."""
