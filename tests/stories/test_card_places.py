@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRect
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
@@ -12,8 +12,9 @@ from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
 HANOI = SAMPLES / "hanoi-corrected.json"
-NEAR = 90
-"""How far the field of the name may be from its line where there is room (pixels)."""
+NEAR, ASIDE = 90, 220
+"""How far the field of the name may be from its line where there is room: below a level line, and
+beside one that leads to a new state (pixels)."""
 
 
 def connected(person: Person, source: str, target: str) -> ConnectCard:
@@ -57,6 +58,26 @@ def test_the_name_is_asked_for_beside_the_line(sit: Sit, source: str, target: st
     assert min(abs(at.y() - middle.y()) for at in points if abs(at.x() - middle.x()) < 20) <= NEAR
     for state in person.blueprint["SB1"].table:
         assert not node(person, f"SB1/{state}").intersects(place)
+
+
+@pytest.mark.parametrize("state", ["State000", "State110", "State111"])
+def test_the_names_of_an_operation_to_a_new_state_are_asked_for_beside_its_line(
+    sit: Sit, state: str
+) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1280, 800))
+    person.window.canvas.camera.motion = False
+    person.select(f"SB1/{state}")
+    person.press(Qt.Key.Key_Tab)
+    card = person.window.editor.field
+    assert isinstance(card, ConnectCard)
+    points, place = line(person), card.geometry()
+    assert not any(place.contains(at) for at in points)
+    field = QRect(card.operation.mapTo(person.window.canvas, QPoint()), card.operation.size())
+    assert min((at - field.center()).manhattanLength() for at in points) <= ASIDE
+    end = points[-1]
+    assert not QRect(end.x() - 40, end.y() - 20, 80, 40).intersects(place), "the new state is seen"
+    for one in person.blueprint["SB1"].table:
+        assert not node(person, f"SB1/{one}").intersects(place)
 
 
 @pytest.mark.parametrize(

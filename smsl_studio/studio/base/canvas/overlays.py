@@ -324,8 +324,6 @@ class Overlays:
 
     def _count_outside(self) -> None:
         """Show how many states are outside the view; the zoom control grows for that."""
-        if self.zoom.held and not self.zoom.outside.underMouse():
-            return
         self.zoom.show_outside(self._canvas.outside)
         if self.zoom.size() != self.zoom.sizeHint():
             self.zoom.resize(self.zoom.sizeHint())
@@ -337,8 +335,7 @@ class Overlays:
         return self._canvas.editing and self._canvas.height() >= LOWEST
 
     def _place_zoom(self, anew: bool = False) -> None:
-        """Put the zoom control at the bottom right, or at the top where it would cover a node. It
-        stays while the pointer is on it, unless the view has another size (``anew``)."""
+        """Put the zoom control where it covers no node. With the pointer on it, only ``anew``."""
         canvas, zoom, map_ = self._canvas, self.zoom, self.map
         if zoom.held and not anew:
             return

@@ -72,7 +72,12 @@ class ZoomControl(Card):
         return QSize(156 + (0 if self.outside.isHidden() else OUTSIDE), 32)
 
     def show_outside(self, states: int) -> None:
-        """Show how many states are outside the view; 0 hides the number."""
+        """Show how many states are outside the view; 0 hides the number.
+
+        While the pointer is on another button, nothing changes.
+        """
+        if self.held and not self.outside.underMouse():
+            return
         words = f"{states:,} outside" if states else ""
         if words != self.outside.text():
             self.outside.setText(words)

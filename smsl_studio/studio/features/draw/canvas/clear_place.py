@@ -10,7 +10,7 @@ from smsl_studio.studio.features.draw.canvas.card_places import (
     least_covering,
     selected_places,
 )
-from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.connect_card import ROWS, ConnectCard
 from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 
 OFF = 16
@@ -19,6 +19,8 @@ OFFS = (OFF, 40, 64, 88, 112)
 """The distances between a card and its line that are tried, if states lie beside the line."""
 OVER = 40
 """A place over a floating part counts as farther away by so much."""
+FAR, FEWER = 220, (2, 1)
+"""Farther than this from its line (pixels) a card offers fewer names: these numbers are tried."""
 FIELD = 26
 """From the top of a card to the middle of its first field."""
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
@@ -28,6 +30,24 @@ DOTS = 24
 
 
 def clear_place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
+    """The best place for a card (see ``_place``).
+
+    If the name of an operation would be asked for far from its line, its card offers fewer names,
+    so that it finds a place nearer to the line.
+    """
+    place = _place(canvas, card, at)
+    if not isinstance(card, ConnectCard) or card.line is None or _away(canvas, card, place) <= FAR:
+        return place
+    for rows in FEWER:
+        card.offer_at_most(rows)
+        nearer = _place(canvas, card, at)
+        if _away(canvas, card, nearer) <= FAR:
+            return nearer
+    card.offer_at_most(ROWS)
+    return place
+
+
+def _place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPoint:
     """A place where a card covers no state, no note, and nothing of the line that it names.
 
     It is near the middle of that line, or near a point of the view where a new state is drawn. If
@@ -36,17 +56,14 @@ def clear_place(canvas: Canvas, card: ConnectCard | CopyCard, at: QPoint) -> QPo
     """
     inside = canvas.rect().adjusted(6, 6, -6, -6)
     dots, about = _dots(canvas, card), _about(canvas, card)
-    if dots and not card.leaves_room:
-        places = _beside_line(canvas, dots, card)
-        spared = [*about, *dots, *selected_places(canvas)]
-    else:
-        # The new state is drawn at the point; the card has to leave room for it.
-        aside = int(54 * max(canvas.zoom, 0.5)) + 14 if card.leaves_room else OFF
-        places = _beside_state(card, at, aside, inside)
-        new = QRect(0, 0, 2 * aside - 8, aside)
-        new.moveCenter(at)
-        spared = [new] if card.leaves_room else []
-        spared += [*about, *dots, *selected_places(canvas)]
+    # The new state is drawn at the point; the card has to leave room for it.
+    aside = int(54 * max(canvas.zoom, 0.5)) + 14 if card.leaves_room else OFF
+    new = QRect(0, 0, 2 * aside - 8, aside)
+    new.moveCenter(at)
+    spared = [new] if card.leaves_room else []
+    spared += [*about, *dots, *selected_places(canvas)]
+    places = _beside_line(canvas, dots, card) if dots else []
+    places += _beside_state(card, at, aside, inside)
     for place in places:
         area = QRect(place, card.size())
         kept = not any(one.intersects(area) for one in spared)
@@ -78,6 +95,7 @@ def _beside_line(canvas: Canvas, dots: list[QRect], card: ConnectCard | CopyCard
     A place over a floating part counts as farther away.
     """
     w, h = card.width(), card.height()
+    floats = canvas.overlays.floats()
     at = [dots[round(share * DOTS)].center() for share in SHARES]
     places = [
         QPoint(p.x() - across, y)
@@ -86,16 +104,26 @@ def _beside_line(canvas: Canvas, dots: list[QRect], card: ConnectCard | CopyCard
         for off in OFFS
         for y in (p.y() + off, p.y() - off - h)
     ]
-    places += [QPoint(x, p.y() - FIELD) for p in at for x in (p.x() + OFF, p.x() - OFF - w)]
-    line, floats = [dot.center() for dot in dots], canvas.overlays.floats()
+    places += [
+        QPoint(x, p.y() - FIELD) for p in at for off in OFFS for x in (p.x() + off, p.x() - off - w)
+    ]
 
     def way(place: QPoint) -> int:
-        """How far the field of the name is from the line at a place of the card."""
-        field, area = place + QPoint(w // 2, FIELD), QRect(place, card.size())
-        over = any(area.intersects(part) for part in floats)
-        return min((field - point).manhattanLength() for point in line) + OVER * over
+        """How far the field of the name is from the line, and more over a floating part."""
+        area = QRect(place, card.size())
+        return _way(dots, place, w) + OVER * any(area.intersects(part) for part in floats)
 
     return sorted(places, key=way)
+
+
+def _away(canvas: Canvas, card: ConnectCard, place: QPoint) -> int:
+    """How far the field of the name is from the line at a place of the card (pixels)."""
+    return _way(_dots(canvas, card), place, card.width())
+
+
+def _way(dots: list[QRect], place: QPoint, wide: int) -> int:
+    field = place + QPoint(wide // 2, FIELD)
+    return min((field - dot.center()).manhattanLength() for dot in dots)
 
 
 def _beside_state(

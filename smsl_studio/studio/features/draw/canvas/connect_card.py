@@ -49,7 +49,7 @@ class ConnectCard(PassingCard):
         """Both ends of the line that is being named, as scene points. It stays in sight."""
         self.about: tuple[Address, ...] = ()
         """The states at both ends, which stay in sight, too."""
-        self._names, self._commit = list(names), commit
+        self._names, self._commit, self._rows = list(names), commit, ROWS
         self._target_for, self._own_target, self._touched = target_for, False, False
         self.operation = NameLine(self, tokens, "Operation")
         self.operation.setText(operation)
@@ -72,6 +72,7 @@ class ConnectCard(PassingCard):
         layout.setSpacing(4)
         for widget in (self.operation, self.choices, self._new, self._to, self.target, self.error):
             layout.addWidget(widget)
+        self._sought = ""
         self.setFixedWidth(252)
         self._wire()
         self._filter("")
@@ -112,6 +113,11 @@ class ConnectCard(PassingCard):
         """
         if self._touched:
             self.commit()
+
+    def offer_at_most(self, rows: int) -> None:
+        """Offer at most so many names, so that the card is lower."""
+        self._rows = rows
+        self._filter(self._sought)
 
     def pick_target(self, state: str) -> bool:
         """Lead to this state, which was clicked. False if the target is fixed.
@@ -200,12 +206,12 @@ class ConnectCard(PassingCard):
                 self.target.setText(wanted)
 
     def _filter(self, typed: str) -> None:
-        wanted = typed.strip().casefold()
+        self._sought, wanted = typed, typed.strip().casefold()
         found = [name for name in self._names if wanted in name.casefold()]
         found.sort(key=lambda name: not name.casefold().startswith(wanted))
         exact = typed.strip() in found
         self._new.setVisible(bool(wanted) and not found)
-        self._offer([] if exact else found[:ROWS])
+        self._offer([] if exact else found[: self._rows])
         if exact:
             self._suggest_target(typed.strip())
         self.adjustSize()
