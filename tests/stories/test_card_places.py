@@ -74,10 +74,15 @@ def test_the_names_of_an_operation_to_a_new_state_are_asked_for_beside_its_line(
     assert not any(place.contains(at) for at in points)
     field = QRect(card.operation.mapTo(person.window.canvas, QPoint()), card.operation.size())
     assert min((at - field.center()).manhattanLength() for at in points) <= ASIDE
-    end = points[-1]
+    legend, end = person.window.canvas.overlays.legend, points[-1]
+    new = QRect(end.x() - 44, end.y() - 22, 88, 44)
+    assert legend.gives_way == legend.geometry().intersects(new)
+    assert legend.gives_way or state != "State000", "the new state would lie below its words"
     assert not QRect(end.x() - 40, end.y() - 20, 80, 40).intersects(place), "the new state is seen"
     for one in person.blueprint["SB1"].table:
         assert not node(person, f"SB1/{one}").intersects(place)
+    person.press(Qt.Key.Key_Escape)
+    assert not legend.gives_way
 
 
 @pytest.mark.parametrize(

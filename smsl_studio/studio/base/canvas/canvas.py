@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt, QTimer
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -201,11 +201,14 @@ class Canvas(BranchView):
         rect = self.rect_of(source) if source is not None else None
         if source is None or rect is None or at is None or source == target:
             self.gestures.put("drawn", None)
+            self.overlays.legend.spare(QRect())
             return
         assert self.sheet is not None
         goal = self.rect_of(target) if target is not None else None
         start, end = pending_ends(self.sheet, self.sheet.picture.node(source), at, goal)
         self.gestures.put("drawn", DrawnOperation(start, end, ghost=target is None))
+        new = self.mapFromScene(QRectF(end.x() - 54.0, end.y() - 27.0, 108.0, 54.0)).boundingRect()
+        self.overlays.legend.spare(new if target is None else QRect())
 
     def say(self, text: str, at: QPointF | None = None) -> None:
         """Show a short sentence at the pointer, or at a scene point."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -39,6 +39,8 @@ class Legend(QWidget):
         self.tokens = tokens
         self._type = Type(text_font(12))
         self._words: tuple[tuple[str, str], ...] = ()
+        self.gives_way = False
+        """Whether it is not painted, because a state is being drawn below it."""
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def show_branch(self, branch: StateBranch, kinds: set[str]) -> None:
@@ -59,6 +61,13 @@ class Legend(QWidget):
         self.resize(self.sizeHint())
         self.update()
 
+    def spare(self, area: QRect) -> None:
+        """Paint nothing while it would cover an area of the view; an empty one is never covered."""
+        gives_way = self.geometry().intersects(area)
+        if gives_way != self.gives_way:
+            self.gives_way = gives_way
+            self.update()
+
     @property
     def empty(self) -> bool:
         """Whether there is nothing to explain."""
@@ -71,6 +80,8 @@ class Legend(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint a sign and its words in each row, on a background that half hides the drawing."""
+        if self.gives_way:
+            return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         draw_veil(painter, self.rect(), self.tokens)
