@@ -58,6 +58,16 @@ def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
     return tuple(found)
 
 
+def is_read_by_letters(branch: StateBranch, name: str) -> bool:
+    """Return whether a state is one of ``read_by_letters``.
+
+    Most names cannot be words. For these the other states are not looked at, so the answer comes at
+    once in a large SB, too.
+    """
+    may_be = is_plain_word(branch, name) or _may_be_word(branch, name)
+    return may_be and name in read_by_letters(branch)
+
+
 def carried(branch: StateBranch) -> Facts:
     """Return the facts of the states whose names really carry facts.
 

@@ -20,7 +20,7 @@ __all__ = [
     "TIP_GAP",
     "Between",
     "LineStyle",
-    "around",
+    "around_each",
     "breadth",
     "in_row",
     "is_forward",
@@ -172,48 +172,85 @@ def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
     return bool(len(Obstacles(boxes).met(line, gap, skip)))
 
 
-def around(
-    pair: Between,
-    source: NodeBox,
-    target: NodeBox,
+def around_each(
+    pairs: Sequence[Between],
+    ends: Sequence[tuple[NodeBox, NodeBox]],
     style: LineStyle,
     obstacles: Obstacles,
-) -> Detours:
-    """Return the lines of a pair. They miss all other nodes, if there is a way.
+) -> list[Detours]:
+    """Return the lines of each pair. They miss all other nodes, if there is a way.
 
     The usual lines are tried first, then slightly bent ones, then a detour. If all of them meet a
-    node, the lines are straight.
+    node, the lines are straight. ``ends`` has the two nodes of each pair.
     """
-    skip, gap = (pair.a, pair.b), GAP * style.unit
-    normal = _normal(source, target)
-    length = math.hypot(target.x - source.x, target.y - source.y)
+    tried = [_tried(pair, own, style, obstacles) for pair, own in zip(pairs, ends, strict=True)]
+    strands = [strand for ways in tried for way in ways for strand in way.values()]
+    shapes, first, found = drawn(strands, style), 0, []
+    for pair, own, ways in zip(pairs, ends, tried, strict=True):
+        last = first + len(ways) * len(pair)
+        found.append(_around(pair, own, ways, shapes[first:last], style, obstacles))
+        first = last
+    return found
+
+
+def _tried(
+    pair: Between, ends: tuple[NodeBox, NodeBox], style: LineStyle, obstacles: Obstacles
+) -> list[dict[int, Strand]]:
+    """Return the lines that are tried before a detour: the usual ones, then bent ones."""
+    source, target = ends
     ways = [strands_of(pair, source, target, style, True)]
-    start, end = (source.x, source.y), (target.x, target.y)
-    in_way = len(obstacles.met(np.array([start, end]), 0.0, skip))
-    if in_way <= MOST_IN_BEND:
+    if _in_way(pair, ends, obstacles) <= MOST_IN_BEND:
+        normal, length = _normal(source, target), _length(source, target)
         ways += [
             _bent(pair, source, target, style, normal, side * share * length)
             for share in BENDS
             for side in (-1.0, 1.0)
         ]
-    shapes = drawn([strand for strands in ways for strand in strands.values()], style)
+    return ways
+
+
+def _in_way(pair: Between, ends: tuple[NodeBox, NodeBox], obstacles: Obstacles) -> int:
+    """Return how many other nodes the straight line of a pair meets."""
+    line = np.array([(ends[0].x, ends[0].y), (ends[1].x, ends[1].y)])
+    return len(obstacles.met(line, 0.0, (pair.a, pair.b)))
+
+
+def _around(
+    pair: Between,
+    ends: tuple[NodeBox, NodeBox],
+    ways: Sequence[Mapping[int, Strand]],
+    shapes: Sequence[EdgeShape],
+    style: LineStyle,
+    obstacles: Obstacles,
+) -> Detours:
+    """Return the first of the tried lines of a pair that miss all other nodes, or a detour.
+
+    ``shapes`` has the tried lines one after the other, with the points of ``ways``.
+    """
+    (source, target), skip, gap = ends, (pair.a, pair.b), GAP * style.unit
+    start, end = (source.x, source.y), (target.x, target.y)
     clear = obstacles.keep_clear([shape.points for shape in shapes], gap, skip)
     for at, strands in zip(range(0, len(shapes), len(pair)), ways, strict=True):
         if all(clear[at : at + len(pair)]):
             found = dict(zip(strands, shapes[at : at + len(pair)], strict=True))
-            farthest = length * (1.0 + 2.0 * BENDS[-1])
+            farthest = _length(source, target) * (1.0 + 2.0 * BENDS[-1])
             return Detours(found, reach_of(start, end, farthest, style.unit))
     plain = shapes_of(strands_of(pair, source, target, style, False), style)
-    if in_way > most_passed(obstacles):
+    if _in_way(pair, ends, obstacles) > most_passed(obstacles):
         return Detours(plain, reach_of(start, end, math.inf, style.unit))
     # A detour counts offsets to the right of the way from ``a`` to ``b``. If the normal of the pair
     # points to the left, all offsets change their sign.
+    normal = _normal(source, target)
     turn = (target.x - source.x) * normal[1] - (target.y - source.y) * normal[0]
     right = 1.0 if turn > 0.0 else -1.0
     beside = _side_by_side(pair, source, target, style)
     offsets = {edge: (there, offset * right) for edge, there, offset in beside}
     led = detours((source, target), offsets, obstacles, skip, style.unit)
     return led if led.shapes else led._replace(shapes=plain)
+
+
+def _length(source: NodeBox, target: NodeBox) -> float:
+    return math.hypot(target.x - source.x, target.y - source.y)
 
 
 def _bent(

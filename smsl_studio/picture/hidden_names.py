@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.label_candidates import SHARES
+from smsl_studio.picture.label_candidates import SHARES, points_along
+from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.shape import Point
 
 RADIUS = 7.5
@@ -43,8 +44,8 @@ class HiddenMarks:
         """
         geometry, picture = self._geometry, self._geometry.picture
         pairs = dict[tuple[int, int], None]()
-        for edge in edges:
-            if picture.target[edge] >= 0 and geometry.is_hidden(edge):
+        for edge in geometry.hidden_among(edges):
+            if picture.target[edge] >= 0:
                 a, b = int(picture.source[edge]), int(picture.target[edge])
                 pairs[min(a, b), max(a, b)] = None
         anew = [pair for pair in pairs if pair not in self._known]
@@ -55,8 +56,7 @@ class HiddenMarks:
 
     def _hidden_between(self, a: int, b: int) -> tuple[int, ...]:
         there, back = self._geometry.picture.between(a, b)
-        both = dict.fromkeys((*there, *back))
-        return tuple(edge for edge in both if self._geometry.is_hidden(edge))
+        return tuple(self._geometry.hidden_among(dict.fromkeys((*there, *back))))
 
     def _places(self, edges: Sequence[int]) -> list[Point]:
         """Return the place of the mark on each line: in its middle, or where it covers no node and
@@ -65,18 +65,21 @@ class HiddenMarks:
         In a large picture not all labels have their places yet, so it is in the middle.
         """
         geometry, half = self._geometry, RADIUS * self._geometry.style.unit
-        shapes = [geometry.shape(edge) for edge in edges]
-        points = [[shape.at(shape.length * share) for share in SHARES] for shape in shapes]
-        if not geometry.small or geometry.places is None or not points:
-            return [own[0] for own in points]
-        middles = np.array(points)
-        rects = np.concatenate([middles - half, middles + half], axis=2)
-        free = geometry.places.off_nodes(rects.reshape(-1, 4)).reshape(rects.shape[:2])
-        untaken = geometry.places.is_untaken
+        if not edges:
+            return []
+        points = points_along(list(map(geometry.shape, edges)), SHARES)
+        wanted: list[list[Point]] = points.tolist()
+        if not geometry.small:
+            return [(own[0][0], own[0][1]) for own in wanted]
+        places, rects = geometry.places, np.concatenate([points - half, points + half], axis=2)
+        free = places.off_nodes(rects.reshape(-1, 4)).reshape(points.shape[:2])
+        around: list[list[Rect]] = rects.tolist()
         found = []
-        for at, own in enumerate(points):
-            shown = (k for k in np.nonzero(free[at])[0] if untaken(tuple(rects[at, k].tolist())))
-            found.append(own[next(shown, 0)])
+        for at, own in enumerate(wanted):
+            shown = (rank for rank, rect in enumerate(around[at])
+                     if free[at, rank] and places.is_untaken(rect))  # fmt: skip
+            x, y = own[next(shown, 0)]
+            found.append((x, y))
         return found
 
 

@@ -109,6 +109,12 @@ def aside(shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float) -> Fl
     return np.concatenate([centres - half, centres + half], axis=2)
 
 
+def points_along(shapes: Sequence[EdgeShape], shares: Sequence[float]) -> Floats:
+    """Return the points at shares of the length of each line, (n, k, 2)."""
+    lines = _LineArrays(shapes)
+    return lines.at(lines.length * np.array(shares))
+
+
 class _LineArrays:
     """Several lines as arrays. All have as many points as the line with the most points."""
 

@@ -14,7 +14,7 @@ from smsl_studio.picture.curves import (
     TIP_GAP,
     Between,
     LineStyle,
-    around,
+    around_each,
     meets,
     shapes_of,
     strands_of,
@@ -104,8 +104,8 @@ def test_a_way_around_a_node_meets_none() -> None:
     a, b, between = box(0, 0), box(400, 200), box(200, 100)
     boxes = rows(a, b, between)
     assert meets(np.array([[0.0, 0.0], [400.0, 200.0]]), boxes, (0, 1), 6.0)
-    shapes = around(Between(0, 1, (0,), (1,)), a, b, FULL, Obstacles(boxes)).shapes
-    for shape in shapes.values():
+    (found,) = around_each([Between(0, 1, (0,), (1,))], [(a, b)], FULL, Obstacles(boxes))
+    for shape in found.shapes.values():
         assert not meets(shape.points, boxes, (0, 1), 0.0)
 
 

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import random
+from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPoint, QPointF, QRectF
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import rename, set_header
+from smsl_studio.blueprint.editing import rename, set_header, set_layout
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.generate.rules import hanoi
+from smsl_studio.graph.layout import place_states
 from tests.picture.test_former import edited
 from tests.stories.at_canvas import Drawer, sample
 from tests.studio.base.canvas.test_canvas import alike, on_screen, painted_anew
@@ -68,18 +71,52 @@ def test_any_edit_leaves_nothing_stale_on_the_screen(qtbot: QtBot, name: str, se
         assert alike(painted_anew(person), seen), (step, what, history.undoText())
 
 
+def renamed(blueprint: Blueprint, state: str) -> Blueprint:
+    """The blueprint with another name for the first operation of a state."""
+    operation = next(iter(blueprint["SB1"].table[state]))
+    return rename(blueprint, Address("SB1", state, operation), "Op_9z")
+
+
+def moved(blueprint: Blueprint, state: str) -> Blueprint:
+    """The blueprint in which a state stands a little lower."""
+    x, y = blueprint["SB1"].notes.layout[state]
+    return set_layout(blueprint, "SB1", {state: (x + 24.0, y + 16.0)})
+
+
+def in_the_middle(person: Drawer) -> str:
+    """The state that is the nearest to the middle of the view."""
+    middle, places = person.canvas.seen.center(), person.canvas.positions
+    return min(places, key=lambda name: math.dist(places[name], (middle.x(), middle.y())))
+
+
+@pytest.mark.parametrize("change", [renamed, moved])
 def test_an_edit_paints_only_what_looks_different(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, change: Callable[[Blueprint, str], Blueprint]
 ) -> None:
-    person = Drawer(qtbot, hanoi(4))
+    first = hanoi(4)
+    person = Drawer(qtbot, set_layout(first, "SB1", place_states(first["SB1"])))
     canvas, session = person.canvas, person.session
     on_screen(person)
     painted: list[QRectF] = []
     monkeypatch.setattr(canvas.ground, "paint", lambda *given: painted.append(given[1]))
-    state = list(session.blueprint["SB1"].table)[40]
-    operation = next(iter(session.blueprint["SB1"].table[state]))
-    address = Address("SB1", state, operation)
-    session.edit("Rename", lambda blueprint: rename(blueprint, address, "Op_9z"))
+    state = in_the_middle(person)
+    session.edit("Some edit", lambda blueprint: change(blueprint, state))
+    on_screen(person)
+    assert painted
+    seen = canvas.seen
+    assert all(area.width() < seen.width() / 2 for area in painted)
+
+
+def test_a_drag_that_ends_paints_only_where_it_was(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = Drawer(qtbot, hanoi(4))
+    canvas = person.canvas
+    on_screen(person)
+    start = person.place(in_the_middle(person))
+    painted: list[QRectF] = []
+    monkeypatch.setattr(canvas.ground, "paint", lambda *given: painted.append(given[1]))
+    person.drag(start, start + QPoint(30, 20))
     on_screen(person)
     assert painted
     seen = canvas.seen

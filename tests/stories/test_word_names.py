@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.plain_words import read_by_letters
+from smsl_studio.blueprint.plain_words import is_read_by_letters, read_by_letters
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.rules.finding import Severity
@@ -137,3 +137,20 @@ def test_letters_that_are_meant_are_no_words(names: tuple[str, str]) -> None:
     one, two = names
     header = {"NUM_FACTS": 4 if len(one) == 4 else 2}
     assert not read_by_letters(read({"HEADER": header, one: {"x": two}, two: {}})["SB1"])
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("Idle", "Done"),
+        ("State_01", "State_11", "Patient ready"),
+        ("abcd", "bacd", "Stop"),
+        ("up", "on", "Idle", "State_ab"),
+        ("a1", "b0"),
+    ],
+)
+def test_one_state_is_a_word_if_it_is_among_all_that_are(names: tuple[str, ...]) -> None:
+    for facts in range(1, 6):
+        branch = read({"HEADER": {"NUM_FACTS": facts}, **{name: {} for name in names}})["SB1"]
+        words = tuple(name for name in names if is_read_by_letters(branch, name))
+        assert words == read_by_letters(branch), facts

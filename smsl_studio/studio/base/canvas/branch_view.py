@@ -11,7 +11,6 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.levels import FULL_SIZE
 from smsl_studio.studio.base.canvas.camera import STEP
 from smsl_studio.studio.base.canvas.drawn_stage import DrawnStage
@@ -98,16 +97,6 @@ class BranchView(DrawnStage):
     def top_room(self) -> int:
         """The height at the top that floating widgets cover (pixels)."""
         return TOP
-
-    def redraw_edge(self, edge: int, layout: EdgeLayout) -> None:
-        """Show the line of an edge in another way during a drag."""
-        sheet = self.sheet
-        if sheet is None:
-            return
-        labels, before = self.lit_layer.shown(), self._dirty([], [edge])
-        sheet.redraw(edge, layout)
-        self._repaint(before.united(self._dirty([], [edge])))
-        self.update_lit(labels)
 
     def zoom_to(self, zoom: float) -> None:
         """Zoom about the middle of the view; 1.0 is 100 %."""

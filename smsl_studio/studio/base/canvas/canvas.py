@@ -160,10 +160,9 @@ class Canvas(BranchView):
         self.overlays.forget()
         sheet.picture.blueprint = blueprint
         sheet.picture.branch = blueprint[branch]
-        sheet.stand(positions)
+        self.stand(positions)
         # After a save under another name the breadcrumb shows the new file.
         self.overlays.breadcrumb.show_branch(blueprint, branch)
-        self.settle()
         self.hand.show_grip()
 
     def set_tokens(self, tokens: Tokens) -> None:

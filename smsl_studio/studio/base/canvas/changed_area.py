@@ -8,11 +8,13 @@ from typing import TypeVar
 
 from PySide6.QtCore import QRectF
 
-from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks
-from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.hidden_names import RADIUS
+from smsl_studio.picture.labels import Rect, centred
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
+from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.paint.edge_paint import EdgeText, label_size
 from smsl_studio.studio.base.paint.node_paint import MARGIN
 
 AROUND = 34.0
@@ -25,32 +27,63 @@ Edge = tuple[str, str]
 class PaintedParts:
     """What the states, operations and marks of a small drawing look like, by their names.
 
-    Create it after the layout of the drawing is done. A later drag makes it invalid.
+    Create it after the layout of the drawing is done.
     """
 
     def __init__(self, sheet: Sheet) -> None:
-        self.sheet, self._when = sheet, (sheet.version, sheet.unit, sheet.level)
+        self.sheet, self.dragged = sheet, QRectF()
+        """``dragged`` is the part of the scene in which drags have changed the drawing since."""
+        self.unit, self.level, self._version = sheet.unit, sheet.level, sheet.version
         picture, geometry = sheet.picture, sheet.geometry
         names, ends = picture.names, picture.source.tolist()
         faces, halves = map(picture.face, range(len(names))), sheet.halves().tolist()
         self.nodes: dict[str, tuple[Hashable, ...]] = {
-            name: (face, *at, *half, geometry.mark_shift if face.initial else 0.0)
-            for name, face, at, half in zip(names, faces, sheet.at.tolist(), halves, strict=True)
-        }
-        self.edges: dict[Edge, tuple[Hashable, ...]] = {
-            (names[source], operation): (
-                geometry.shape(edge), geometry.label(edge), sheet.text(edge)
+            name: (x - w, y - h, x + w, y + h, face, geometry.mark_shift if face.initial else 0.0)
+            for name, face, (x, y), (w, h) in zip(
+                names, faces, sheet.at.tolist(), halves, strict=True
             )
-            for edge, (source, operation) in enumerate(zip(ends, picture.operations, strict=True))
+        }
+        self.edges: dict[Edge, tuple[EdgeShape, Rect | None, EdgeText]] = {
+            (names[source], operation): (*drawn, text)
+            for source, operation, drawn, text in zip(
+                ends, picture.operations, geometry.every, map(sheet.text, range(len(ends))),
+                strict=True,
+            )
         }  # fmt: skip
         self.hidden = {
             tuple(map(picture.address, names.edges)): names.at
-            for names in HiddenMarks(geometry).of(range(len(ends)))
+            for names in sheet.labels.hidden.of(range(len(ends)))
         }
 
     def is_of(self, sheet: Sheet) -> bool:
-        """Whether these are the parts of a sheet as it is now."""
-        return self.sheet is sheet and self._when == (sheet.version, sheet.unit, sheet.level)
+        """Whether these are the parts of a sheet as it is now, except where it was dragged."""
+        now = sheet, sheet.version, sheet.unit, sheet.level
+        return (self.sheet, self._version, self.unit, self.level) == now
+
+    def drag(self, area: QRectF) -> None:
+        """Note that one step of a drag has changed the drawing inside this part of the scene."""
+        if self.sheet.version == self._version + 1:
+            self.dragged |= area
+            self._version += 1
+
+    def node_sides(self, name: str) -> Rect | None:
+        """The rectangle of a node, None if there is none of this name."""
+        found = self.nodes.get(name)
+        return found[:4] if found is not None else None  # type: ignore[return-value]
+
+    def edge_sides(self, key: Edge) -> Rect | None:
+        """The rectangle around the line and the label of an operation, None if there is none."""
+        if key not in self.edges:
+            return None
+        shape, label, text = self.edges[key]
+        if label is None:
+            w, h = label_size(text, self.sheet.ink)
+            label = centred(shape.at(shape.length / 2), (w * self.unit, h * self.unit))
+        (left, top), (right, bottom) = (
+            map(min, shape.bounds[:2], label[:2]),
+            map(max, shape.bounds[2:], label[2:]),
+        )
+        return left, top, right, bottom
 
 
 class ChangedArea:
@@ -61,48 +94,74 @@ class ChangedArea:
     ``parts`` are those of the new drawing, if it is such a picture.
     """
 
-    def __init__(
-        self, before: Sheet | None, after: Sheet | None, known: PaintedParts | None
-    ) -> None:
-        """``known`` are the parts of the drawing before, when it was shown."""
+    def __init__(self, known: PaintedParts | None, after: Sheet | None) -> None:
+        """``known`` are the parts of the drawing before, None if they are not known."""
         self.rect: QRectF | None = None
         self.kept: dict[int, int] = {}
         """The states that look the same: their numbers after the edit by those before it."""
         self.parts = PaintedParts(after) if after is not None and _is_plain(after) else None
-        if before is None or after is None or self.parts is None or not _is_plain(before):
-            return
-        if _is_alike(before, after):
-            if known is None or not known.is_of(before):
-                known = PaintedParts(before) if _is_laid_out(before) else None
-            if known is not None:
-                self.rect = QRectF()
-                self._compare(known, self.parts)
+        if known is not None and self.parts is not None and _are_alike(known, self.parts):
+            self.rect = QRectF(known.dragged)
+            self._compare(known, self.parts)
 
     def _compare(self, old: PaintedParts, new: PaintedParts) -> None:
-        sheets = old.sheet, new.sheet
-        looks = [{n: one.node_look(i) for n, i in one.picture.index.items()} for one in sheets]
-        states = {*_different(old.nodes, new.nodes), *_different(*looks)}
-        lit = [{_key(one, e): one.edge_look(e) for e in one.looks.lit_edges} for one in sheets]
-        edges = {*_different(old.edges, new.edges), *_different(*lit)}
-        for one in sheets:
+        before, after = old.sheet, new.sheet
+        states, edges = {*_different(old.nodes, new.nodes)}, {*_different(old.edges, new.edges)}
+        if before is not after:
+            states.update(_different(_node_looks(before, after), _node_looks(after, before)))
+            lit = [{_key(one, e): one.edge_look(e) for e in one.looks.lit_edges}
+                   for one in (before, after)]  # fmt: skip
+            edges.update(_different(*lit))
+        for parts in (old, new):
             for name in states:
-                self._add(one, _node_sides(one, name), MARGIN)
+                self._add(parts.node_sides(name), MARGIN * parts.unit)
             for edge in edges:
-                self._add(one, _edge_sides(one, edge), AROUND)
+                self._add(parts.edge_sides(edge), AROUND * parts.unit)
         for names in _different(old.hidden, new.hidden):
             for parts in (old, new):
                 if (at := parts.hidden.get(names)) is not None:
-                    self._add(parts.sheet, (*at, *at), 2.0 * RADIUS)
-        was, now = (one.picture.index for one in sheets)
-        self.kept = {was[n]: now[n] for n in old.nodes if n in new.nodes and n not in states}
+                    self._add((*at, *at), 2.0 * RADIUS * parts.unit)
+        was, now = _numbers(old), _numbers(new)
+        self.kept = {was[n]: now[n] for n in was if n in now and n not in states}
 
-    def _add(self, sheet: Sheet, sides: Rect | None, pad: float) -> None:
-        """Add a rectangle with so much room around it (mark pixels)."""
+    def _add(self, sides: Rect | None, room: float) -> None:
+        """Add a rectangle with so much room around it (scene units)."""
         if sides is not None and self.rect is not None:
             left, top, right, bottom = sides
-            room = pad * sheet.unit
             rect = QRectF(left, top, right - left, bottom - top)
             self.rect |= rect.adjusted(-room, -room, room, room)
+
+
+class LastPainting:
+    """What a canvas has painted, to tell later what looks different."""
+
+    def __init__(self) -> None:
+        self._parts: PaintedParts | None = None
+
+    def parts(self, sheet: Sheet | None) -> PaintedParts | None:
+        """What a sheet looks like on the screen. None if this is not known."""
+        if sheet is None or not _is_plain(sheet):
+            return None
+        if self._parts is not None and self._parts.is_of(sheet):
+            return self._parts
+        return PaintedParts(sheet) if _is_laid_out(sheet) else None
+
+    def renew(self, sheet: Sheet) -> None:
+        """Note what a sheet looks like now, after all of it was painted again."""
+        self._parts = self.parts(sheet)
+
+    def drag(self, area: QRectF) -> None:
+        """Note that one step of a drag has changed the drawing inside this part of the scene."""
+        if self._parts is not None:
+            self._parts.drag(area)
+
+    def change(self, known: PaintedParts | None, after: Sheet | None) -> ChangedArea:
+        """What looks different on a sheet, which is painted next. ``known`` is what ``parts`` gave
+        before the change.
+        """
+        changed = ChangedArea(known, after)
+        self._parts = changed.parts
+        return changed
 
 
 def _is_plain(sheet: Sheet) -> bool:
@@ -117,16 +176,18 @@ def _is_plain(sheet: Sheet) -> bool:
 def _is_laid_out(sheet: Sheet) -> bool:
     """Whether lines and labels lie where they were laid out, and no drag has moved them."""
     geometry, routing = sheet.geometry, sheet.geometry.routing
-    shape, label = geometry.shape, geometry.label
     return routing is not None and all(
-        shape(edge) is routing.shapes.get(edge) and label(edge) == routing.labels.get(edge)
-        for edge in range(len(sheet.picture.operations))
+        shape is routing.shapes.get(edge) and label == routing.labels.get(edge)
+        for edge, (shape, label) in enumerate(geometry.every)
     )
 
 
-def _is_alike(before: Sheet, after: Sheet) -> bool:
-    """Whether what is the same in two sheets is painted in the same way."""
-    views = [(one.zoom, one.level, one.unit, one.ink) for one in (before, after)]
+def _are_alike(old: PaintedParts, new: PaintedParts) -> bool:
+    """Whether what is the same in two drawings is painted in the same way."""
+    before, after = old.sheet, new.sheet
+    if (before.zoom, before.ink) != (after.zoom, after.ink):
+        return False
+    views = (old.unit, old.level), (new.unit, new.level)
     return views[0] == views[1] and before.is_of(after.picture.branch.name)
 
 
@@ -136,24 +197,17 @@ def _different(old: Mapping[Key, object], new: Mapping[Key, object]) -> Iterator
     yield from (key for key in old if key not in new)
 
 
+def _node_looks(sheet: Sheet, other: Sheet) -> dict[str, Hashable]:
+    """The looks of the states with a highlight on one of two sheets. All others look plain."""
+    index, both = sheet.picture.index, (sheet, other)
+    names = [one.picture.names[state] for one in both for state in one.looks.marked_states]
+    return {name: sheet.node_look(index[name]) for name in names if name in index}
+
+
+def _numbers(parts: PaintedParts) -> dict[str, int]:
+    return {name: state for state, name in enumerate(parts.nodes)}
+
+
 def _key(sheet: Sheet, edge: int) -> Edge:
     picture = sheet.picture
     return picture.names[picture.source[edge]], picture.operations[edge]
-
-
-def _node_sides(sheet: Sheet, name: str) -> Rect | None:
-    state = sheet.picture.index.get(name, -1)
-    if state < 0:
-        return None
-    (x, y), (w, h) = sheet.at[state].tolist(), sheet.halves(state).tolist()
-    return x - w, y - h, x + w, y + h
-
-
-def _edge_sides(sheet: Sheet, key: Edge) -> Rect | None:
-    """The rectangle around the line and the label of an operation."""
-    edge, geometry = sheet.picture.numbered(*key), sheet.geometry
-    if edge < 0:
-        return None
-    one, other = geometry.shape(edge).bounds, geometry.label(edge) or geometry.fallback(edge)
-    (left, top), (right, bottom) = map(min, one[:2], other[:2]), map(max, one[2:], other[2:])
-    return left, top, right, bottom

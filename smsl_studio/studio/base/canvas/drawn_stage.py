@@ -8,10 +8,11 @@ from PySide6.QtCore import QPointF, QRectF, Signal
 from smsl_studio.picture.drawn_parts import Members
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
-from smsl_studio.studio.base.canvas.stage import POOL, Stage
+from smsl_studio.studio.base.canvas.moved_stage import MovedStage
+from smsl_studio.studio.base.canvas.stage import POOL
 
 
-class DrawnStage(Stage):
+class DrawnStage(MovedStage):
     """The scene of a canvas with its notes and groups."""
 
     drawn_wanted = Signal(object)

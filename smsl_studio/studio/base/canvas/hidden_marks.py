@@ -8,8 +8,7 @@ from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QPainter
 
 from smsl_studio.picture import labels
-from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks, hidden_names
+from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks
 from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.ink import pen
@@ -19,8 +18,6 @@ class NameMarks:
     """Paints leaders and marks. They are computed again only after a change of the drawing."""
 
     def __init__(self) -> None:
-        self._version = -1
-        self._geometry: Geometry | None = None
         self._marks: HiddenMarks | None = None
         self._leaders: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
         self._older: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
@@ -54,10 +51,8 @@ class NameMarks:
             ink.count.draw(painter, x, y, names.words, ink.tokens.tx2)
 
     def _look_at(self, sheet: Sheet) -> HiddenMarks:
-        geometry = sheet.geometry
-        if self._marks is None or (self._geometry, self._version) != (geometry, sheet.version):
-            self._geometry, self._version = geometry, sheet.version
-            self._marks = HiddenMarks(geometry)
+        if self._marks is not sheet.labels.hidden:
+            self._marks = sheet.labels.hidden
             self._older, self._leaders = self._leaders, {}
         return self._marks
 
@@ -77,7 +72,7 @@ def hidden_tip(sheet: Sheet, edge: int) -> str:
     shown.
     """
     operations = sheet.picture.operations
-    hidden = [operations[e] for names in hidden_names(sheet.geometry, [edge]) for e in names.edges]
+    hidden = [operations[e] for names in sheet.labels.hidden.of([edge]) for e in names.edges]
     if len(hidden) < 2:
         return "There is no room for this name" if hidden else ""
     return f"There is no room for {len(hidden)} names: {', '.join(hidden)}"

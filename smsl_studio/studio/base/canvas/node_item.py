@@ -13,6 +13,8 @@ from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.node_paint import MARGIN, paint_node
 
+NONE_KEPT: Mapping[int, int] = {}
+
 
 class NodeItem(QGraphicsObject):
     """Shows one state of a sheet.
@@ -93,10 +95,11 @@ class NodePool:
                 item.show_state(sheet, state)
         return fresh
 
-    def refresh(self, sheet: Sheet) -> None:
-        """Update size, place and look of all items in use."""
+    def refresh(self, sheet: Sheet, kept: Mapping[int, int] = NONE_KEPT) -> None:
+        """Update size, place and look of all items in use, except of states that look the same."""
         for state, item in self.used.items():
-            item.show_state(sheet, state)
+            if state not in kept:
+                item.show_state(sheet, state)
 
     def keep(self, sheet: Sheet | None, kept: Mapping[int, int]) -> None:
         """Keep the items of some states, which look the same on another sheet, and hide the others.

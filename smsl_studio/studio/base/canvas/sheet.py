@@ -8,7 +8,6 @@ nodes and from 100 % on, otherwise so many that signs keep their size on the scr
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from itertools import chain, repeat
 
 import numpy as np
@@ -34,11 +33,11 @@ from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
 from smsl_studio.studio.base.canvas.edge_reaches import EdgeReaches, Numbers
+from smsl_studio.studio.base.canvas.label_texts import LabelTexts
 from smsl_studio.studio.base.canvas.line_key import LineKey, line_key
 from smsl_studio.studio.base.canvas.opened import opened
 from smsl_studio.studio.base.paint import edge_paint, node_paint
-from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
-from smsl_studio.studio.base.paint.guard_sign import DECLARED
+from smsl_studio.studio.base.paint.edge_paint import EdgeText
 from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.paint.looks import Looks
 from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
@@ -76,7 +75,7 @@ class Sheet:
         self._geometry: dict[LineKey, Geometry] = {}
         self._former = former.routings if former is not None else {}
         self._reaches = EdgeReaches(picture)
-        self._texts: dict[tuple[int, bool], EdgeText] = {}
+        self.labels = LabelTexts(self)
         self.set_zoom(1.0)
         self.drawn = DrawnSheet(self)
 
@@ -270,7 +269,7 @@ class Sheet:
                 self.picture,
                 self._boxes(unit),
                 LineStyle(unit, compact, far=far),
-                lambda edge: self._label_size(edge, unit),
+                self.labels.sizes(unit),
                 self.lines,
                 self._former.pop(key, None),
             )
@@ -292,28 +291,7 @@ class Sheet:
 
     def text(self, edge: int) -> EdgeText:
         """The label of an edge."""
-        label = self.picture.label(edge)
-        mono = self.compact and len(label) <= 4
-        found = self._texts.get((edge, mono))
-        if found is None:
-            guard = DECLARED if self.picture.guards(edge) else ""
-            found = EdgeText(label, self.picture.kind(edge), mono, guard=guard)
-            self._texts[edge, mono] = found
-        sign = self.looks.edge(edge).change
-        # The sign of a guard has one width for all its values, so labels stay where they are.
-        guard = self.looks.guard(edge) if found.guard else ""
-        if sign or guard:
-            return replace(found, sign=sign, guard=guard or found.guard)
-        return found
-
-    def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
-        text = self.text(edge)
-        w, h = label_size(text, self.ink)
-        if self.picture.bundles.count(edge):
-            w, h = self.picture.chip_size(edge)
-        elif self.looks.edge(edge).finding:
-            w, h = boxed_width(text, self.ink), 18.0
-        return w * unit, h * unit
+        return self.labels.text(edge)
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
         """The numbers of edges whose line, roughly, touches a rectangle."""

@@ -6,6 +6,7 @@ It knows no gestures and no floating widgets; ``Canvas`` adds these.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from math import ceil, floor
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter
@@ -15,8 +16,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.camera import Camera
-from smsl_studio.studio.base.canvas.changed_area import ChangedArea, PaintedParts
-from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
+from smsl_studio.studio.base.canvas.changed_area import LastPainting
 from smsl_studio.studio.base.canvas.found_layer import FoundLayer
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
 from smsl_studio.studio.base.canvas.glide import Glide
@@ -30,6 +30,8 @@ from smsl_studio.studio.base.theme import Tokens
 
 POOL = 320
 """The most near nodes that get an item of their own; if there are more, a layer paints them."""
+STEP = 400.0
+"""The scene grows and shrinks in such steps (pixels), because Qt paints all of it again then."""
 
 
 class Stage(QGraphicsView):
@@ -46,8 +48,7 @@ class Stage(QGraphicsView):
         self._ink = Ink(tokens)
         self._marks = Marks()
         self._sheet: Sheet | None = None
-        self._parts: PaintedParts | None = None
-        """What the sheet looked like when it was shown, if ``ChangedArea`` can use it."""
+        self._painting = LastPainting()
         self._ready = False
         self.camera = Camera(self)
         self.pool = NodePool()
@@ -88,11 +89,10 @@ class Stage(QGraphicsView):
         """Show another sheet; zoom and place of the view stay. After an edit only what looks
         different now is painted."""
         self.glide.end()
-        before, labels = self._sheet, self.lit_layer.shown()
+        known, labels = self._painting.parts(self._sheet), self.lit_layer.shown()
         if sheet is not None:
             sheet.set_zoom(self.camera.zoom)
-        changed = ChangedArea(before, sheet, self._parts)
-        self._parts = changed.parts
+        changed = self._painting.change(known, sheet)
         self.pool.keep(sheet, changed.kept)
         self._sheet = self.lit_layer.sheet = sheet
         self.gestures.clear()
@@ -144,6 +144,7 @@ class Stage(QGraphicsView):
                 self.update_node(state)
             self.update_edges(edges)
             self.update_lit(labels)
+        self._painting.renew(sheet)
         self.picture_changed.emit()
 
     @property
@@ -188,23 +189,7 @@ class Stage(QGraphicsView):
         edge = sheet.operation_at(at.x(), at.y())
         return sheet.picture.address(edge) if edge >= 0 else None
 
-    # Moving without rebuilding
-
-    def drag_states(self, places: Mapping[int, Position]) -> None:
-        """Show states at other places (scene points) during a drag."""
-        sheet = self._sheet
-        if sheet is None:
-            return
-        before = self._dirty(list(places)).united(sheet.drawn.around(list(places)))
-        edges = sheet.move(places)
-        for state in places:
-            item = self.pool.used.get(state)
-            if item is not None:
-                item.show_state(sheet, state)
-        after = self._dirty(list(places), edges).united(sheet.drawn.around(list(places)))
-        pad = MARGIN * sheet.unit
-        self._repaint(before.united(after).adjusted(-pad, -pad, pad, pad))
-        self.picture_changed.emit()
+    # Painting again
 
     def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
         """The part of the scene that these states and edges cover.
@@ -230,15 +215,6 @@ class Stage(QGraphicsView):
             place = geometry.label(edge) or geometry.fallback(edge)
             rect = rect.united(QRectF(place[0], place[1], place[2] - place[0], place[3] - place[1]))
         return rect.adjusted(-pad, -pad, pad, pad)
-
-    def settle(self) -> None:
-        """Route and label again, after states were moved."""
-        if self._sheet is not None:
-            self._sheet.settle()
-            self.cover()
-            self.refresh_pool()
-            self.pool.refresh(self._sheet)
-            self._repaint()
 
     def update_edges(self, edges: Iterable[int]) -> None:
         """Repaint these edges."""
@@ -284,7 +260,7 @@ class Stage(QGraphicsView):
         zoom = self.zoom
         wide = max(self.viewport().width(), 400) / zoom + 300.0
         high_ = max(self.viewport().height(), 300) / zoom + 300.0
-        rect = rect.adjusted(-wide, -high_, wide, high_)
+        rect = _on_steps(rect.adjusted(-wide, -high_, wide, high_), STEP / zoom)
         for layer in (self.lit_layer, self.found_layer, self.gestures):
             layer.cover(rect)
         if rect != self.sceneRect():
@@ -393,3 +369,10 @@ class Stage(QGraphicsView):
         if self._ready:
             self.refresh_pool()
             self.view_moved.emit()
+
+
+def _on_steps(rect: QRectF, step: float) -> QRectF:
+    """The smallest rectangle around another one whose sides are multiples of a step."""
+    left, top = floor(rect.left() / step) * step, floor(rect.top() / step) * step
+    right, bottom = ceil(rect.right() / step) * step, ceil(rect.bottom() / step) * step
+    return QRectF(left, top, right - left, bottom - top)

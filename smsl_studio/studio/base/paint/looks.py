@@ -35,6 +35,12 @@ class Looks:
         return [i for i, look in self._nodes.items() if look.lit]
 
     @property
+    def marked_states(self) -> list[int]:
+        """The states with a mark, or under the pointer. All others look alike."""
+        hovered = [self.hovered_state] if self.hovered_state >= 0 else []
+        return [*self._nodes, *hovered]
+
+    @property
     def lit_edges(self) -> list[int]:
         """The highlighted edges; they are painted above the others, at every level."""
         lit = list(self._edges)
@@ -64,6 +70,11 @@ class Looks:
         """The look of the edge with this number."""
         found = self._edges.get(edge) or (self.dim if edge in self.quiet else self.plain)
         return replace(found, hovered=True) if edge == self.hovered_edge else found
+
+    def change_sign(self, edge: int) -> str:
+        """The sign of a comparison on the edge with this number; empty for none."""
+        found = self._edges.get(edge)
+        return found.change if found is not None else ""
 
     @property
     def guarded_edges(self) -> list[int]:

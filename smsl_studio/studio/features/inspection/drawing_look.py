@@ -58,8 +58,10 @@ class DrawingLook(QObject, Generic[Answer]):
 
     def _forget(self) -> None:
         self._beside.drop()
+        known = self._asked is not None or self.answer is not None
         self._asked = self.answer = None
-        self.changed.emit()
+        if known:
+            self.changed.emit()
 
 
 def recovery_of(blueprint: Blueprint) -> tuple[RecoveryRow, ...]:

@@ -83,11 +83,14 @@ class EquivalenceLook(QObject):
 
     def _opened(self) -> None:
         self.version = None
+        self.changed.emit()
 
     def _forget(self) -> None:
         self._beside.drop()
+        known = self.answer is not None or self.works or self.stopped
         self.answer, self.works, self.stopped = None, False, False
-        self.changed.emit()
+        if known:
+            self.changed.emit()
 
 
 def _compared(version: Version, drawn: Blueprint) -> ComparedRuns | StudioError:

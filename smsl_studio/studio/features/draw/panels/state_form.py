@@ -14,7 +14,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import StateNote
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.plain_words import read_by_letters
+from smsl_studio.blueprint.plain_words import is_read_by_letters
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.chips import Chips
 from smsl_studio.studio.base.controls import label, row
@@ -194,7 +194,7 @@ def _source_of_facts(branch: StateBranch, state: str) -> str:
         return "They count when every state has values."
     if shape.opaque:
         return "None: the name is its only fact."
-    if state in read_by_letters(branch):
+    if is_read_by_letters(branch, state):
         return "The letters of the name. Type its values."
     return "From the name."
 

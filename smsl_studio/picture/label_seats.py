@@ -1,0 +1,112 @@
+"""LabelSeats: the places of a picture's labels, each chosen when it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from smsl_studio.picture import bends, labels
+from smsl_studio.picture.edge_lines import EdgeLines
+from smsl_studio.picture.former import FormerLines
+from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.readable import readable_of
+
+Size = tuple[float, float]
+LabelSize = Callable[[int], Size]
+"""Returns the size of an edge's label in scene units, (0, 0) for none."""
+
+
+class LabelSeats:
+    """The place of each label, by edge number. The line of an edge must be there before its label.
+
+    ``rects`` has the places that are chosen, None for a label without room.
+    """
+
+    def __init__(self, lines: EdgeLines, label_size: LabelSize) -> None:
+        self._lines, self._label_size = lines, label_size
+        self.rects: dict[int, Rect | None] = {}
+        self.sizes: dict[int, Size] = {}
+        """The sizes of labels that were asked for."""
+        self.former: FormerLines | None = None
+        """The labels before an edit, while those that it did not touch are taken over."""
+        self._places: labels.LabelPlaces | None = None
+        self._choice: labels.LabelChoice | None = None
+
+    def size(self, edge: int) -> Size:
+        """Return the size of an edge's label (scene units)."""
+        found = self.sizes.get(edge)
+        if found is None:
+            found = self.sizes[edge] = self._label_size(edge)
+        return found
+
+    @property
+    def places(self) -> labels.LabelPlaces:
+        """What no further label may cover."""
+        if self._places is None:
+            self._places = self.fresh_places()
+        return self._places
+
+    @property
+    def begun(self) -> bool:
+        """Whether any label has been placed."""
+        return self._places is not None
+
+    def fresh_places(self, readable: Sequence[Rect] | None = None) -> labels.LabelPlaces:
+        """Return what no label may cover, as far as it is known. ``readable`` is what
+        ``readable_of`` returns, if the caller has it.
+        """
+        lines = self._lines
+        places = labels.LabelPlaces(lines.boxes, lines.style.unit)
+        if readable is None:
+            readable = readable_of(lines.picture, lines.boxes, lines.style, lines.box)
+        for rect in (*readable, *self.rects.values()):
+            if rect is not None:
+                places.take(rect)
+        bends.keep_clear(lines.drawn.values(), places)
+        return places
+
+    def begin(self, readable: Sequence[Rect]) -> labels.LabelPlaces:
+        """Begin to place the labels of a whole picture. Returns what they may not cover."""
+        self._places = self.fresh_places(readable)
+        return self._places
+
+    def prepare(self, edges: Iterable[int]) -> None:
+        """Work out the possible places of labels together, which is much quicker."""
+        if anew := [edge for edge in edges if edge not in self.rects]:
+            self._choice = self._choice_of(anew)
+
+    def forget(self, edge: int) -> None:
+        """Drop the place of a label whose line has changed."""
+        self.rects.pop(edge, None)
+        self.sizes.pop(edge, None)
+        self._choice = None
+
+    def place(self, edge: int) -> None:
+        """Choose the place of an edge's label, unless it has one."""
+        if edge in self.rects:
+            return
+        size, shape, drawn = self.size(edge), self._lines.shapes[edge], self._lines.drawn
+        if size[0] <= 0.0:
+            self.rects[edge] = None
+            return
+        places, at = self.places, drawn[edge].label if edge in drawn else None
+        if at is not None:
+            rect = labels.by_hand(shape, at, size)
+            places.take(rect)
+            self._note(edge, rect)
+            return
+        choice = self._choice
+        if choice is None or not choice.knows(edge):
+            choice = self._choice_of([edge])
+        self._note(edge, choice.take(edge))
+
+    def _note(self, edge: int, rect: Rect | None) -> None:
+        self.rects[edge] = rect
+        if self.former is not None:
+            self.former.label_moved(edge, rect)
+
+    def _choice_of(self, edges: Iterable[int]) -> labels.LabelChoice:
+        """Return the choice of label places for these edges, whose lines are known."""
+        lines = self._lines
+        shapes = {edge: lines.shapes[edge] for edge in edges}
+        sizes, careful = list(map(self.size, shapes)), lines.picture.careful
+        return labels.LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)

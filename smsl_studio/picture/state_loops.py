@@ -1,0 +1,47 @@
+"""StateLoops: the loops of states. Their lines and labels choose a corner of the node together."""
+
+from __future__ import annotations
+
+from smsl_studio.picture import loops
+from smsl_studio.picture.edge_lines import EdgeLines
+from smsl_studio.picture.former import FormerLines
+from smsl_studio.picture.label_seats import LabelSeats
+from smsl_studio.picture.labels import LinePieces
+from smsl_studio.picture.readable import stub_at
+
+
+class StateLoops:
+    """Draws the loops of a state into ``lines`` and puts their labels into ``seats``."""
+
+    def __init__(self, lines: EdgeLines, seats: LabelSeats) -> None:
+        self._lines, self._seats = lines, seats
+        self.former: FormerLines | None = None
+        """The loops before an edit, while those that it did not touch are taken over."""
+
+    def draw(self, state: int) -> None:
+        """Draw the loops of a state at the corner where they and their labels cover least."""
+        lines, seats, picture = self._lines, self._seats, self._lines.picture
+        at_state = picture.edges_of(state)
+        ends = [edge for edge in at_state if picture.source[edge] == picture.target[edge]]
+        own = [edge for edge in ends if lines.is_loop(edge)]
+        sizes = {edge: seats.size(edge) for edge in own}
+        box, places = lines.box(state), seats.places if seats.begun else seats.fresh_places()
+        former = self.former
+        if former is not None and former.has_loops(state, own, list(sizes.values()), box):
+            for edge in own:
+                lines.shapes[edge], rect = former.loop(edge)
+                seats.rects[edge] = rect
+                if rect is not None:
+                    places.take(rect)
+            return
+        # A line of other states that comes or goes must not move a loop.
+        others = [edge for edge in at_state if edge not in ends] if picture.small else []
+        lines.draw(others)
+        pieces = LinePieces({edge: lines.shapes[edge] for edge in others})
+        by_hand = {edge: lines.drawn[edge].label for edge in own if edge in lines.drawn}
+        mark = stub_at(picture, state, box, lines.style.unit)
+        found = loops.placed(sizes, box, places, pieces, by_hand, mark)
+        for edge, (shape, rect) in found.items():
+            lines.shapes[edge], seats.rects[edge] = shape, rect
+        if former is not None:
+            former.loops_moved(state, found)
