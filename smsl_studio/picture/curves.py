@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.picture.detours import GAP, Detours, detours, most_passed, reach_of
+from smsl_studio.picture.detours import GAP, Detours, Rect, detours, most_passed, reach_of
 from smsl_studio.picture.obstacles import Obstacles
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 from smsl_studio.picture.strands import NEAR, TIP_GAP, LineStyle, Strand, drawn
@@ -233,10 +233,10 @@ def _around(
     for at, strands in zip(range(0, len(shapes), len(pair)), ways, strict=True):
         if all(clear[at : at + len(pair)]):
             found = dict(zip(strands, shapes[at : at + len(pair)], strict=True))
-            farthest = _length(source, target) * (1.0 + 2.0 * BENDS[-1])
-            return Detours(found, reach_of(start, end, farthest, style.unit))
+            tried = [shape.points for shape in shapes[: at + len(pair)]]
+            return Detours(found, _bounds([np.array([start, end]), *tried], gap))
     plain = shapes_of(strands_of(pair, source, target, style, False), style)
-    if _in_way(pair, ends, obstacles) > most_passed(obstacles):
+    if _in_way(pair, ends, obstacles) > most_passed(len(obstacles.boxes)):
         return Detours(plain, reach_of(start, end, math.inf, style.unit))
     # A detour counts offsets to the right of the way from ``a`` to ``b``. If the normal of the pair
     # points to the left, all offsets change their sign.
@@ -247,6 +247,13 @@ def _around(
     offsets = {edge: (there, offset * right) for edge, there, offset in beside}
     led = detours((source, target), offsets, obstacles, skip, style.unit)
     return led if led.shapes else led._replace(shapes=plain)
+
+
+def _bounds(lines: Sequence[Floats], room: float) -> Rect:
+    """Return the rectangle around some lines, with so much room around them."""
+    points = np.concatenate(lines)
+    (left, top), (right, bottom) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return left - room, top - room, right + room, bottom + room
 
 
 def _length(source: NodeBox, target: NodeBox) -> float:

@@ -108,7 +108,7 @@ def shortest_way(
     It is None if there is no way. It is empty if too many nodes are in the way (``most_passed``).
     """
     passed: Ints = np.zeros(0, dtype=np.intp)
-    while len(passed) <= most_passed(obstacles):
+    while len(passed) <= most_passed(len(obstacles.boxes)):
         way = _shortest(start, end, obstacles.boxes[passed], gap)
         if way is None:
             return None
@@ -122,9 +122,9 @@ def shortest_way(
     return []
 
 
-def most_passed(obstacles: Obstacles) -> int:
-    """Return the largest number of nodes that a detour may pass."""
-    return MOST_PASSED if len(obstacles.boxes) <= FEW else MOST_PASSED_OF_MANY
+def most_passed(nodes: int) -> int:
+    """Return the largest number of nodes that a detour may pass in a picture with so many nodes."""
+    return MOST_PASSED if nodes <= FEW else MOST_PASSED_OF_MANY
 
 
 def _shortest(start: Point, end: Point, boxes: Floats, gap: float) -> list[Point] | None:

@@ -12,11 +12,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 import numpy as np
 
 from smsl_studio.picture.curves import Between, breadth
-from smsl_studio.picture.detours import GAP
+from smsl_studio.picture.detours import GAP, most_passed
 from smsl_studio.picture.kept_routing import HeldPair, Routing
-from smsl_studio.picture.label_candidates import FARTHEST
 from smsl_studio.picture.label_rooms import LabelRooms, meeting
-from smsl_studio.picture.labels import Rect, meet
+from smsl_studio.picture.labels import AsideRect, Rect, meet
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 
@@ -38,7 +37,7 @@ class FormerLines:
         self._edges = _matched(former, now)
         self._far: list[Rect] = []
         """The places at which something changed, each with a margin."""
-        self._labels = LabelRooms({}, {}, 0.0)
+        self._labels = LabelRooms({}, {}, (), 0.0)
         old = np.array(self._state, dtype=np.intp)
         same = old >= 0
         same[same] = (now.boxes[same] == former.boxes[old[same]]).all(axis=1)
@@ -50,10 +49,12 @@ class FormerLines:
 
     @property
     def fits(self) -> bool:
-        """Whether the states and edges of both pictures have the same order, and marks have the
-        same size.
+        """Whether the states and edges of both pictures have the same order, marks have the same
+        size, and detours may pass as many nodes.
         """
-        if self._former.style != self._now.style:
+        before, after = self._former, self._now
+        limits = most_passed(len(before.picture)), most_passed(len(after.picture))
+        if before.style != after.style or limits[0] != limits[1]:
             return False
         states = [old for old in self._state if old >= 0]
         edges = [old for old in self._edges if old >= 0]
@@ -225,7 +226,9 @@ class FormerLines:
             if former.shapes.get(edges[edge]) is shape
             and former.sizes.get(edges[edge]) == sizes[edge]
         }
-        self._labels = LabelRooms(kept, sizes, FARTHEST * self._now.style.unit)
+        before = {edge: former.labels[edges[edge]] for edge in kept}
+        on_line = {e for e, rect in before.items() if rect and not isinstance(rect, AsideRect)}
+        self._labels = LabelRooms(kept, sizes, on_line, self._now.style.unit)
 
     def kept_labels(self) -> frozenset[int]:
         """Return the edges whose labels keep their places (see ``look_at_labels``), as far as it

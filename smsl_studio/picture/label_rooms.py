@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.picture.label_candidates import FARTHEST
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.shape import Floats
 
@@ -18,11 +19,17 @@ class LabelRooms:
         self,
         lines: Mapping[int, Rect],
         sizes: Mapping[int, tuple[float, float]],
-        aside: float,
+        on_line: Container[int],
+        unit: float,
     ) -> None:
-        """``lines`` has the bounds of the lines. Labels stand at most ``aside`` beside them."""
+        """``lines`` has the bounds of the lines. The labels ``on_line`` have found a place there.
+        What is farther away did not matter. The others stand at most ``FARTHEST`` beside them.
+        """
         self._edges = np.array(list(lines), dtype=np.intp)
-        pad = np.array([sizes[edge] for edge in lines]).reshape(-1, 2) + aside
+        size = np.array([sizes[edge] for edge in lines]).reshape(-1, 2)
+        near = np.array([edge in on_line for edge in lines], dtype=bool)[:, None]
+        # The middle of a label beside a slanted line can be so far from it.
+        pad = size + np.where(near, size[:, ::-1] / 4 + 3.0 * unit, FARTHEST * unit)
         bounds = np.array(list(lines.values())).reshape(-1, 4)
         self._rooms = np.hstack([bounds[:, :2] - pad, bounds[:, 2:] + pad])
         self._seen = 0

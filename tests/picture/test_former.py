@@ -10,13 +10,16 @@ import pytest
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle
+from smsl_studio.picture.detours import FEW, MOST_PASSED_OF_MANY
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.picture import Picture
+from smsl_studio.smsl.json_form import parse_json, write_json
 from tests.stories.at_canvas import sample
 
 Places = dict[str, tuple[float, float]]
@@ -151,3 +154,27 @@ def test_an_edit_takes_over_the_lines_that_it_does_not_touch() -> None:
     edges = range(len(now.picture.operations))
     anew = [edge for edge in edges if now.shape(edge) is not before.shape(edge)]
     assert 0 < len(anew) < 12, "only the lines at the renamed state are made"
+
+
+@pytest.mark.parametrize("first", [FEW, FEW + 1])
+def test_the_state_that_makes_a_picture_large_changes_its_long_detours(first: int) -> None:
+    """A detour may pass fewer nodes in a large picture, wherever the new state stands."""
+    names = [f"State_{at}" for at in range(FEW + 1)]
+    places = {name: (-300.0 * (7 + at // 10), 200.0 * (at % 10)) for at, name in enumerate(names)}
+    for at in range(MOST_PASSED_OF_MANY + 3):
+        places[names[at]] = 200.0 + 200.0 * at, 100.0 + 100.0 * at
+    ends = names[20], names[21]
+    places |= {ends[0]: (0.0, 0.0), ends[1]: (400.0 + 200.0 * at, 200.0 + 100.0 * at)}
+    table: dict[str, dict[str, str]] = {name: {} for name in names}
+    table[ends[0]]["go"] = ends[1]
+    of = {count: {name: table[name] for name in names[:count]} for count in (FEW, FEW + 1)}
+    blueprints = {
+        count: read_blueprint(parse_json(write_json({"SB": own}), "large.json"))
+        for count, own in of.items()
+    }
+    second = 2 * FEW + 1 - first
+    former = geometry_of(blueprints[first], "SB", places, LineStyle(), None)
+    after = geometry_of(blueprints[second], "SB", places, LineStyle(), former.routing)
+    whole = geometry_of(blueprints[second], "SB", places, LineStyle(), None)
+    assert not whole.shape(0).is_like(former.shape(0)), "the limit matters to this line"
+    assert_alike(after, whole)
