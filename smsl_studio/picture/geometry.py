@@ -47,6 +47,8 @@ class Geometry:
         """The distance of the initial state's mark below the middle of its node (scene units)."""
         self.routing: Routing | None = None
         """The routing of a small picture, for the picture after the next edit."""
+        self.dragged = False
+        """Whether lines were dropped that lay elsewhere before."""
         self._pieces = labels.LinePieces({})
         if self.small:
             whole = WholeRouting(self._lines, self._seats, self._loops, former)
@@ -67,13 +69,9 @@ class Geometry:
             found = self._lines.shapes[edge]
         return found
 
-    @property
-    def every(self) -> list[tuple[EdgeShape, labels.Rect | None]]:
-        """The line and the place of the label of every edge, in order."""
-        shapes, rects, count = self._lines.shapes, self._seats.rects, len(self.picture.operations)
-        if len(shapes) == len(rects) == count:
-            return [(shapes[edge], rects[edge]) for edge in range(count)]
-        return [(self.shape(edge), self.label(edge)) for edge in range(count)]
+    def drawn(self, edges: Iterable[int]) -> list[tuple[EdgeShape, labels.Rect | None]]:
+        """Return the line and the place of the label of each of these edges."""
+        return [(self.shape(edge), self.label(edge)) for edge in edges]
 
     def prepare(self, edges: Iterable[int]) -> None:
         """Route all of these edges that are not routed yet, together."""
@@ -126,6 +124,7 @@ class Geometry:
 
     def redraw(self, edge: int) -> None:
         """Drop the line of an edge whose layout has changed."""
+        self.dragged = True
         self._lines.shapes.pop(edge, None)
         self._seats.forget(edge)
 

@@ -42,6 +42,15 @@ def some_edit(person: Drawer, dice: random.Random) -> None:
     session.edit("Some edit", change)
 
 
+def some_drag(person: Drawer, dice: random.Random) -> None:
+    """Drag a state that is in view."""
+    canvas = person.canvas
+    seen = [n for n, at in canvas.positions.items() if canvas.clear_view.contains(QPointF(*at))]
+    if seen:
+        start = person.place(dice.choice(seen))
+        person.drag(start, start + QPoint(dice.randint(-90, 90), dice.randint(-90, 90)))
+
+
 def some_selection(person: Drawer, dice: random.Random) -> None:
     """Select a state or an operation, or nothing."""
     session = person.session
@@ -55,12 +64,23 @@ def some_selection(person: Drawer, dice: random.Random) -> None:
 @pytest.mark.parametrize("name", ["hanoi-corrected.json", "hfsm.json"])
 @pytest.mark.parametrize("seed", range(3))
 def test_any_edit_leaves_nothing_stale_on_the_screen(qtbot: QtBot, name: str, seed: int) -> None:
-    person, dice = Drawer(qtbot, sample(name)), random.Random(seed)
+    after_any_steps(Drawer(qtbot, sample(name)), random.Random(seed), 14)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_an_edit_in_a_large_drawing_leaves_nothing_stale_in_view(qtbot: QtBot, seed: int) -> None:
+    after_any_steps(Drawer(qtbot, hanoi(6)), random.Random(seed), 10)
+
+
+def after_any_steps(person: Drawer, dice: random.Random, steps: int) -> None:
+    """Do some steps, and look after each whether the screen is as if all of it were painted."""
     camera, history = person.canvas.camera, person.session.history
-    for step in range(14):
-        what = dice.choice(["edit", "edit", "edit", "select", "undo", "redo", "zoom"])
+    for step in range(steps):
+        what = dice.choice(["edit", "edit", "edit", "drag", "select", "undo", "redo", "zoom"])
         if what == "edit":
             some_edit(person, dice)
+        elif what == "drag":
+            some_drag(person, dice)
         elif what == "select":
             some_selection(person, dice)
         elif what == "zoom":
@@ -89,11 +109,15 @@ def in_the_middle(person: Drawer) -> str:
     return min(places, key=lambda name: math.dist(places[name], (middle.x(), middle.y())))
 
 
+@pytest.mark.parametrize("disks", [4, 6])
 @pytest.mark.parametrize("change", [renamed, moved])
 def test_an_edit_paints_only_what_looks_different(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, change: Callable[[Blueprint, str], Blueprint]
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    change: Callable[[Blueprint, str], Blueprint],
+    disks: int,
 ) -> None:
-    first = hanoi(4)
+    first = hanoi(disks)
     person = Drawer(qtbot, set_layout(first, "SB1", place_states(first["SB1"])))
     canvas, session = person.canvas, person.session
     on_screen(person)

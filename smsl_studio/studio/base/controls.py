@@ -89,8 +89,10 @@ class Elided(Label):
 
     def setText(self, text: str) -> None:
         """Replace the text; the tooltip has the whole of it if it does not fit."""
+        before = self.text()
         super().setText(text)
-        self._tell_whole()
+        if self.text() != before:
+            self._tell_whole()
 
     def _tell_whole(self) -> None:
         """Put the whole text into the tooltip if it is cut, unless another tooltip was set."""
@@ -315,10 +317,12 @@ class Field(QLineEdit):
 
     def set_suffix(self, text: str) -> None:
         """Show a short text at the right, such as a unit; empty hides it."""
+        before = self._suffix.text(), self._suffix.isHidden()
         self._suffix.setText(text)
         self._suffix.setVisible(bool(text))
-        self._suffix.adjustSize()
-        self._place_suffix()
+        if before != (self._suffix.text(), self._suffix.isHidden()):
+            self._suffix.adjustSize()
+            self._place_suffix()
 
     def event(self, event: QEvent) -> bool:
         """Let Undo and Redo act on the drawing, unless something is being typed here."""

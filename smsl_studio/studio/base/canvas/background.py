@@ -28,18 +28,15 @@ from smsl_studio.studio.base.canvas.bundle_layer import (
 from smsl_studio.studio.base.canvas.edge_reaches import Numbers
 from smsl_studio.studio.base.canvas.hidden_marks import NameMarks
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
-from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.canvas.sheet import MANY_EDGES, Sheet
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.edge_paint import (
-    EdgeShapes,
     LineInk,
     paint_label,
     paint_plain,
     polyline,
 )
 
-MANY_EDGES = 700
-"""With more edges than this in view they are painted in a batch."""
 SMOOTH_EDGES, SMOOTH_NODES = 3000, 1500
 """From this number in view on, edges (nodes) are painted without antialiasing."""
 
@@ -61,7 +58,7 @@ class EdgePainter:
 
     def __init__(self, over: LitLayer) -> None:
         """``over`` is the layer above, whose labels can hide names of this layer."""
-        self._drawn, self._marks, self._over = EdgeShapes(), NameMarks(), over
+        self._marks, self._over = NameMarks(), over
         self._near = self._smooth = True
 
     def look_at(self, sheet: Sheet, view: Rect) -> bool:
@@ -94,7 +91,7 @@ class EdgePainter:
         quiet = [e for e in rest if e in looks.quiet] if looks.quiet else []
         for some, look in ((quiet, looks.dim), (_without(rest, quiet), looks.plain)):
             if some or look is looks.plain:
-                paint_plain(painter, [geometry.shape(e) for e in some], look, ink, self._drawn)
+                paint_plain(painter, [geometry.shape(e) for e in some], look, ink)
         paint_bundles(painter, sheet, bundles_among(sheet, edges))
         room = 12.0 * sheet.unit
         paint_stubs(painter, sheet, _sides(exposed.adjusted(-room, -room, room, room)))

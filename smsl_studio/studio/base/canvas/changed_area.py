@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import replace
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from PySide6.QtCore import QRectF
 
@@ -12,8 +12,10 @@ from smsl_studio.picture.hidden_names import RADIUS
 from smsl_studio.picture.labels import Rect, centred
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
+from smsl_studio.picture.picture import Face
 from smsl_studio.picture.shape import EdgeShape
-from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.canvas.lit_labels import MOST, by_weight
+from smsl_studio.studio.base.canvas.sheet import MANY_EDGES, POOL, Sheet
 from smsl_studio.studio.base.paint.edge_paint import EdgeText, label_size
 from smsl_studio.studio.base.paint.node_paint import MARGIN
 
@@ -24,41 +26,58 @@ Edge = tuple[str, str]
 """The source and the name of an operation."""
 
 
-class PaintedParts:
-    """What the states, operations and marks of a small drawing look like, by their names.
+class NodePart(NamedTuple):
+    """What a node looks like: its sides, its content, and the place of the initial mark."""
 
-    Create it after the layout of the drawing is done.
+    sides: Rect
+    face: Face
+    shift: float
+
+
+class EdgePart(NamedTuple):
+    """What an edge looks like: its line, the place of its label, and what that says."""
+
+    shape: EdgeShape
+    label: Rect | None
+    text: EdgeText
+
+
+class PaintedParts:
+    """What the states, operations and marks of a drawing look like, by their names.
+
+    Of a large drawing only what is in view is told. Create it after the layout of the drawing is
+    done.
     """
 
-    def __init__(self, sheet: Sheet) -> None:
+    def __init__(self, sheet: Sheet, view: Rect) -> None:
         self.sheet, self.dragged = sheet, QRectF()
         """``dragged`` is the part of the scene in which drags have changed the drawing since."""
-        self.unit, self.level, self._version = sheet.unit, sheet.level, sheet.version
         picture, geometry = sheet.picture, sheet.geometry
-        names, ends = picture.names, picture.source.tolist()
-        faces, halves = map(picture.face, range(len(names))), sheet.halves().tolist()
-        self.nodes: dict[str, tuple[Hashable, ...]] = {
-            name: (x - w, y - h, x + w, y + h, face, geometry.mark_shift if face.initial else 0.0)
-            for name, face, (x, y), (w, h) in zip(
-                names, faces, sheet.at.tolist(), halves, strict=True
-            )
+        self.view = None if picture.small else view
+        self.unit, self.level, self._version = sheet.unit, sheet.level, sheet.version
+        names, halves = picture.names, sheet.halves().tolist()
+        states = range(len(names)) if picture.small else sheet.states_in(*view)
+        self.nodes: dict[str, NodePart] = {}
+        self.numbers = {names[state]: state for state in states}
+        for name, state in self.numbers.items():
+            (x, y), (w, h), face = sheet.at[state].tolist(), halves[state], picture.face(state)
+            shift = geometry.mark_shift if face.initial else 0.0
+            self.nodes[name] = NodePart((x - w, y - h, x + w, y + h), face, shift)
+        edges = range(len(picture.operations)) if picture.small else _edges_in(sheet, view)
+        self.edges = {
+            _key(sheet, edge): EdgePart(*drawn, sheet.text(edge))
+            for edge, drawn in zip(edges, geometry.drawn(edges), strict=True)
         }
-        self.edges: dict[Edge, tuple[EdgeShape, Rect | None, EdgeText]] = {
-            (names[source], operation): (*drawn, text)
-            for source, operation, drawn, text in zip(
-                ends, picture.operations, geometry.every, map(sheet.text, range(len(ends))),
-                strict=True,
-            )
-        }  # fmt: skip
         self.hidden = {
             tuple(map(picture.address, names.edges)): names.at
-            for names in sheet.labels.hidden.of(range(len(ends)))
+            for names in sheet.labels.hidden.of(edges)
         }
 
-    def is_of(self, sheet: Sheet) -> bool:
+    def is_of(self, sheet: Sheet, view: Rect) -> bool:
         """Whether these are the parts of a sheet as it is now, except where it was dragged."""
         now = sheet, sheet.version, sheet.unit, sheet.level
-        return (self.sheet, self._version, self.unit, self.level) == now
+        seen = self.view is None or self.view == view
+        return seen and (self.sheet, self._version, self.unit, self.level) == now
 
     def drag(self, area: QRectF) -> None:
         """Note that one step of a drag has changed the drawing inside this part of the scene."""
@@ -69,7 +88,7 @@ class PaintedParts:
     def node_sides(self, name: str) -> Rect | None:
         """The rectangle of a node, None if there is none of this name."""
         found = self.nodes.get(name)
-        return found[:4] if found is not None else None  # type: ignore[return-value]
+        return found.sides if found is not None else None
 
     def edge_sides(self, key: Edge) -> Rect | None:
         """The rectangle around the line and the label of an operation, None if there is none."""
@@ -79,27 +98,30 @@ class PaintedParts:
         if label is None:
             w, h = label_size(text, self.sheet.ink)
             label = centred(shape.at(shape.length / 2), (w * self.unit, h * self.unit))
-        (left, top), (right, bottom) = (
-            map(min, shape.bounds[:2], label[:2]),
-            map(max, shape.bounds[2:], label[2:]),
-        )
-        return left, top, right, bottom
+        left, top, right, bottom = shape.bounds
+        return (
+            min(left, label[0]), min(top, label[1]), max(right, label[2]), max(bottom, label[3])
+        )  # fmt: skip
 
 
 class ChangedArea:
     """Where a drawing of an SB differs from the one before, and which states look the same.
 
-    ``rect`` is the part of the scene with all differences, None if they may be anywhere. It is
-    told for small pictures in which only states and operations are drawn, each by itself.
-    ``parts`` are those of the new drawing, if it is such a picture.
+    ``rect`` is the part of the view with all differences, None if they may be anywhere. It is told
+    for pictures in which only states and operations are drawn, each by itself. ``parts`` are those
+    of the new drawing, if it is such a picture.
     """
 
-    def __init__(self, known: PaintedParts | None, after: Sheet | None) -> None:
-        """``known`` are the parts of the drawing before, None if they are not known."""
+    def __init__(self, known: PaintedParts | None, after: Sheet | None, view: Rect) -> None:
+        """``known`` are the parts of the drawing before, None if they are not known.
+
+        ``view`` is the visible part of the scene.
+        """
         self.rect: QRectF | None = None
         self.kept: dict[int, int] = {}
         """The states that look the same: their numbers after the edit by those before it."""
-        self.parts = PaintedParts(after) if after is not None and _is_plain(after) else None
+        plain = after is not None and _is_plain(after, view)
+        self.parts = PaintedParts(after, view) if after is not None and plain else None
         if known is not None and self.parts is not None and _are_alike(known, self.parts):
             self.rect = QRectF(known.dragged)
             self._compare(known, self.parts)
@@ -121,7 +143,7 @@ class ChangedArea:
             for parts in (old, new):
                 if (at := parts.hidden.get(names)) is not None:
                     self._add((*at, *at), 2.0 * RADIUS * parts.unit)
-        was, now = _numbers(old), _numbers(new)
+        was, now = old.numbers, new.numbers
         self.kept = {was[n]: now[n] for n in was if n in now and n not in states}
 
     def _add(self, sides: Rect | None, room: float) -> None:
@@ -138,48 +160,64 @@ class LastPainting:
     def __init__(self) -> None:
         self._parts: PaintedParts | None = None
 
-    def parts(self, sheet: Sheet | None) -> PaintedParts | None:
+    def parts(self, sheet: Sheet | None, view: Rect) -> PaintedParts | None:
         """What a sheet looks like on the screen. None if this is not known."""
-        if sheet is None or not _is_plain(sheet):
+        if sheet is None or not _is_plain(sheet, view):
             return None
-        if self._parts is not None and self._parts.is_of(sheet):
+        if self._parts is not None and self._parts.is_of(sheet, view):
             return self._parts
-        return PaintedParts(sheet) if _is_laid_out(sheet) else None
+        return PaintedParts(sheet, view) if _is_laid_out(sheet) else None
 
-    def renew(self, sheet: Sheet) -> None:
+    def renew(self, sheet: Sheet, view: Rect) -> None:
         """Note what a sheet looks like now, after all of it was painted again."""
-        self._parts = self.parts(sheet)
+        self._parts = self.parts(sheet, view)
 
     def drag(self, area: QRectF) -> None:
         """Note that one step of a drag has changed the drawing inside this part of the scene."""
         if self._parts is not None:
             self._parts.drag(area)
 
-    def change(self, known: PaintedParts | None, after: Sheet | None) -> ChangedArea:
+    def change(self, known: PaintedParts | None, after: Sheet | None, view: Rect) -> ChangedArea:
         """What looks different on a sheet, which is painted next. ``known`` is what ``parts`` gave
         before the change.
         """
-        changed = ChangedArea(known, after)
+        changed = ChangedArea(known, after, view)
         self._parts = changed.parts
         return changed
 
 
-def _is_plain(sheet: Sheet) -> bool:
+def _is_plain(sheet: Sheet, view: Rect) -> bool:
     """Whether only states and operations are drawn, each by itself, and nothing runs."""
     picture, looks = sheet.picture, sheet.looks
-    if not picture.small or picture.collapsed or sheet.level < Level.COMPACT or looks.quiet:
+    if picture.collapsed or sheet.level < Level.COMPACT or looks.quiet:
         return False
     plain = replace(looks.marks, selection=(), findings={}) == Marks()
-    return plain and not sheet.drawn.listed()
+    if not plain or sheet.drawn.listed():
+        return False
+    few = picture.small or len(sheet.edges_in(*view)) <= MANY_EDGES
+    return few and (picture.small or len(sheet.states_in(*view)) <= POOL)
 
 
 def _is_laid_out(sheet: Sheet) -> bool:
     """Whether lines and labels lie where they were laid out, and no drag has moved them."""
-    geometry, routing = sheet.geometry, sheet.geometry.routing
+    geometry = sheet.geometry
+    if not sheet.picture.small:
+        return not geometry.dragged
+    edges, routing = range(len(sheet.picture.operations)), geometry.routing
     return routing is not None and all(
         shape is routing.shapes.get(edge) and label == routing.labels.get(edge)
-        for edge, (shape, label) in enumerate(geometry.every)
+        for edge, (shape, label) in zip(edges, geometry.drawn(edges), strict=True)
     )
+
+
+def _edges_in(sheet: Sheet, view: Rect) -> list[int]:
+    """The edges in view. Their labels choose their places: the highlighted ones first."""
+    edges: list[int] = sheet.edges_in(*view).tolist()
+    sheet.geometry.prepare(edges)
+    lit = by_weight(sheet)
+    for edge in reversed(lit if len(lit) <= MOST else []):
+        sheet.geometry.label(edge)
+    return edges
 
 
 def _are_alike(old: PaintedParts, new: PaintedParts) -> bool:
@@ -187,7 +225,7 @@ def _are_alike(old: PaintedParts, new: PaintedParts) -> bool:
     before, after = old.sheet, new.sheet
     if (before.zoom, before.ink) != (after.zoom, after.ink):
         return False
-    views = (old.unit, old.level), (new.unit, new.level)
+    views = (old.unit, old.level, old.view), (new.unit, new.level, new.view)
     return views[0] == views[1] and before.is_of(after.picture.branch.name)
 
 
@@ -202,10 +240,6 @@ def _node_looks(sheet: Sheet, other: Sheet) -> dict[str, Hashable]:
     index, both = sheet.picture.index, (sheet, other)
     names = [one.picture.names[state] for one in both for state in one.looks.marked_states]
     return {name: sheet.node_look(index[name]) for name in names if name in index}
-
-
-def _numbers(parts: PaintedParts) -> dict[str, int]:
-    return {name: state for state, name in enumerate(parts.nodes)}
 
 
 def _key(sheet: Sheet, edge: int) -> Edge:

@@ -9,7 +9,7 @@ from smsl_studio.picture.drawn_parts import Members
 from smsl_studio.studio.base.canvas.drawn_painter import MARGIN
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.moved_stage import MovedStage
-from smsl_studio.studio.base.canvas.stage import POOL
+from smsl_studio.studio.base.canvas.sheet import POOL
 
 
 class DrawnStage(MovedStage):

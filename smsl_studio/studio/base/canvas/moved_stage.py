@@ -63,7 +63,7 @@ class MovedStage(Stage):
             self._settle(before)
 
     def _on_screen(self) -> _OnScreen:
-        return _OnScreen(self._painting.parts(self._sheet), self.lit_layer.shown())
+        return _OnScreen(self._painting.parts(self._sheet, self._sides), self.lit_layer.shown())
 
     def _settle(self, before: _OnScreen) -> None:
         """Route and label again, and paint what looks different."""
@@ -71,7 +71,7 @@ class MovedStage(Stage):
         if sheet is None:
             return
         sheet.settle()
-        changed = self._painting.change(before.parts, sheet)
+        changed = self._painting.change(before.parts, sheet, self._sides)
         self.cover()
         self.refresh_pool()
         self.pool.refresh(sheet, changed.kept)

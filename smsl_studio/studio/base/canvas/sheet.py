@@ -45,6 +45,10 @@ from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 Position = tuple[float, float]
 MOST_HELD = 3.0
 """How many times as large or as small a picture gets at most while its marks keep their sizes."""
+MANY_EDGES = 700
+"""With more edges than this in view they are painted in a batch."""
+POOL = 320
+"""The most near nodes that get an item of their own; if there are more, a layer paints them."""
 KEPT_UNITS = 8
 """How many zooms of compact nodes keep their lines and labels."""
 

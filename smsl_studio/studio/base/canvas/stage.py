@@ -13,6 +13,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.camera import Camera
@@ -24,12 +25,10 @@ from smsl_studio.studio.base.canvas.ground import Ground
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
 from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.node_item import NodePool
-from smsl_studio.studio.base.canvas.sheet import Position, Sheet
+from smsl_studio.studio.base.canvas.sheet import POOL, Position, Sheet
 from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.theme import Tokens
 
-POOL = 320
-"""The most near nodes that get an item of their own; if there are more, a layer paints them."""
 STEP = 400.0
 """The scene grows and shrinks in such steps (pixels), because Qt paints all of it again then."""
 
@@ -89,10 +88,10 @@ class Stage(QGraphicsView):
         """Show another sheet; zoom and place of the view stay. After an edit only what looks
         different now is painted."""
         self.glide.end()
-        known, labels = self._painting.parts(self._sheet), self.lit_layer.shown()
+        known, labels = self._painting.parts(self._sheet, self._sides), self.lit_layer.shown()
         if sheet is not None:
             sheet.set_zoom(self.camera.zoom)
-        changed = self._painting.change(known, sheet)
+        changed = self._painting.change(known, sheet, self._sides)
         self.pool.keep(sheet, changed.kept)
         self._sheet = self.lit_layer.sheet = sheet
         self.gestures.clear()
@@ -144,7 +143,7 @@ class Stage(QGraphicsView):
                 self.update_node(state)
             self.update_edges(edges)
             self.update_lit(labels)
-        self._painting.renew(sheet)
+        self._painting.renew(sheet, self._sides)
         self.picture_changed.emit()
 
     @property
@@ -156,6 +155,12 @@ class Stage(QGraphicsView):
     def seen(self) -> QRectF:
         """The visible part of the scene."""
         return self.mapToScene(self.viewport().rect()).boundingRect()
+
+    @property
+    def _sides(self) -> Rect:
+        """The left, top, right and bottom of the visible part of the scene."""
+        seen = self.seen
+        return seen.left(), seen.top(), seen.right(), seen.bottom()
 
     # Where things are
 

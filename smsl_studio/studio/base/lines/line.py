@@ -63,6 +63,8 @@ class FormLine(QWidget):
     def __init__(self, words: str, field: QWidget, tip: str, *beside: QWidget | None) -> None:
         super().__init__()
         self.words, self.field = words, field
+        self.remark: str | None = None
+        """The hint in place of the one about inherited values; None for that one."""
         field.setAccessibleName(plain_text(words))
         field.setToolTip(tip_text(tip))
         self.hint, self.refusal = Sentence("hint", LABEL), Sentence("refusal", LABEL)
@@ -88,7 +90,7 @@ class FormLine(QWidget):
         Subclasses put them into their field.
         """
         self.refuse("")
-        self.say(_origin_words(shown, self.said))
+        self.say(_origin_words(shown, self.said) if self.remark is None else self.remark)
 
     def said(self, value: Any) -> str:
         """A value in words, for the history and for hints."""

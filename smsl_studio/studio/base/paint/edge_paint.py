@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
@@ -33,6 +34,8 @@ from smsl_studio.studio.base.paint.ink import (
 )
 
 HEAD, LABEL_HEIGHT = 8.0, 15.0
+KEPT = 4000
+"""How many lines keep the polygons with which they are painted."""
 BAND = 12.0
 """The width of the band under the line that is the hit of a search (mark pixels)."""
 # Two labels whose lines are 16 apart must fit below each other, so a label is 15 high.
@@ -124,12 +127,8 @@ def paint_line(
     shape: EdgeShape,
     look: EdgeLook,
     with_ink: LineInk,
-    drawn: EdgeShapes | None = None,
 ) -> None:
-    """Paint a line and its arrowhead; the head is smaller if nodes are compact.
-
-    ``drawn`` keeps polygons from one painting to the next.
-    """
+    """Paint a line and its arrowhead; the head is smaller if nodes are compact."""
     ink, unit, compact = with_ink
     tokens = ink.tokens
     if look.running is not None:
@@ -137,7 +136,7 @@ def paint_line(
         return
     colour, width, dashes = _stroke(look, ink, compact)
     head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
-    body, tip = (drawn or EdgeShapes()).of(shape, head * unit, (head - 2.0) * unit)
+    body, tip = polygons_of(shape, head * unit, (head - 2.0) * unit)
     painter.setBrush(NO_BRUSH)
     if look.hit:
         painter.setPen(pen(tokens.accs, BAND * unit))
@@ -157,13 +156,12 @@ def paint_plain(
     shapes: Sequence[EdgeShape],
     look: EdgeLook,
     with_ink: LineInk,
-    drawn: EdgeShapes,
 ) -> None:
     """Paint edges that all look alike: first all lines, then all arrowheads."""
     ink, unit, compact = with_ink
     colour, width, dashes = _stroke(look, ink, compact)
     head = HEAD - (1.0 if compact else 0.0)
-    both = [drawn.of(shape, head * unit, (head - 2.0) * unit) for shape in shapes]
+    both = [polygons_of(shape, head * unit, (head - 2.0) * unit) for shape in shapes]
     painter.setBrush(NO_BRUSH)
     painter.setPen(pen(colour, width * unit, tuple(d * unit for d in dashes)))
     for body, _ in both:
@@ -174,24 +172,18 @@ def paint_plain(
         painter.drawPolygon(tip)
 
 
-class EdgeShapes:
-    """The polygons of lines and arrowheads, kept by shape.
+def polygons_of(shape: EdgeShape, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
+    """The line, cut by ``short`` at its end, and the arrowhead of length ``head`` (scene units).
 
-    When a shape is freed, so are its polygons.
+    They are kept by the points of the line, because most lines are the same again after an edit.
     """
+    return _polygons(shape.points.tobytes(), head, short)
 
-    def __init__(self) -> None:
-        self._kept: WeakKeyDictionary[EdgeShape, tuple[float, QPolygonF, QPolygonF]]
-        self._kept = WeakKeyDictionary()
 
-    def of(self, shape: EdgeShape, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
-        """The line, cut by ``short`` at its end, and the arrowhead of length ``head`` (scene
-        units)."""
-        found = self._kept.get(shape)
-        if found is None or found[0] != head:
-            body = polyline(shape.cut(0.0, shape.length - short))
-            found = self._kept[shape] = head, body, head_polygon(shape, head)
-        return found[1], found[2]
+@lru_cache(KEPT)
+def _polygons(points: bytes, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
+    shape = EdgeShape(np.frombuffer(points).reshape(-1, 2))
+    return polyline(shape.cut(0.0, shape.length - short)), head_polygon(shape, head)
 
 
 def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tuple[float, ...]]:

@@ -14,7 +14,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.legible import plain_text
-from smsl_studio.smsl.document.stretches import differing_stretch
+from smsl_studio.smsl.document.stretches import Stretch, differing_stretch
 from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.lines.line import FormLine, Sentence, ShownValue
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine
@@ -141,7 +141,8 @@ class HeaderForm(Panel):
 
     def _show_states(self, branch: StateBranch) -> None:
         states = tuple(branch.table)
-        gone = differing_stretch(self._states, states)
+        same = states == self._states
+        gone = Stretch(0, 0, 0, 0) if same else differing_stretch(self._states, states)
         self._states = states
         for combo, written, default in (
             (self.initial, branch.header.initial, next(iter(states), "none yet")),

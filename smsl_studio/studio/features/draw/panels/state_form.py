@@ -105,6 +105,8 @@ class StateForm(NoteForm):
         self._heading.setText("State" if one else counted(len(states), "state"))
         self._name.setText(_short(one.state, 24) if one else "")
         self._name.setToolTip(tip_text(one.state if one else ""))
+        source = _source_of_facts(blueprint[one.branch], one.state) if one else ""
+        self._lines["facts"].remark = source
         self.show_entries(_entries(blueprint, states))
         for widget in (self.naming, self._out, self.notes):
             widget.setVisible(one is not None)
@@ -112,7 +114,6 @@ class StateForm(NoteForm):
         self._facts.setVisible(len(named) == 1)
         if len(named) == 1:
             self.chips.show_states(blueprint[named.pop()], [at.state for at in states])
-        self._lines["facts"].say(_source_of_facts(blueprint[one.branch], one.state) if one else "")
         fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
         self.kept.show_values(fields)
         if one is None:
