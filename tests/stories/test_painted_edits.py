@@ -121,9 +121,12 @@ def test_an_edit_paints_only_what_looks_different(
     person = Drawer(qtbot, set_layout(first, "SB1", place_states(first["SB1"])))
     canvas, session = person.canvas, person.session
     on_screen(person)
+    state = in_the_middle(person)
+    # The names in a large drawing find their places anew at the first edit.
+    session.edit("First edit", lambda blueprint: moved(blueprint, state))
+    on_screen(person)
     painted: list[QRectF] = []
     monkeypatch.setattr(canvas.ground, "paint", lambda *given: painted.append(given[1]))
-    state = in_the_middle(person)
     session.edit("Some edit", lambda blueprint: change(blueprint, state))
     on_screen(person)
     assert painted

@@ -41,6 +41,10 @@ class EdgePart(NamedTuple):
     label: Rect | None
     text: EdgeText
 
+    def is_like(self, other: EdgePart) -> bool:
+        """Whether another edge looks the same."""
+        return self[1:] == other[1:] and self.shape.is_like(other.shape)
+
 
 class PaintedParts:
     """What the states, operations and marks of a drawing look like, by their names.
@@ -128,7 +132,7 @@ class ChangedArea:
 
     def _compare(self, old: PaintedParts, new: PaintedParts) -> None:
         before, after = old.sheet, new.sheet
-        states, edges = {*_different(old.nodes, new.nodes)}, {*_different(old.edges, new.edges)}
+        states, edges = {*_different(old.nodes, new.nodes)}, {*_redrawn(old.edges, new.edges)}
         if before is not after:
             states.update(_different(_node_looks(before, after), _node_looks(after, before)))
             lit = [{_key(one, e): one.edge_look(e) for e in one.looks.lit_edges}
@@ -233,6 +237,15 @@ def _different(old: Mapping[Key, object], new: Mapping[Key, object]) -> Iterator
     """The keys with other values."""
     yield from (key for key, value in new.items() if old.get(key) != value)
     yield from (key for key in old if key not in new)
+
+
+def _redrawn(old: Mapping[Edge, EdgePart], new: Mapping[Edge, EdgePart]) -> Iterator[Edge]:
+    """The operations that look different."""
+    for key, part in new.items():
+        before = old.get(key)
+        if before is None or not before.is_like(part):
+            yield key
+    yield from old.keys() - new.keys()
 
 
 def _node_looks(sheet: Sheet, other: Sheet) -> dict[str, Hashable]:

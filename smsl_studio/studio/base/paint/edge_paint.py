@@ -34,7 +34,7 @@ from smsl_studio.studio.base.paint.ink import (
 )
 
 HEAD, LABEL_HEIGHT = 8.0, 15.0
-KEPT = 4000
+KEPT = 2000
 """How many lines keep the polygons with which they are painted."""
 BAND = 12.0
 """The width of the band under the line that is the hit of a search (mark pixels)."""
