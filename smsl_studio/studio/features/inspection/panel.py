@@ -10,6 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
 from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.inspector import Inspector
@@ -120,7 +121,7 @@ class InspectionPanel(QWidget):
         column.addWidget(text)
         column.addLayout(row(self.add_empty, None))
         column.addStretch(1)
-        return page
+        return Room(page)
 
     def _make_tools(self) -> QWidget:
         self.sum = Elided("")

@@ -51,8 +51,9 @@ class Notice(QWidget):
         self._fit()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Leave the height to the page that is shown instead."""
+        """Ask for the usual height, which the page that is shown instead gets, too."""
         super().hideEvent(event)
+        self._column.setContentsMargins(*ROOMY)
         self.setMinimumHeight(0)
 
     def showEvent(self, event: QShowEvent) -> None:
