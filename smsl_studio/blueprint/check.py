@@ -144,18 +144,64 @@ class _Sensed(NamedTuple):
     result: CheckResult
 
 
-class _Kept:
-    """The results that are kept for the states of one SB, each since it was first asked for.
+class StateChecks:
+    """The results of state checks that are kept for the states of one SB (see ``as_expected``).
 
-    ``whole`` says that no sub-SB expands a fact.
+    Each is made when it is first asked for. Several runs may ask the same object.
     """
 
-    __slots__ = ("believed", "sensed", "whole")
+    __slots__ = ("_believed", "_branch", "_last", "_sensed", "_whole")
 
     def __init__(self, branch: StateBranch) -> None:
-        self.whole = not branch.subs
-        self.believed: dict[str, CheckResult] = {}
-        self.sensed: dict[str, _Sensed] = {}
+        self._branch = branch
+        self._whole = not branch.subs
+        self._believed: dict[str, CheckResult] = {}
+        self._sensed: dict[str, _Sensed] = {}
+        self._last: tuple[Mapping[FactKey, Reading], str, CheckResult | None]
+        self._last = (NOTHING_SENSED, "", None)
+        """The last readings, state and result in which all facts were sensed."""
+
+    def expected(
+        self, state: str, readings: Mapping[FactKey, Reading], held: str | None
+    ) -> CheckResult | None:
+        """Return the result of a check if every fact has the value that the state needs, else
+        None.
+        """
+        if not self._whole:
+            return None
+        if not readings:
+            if held != state:
+                return None
+            return self._believed.get(state) or self._believe(state)
+        last = self._last
+        if last[0] is readings and last[1] == state:
+            return last[2]
+        wanted = self._sensed.get(state) or self._sense(state)
+        if not wanted.pairs:
+            return None
+        if not wanted.fresh <= readings.items():
+            unsensed = 0
+            for key, value in wanted.pairs:
+                reading = readings.get(key)
+                if reading is None or not reading.sensed:
+                    unsensed += 1
+                elif reading.value != value:
+                    return None
+            if unsensed:
+                believed = held == state and unsensed == len(wanted.pairs)
+                return self._believe(state) if believed else None
+        self._last = (readings, state, wanted.result)
+        return wanted.result
+
+    def _believe(self, state: str) -> CheckResult:
+        return self._believed.setdefault(state, _Met(self._branch, state, BELIEVED))
+
+    def _sense(self, state: str) -> _Sensed:
+        branch = self._branch
+        pairs = tuple(((branch.name, d), value) for d, value in enumerate(branch.facts(state)))
+        fresh = {key: fresh_reading(value) for key, value in pairs}
+        found = self._sensed[state] = _Sensed(pairs, fresh.items(), _Met(branch, state))
+        return found
 
 
 _KEY = "_kept_checks"
@@ -232,45 +278,13 @@ def as_expected(
     (``held``) to be in the state. The result is also None if a sub-SB expands a fact, because each
     term must then be checked. Most checks of a run end here, so each state keeps its two results.
     """
-    kept: _Kept | None = branch.__dict__.get(_KEY)
-    if kept is None:
-        kept = branch.__dict__.setdefault(_KEY, _Kept(branch))
-    if not kept.whole:
-        return None
-    readings = scene.readings
-    if not readings:
-        return _believed(kept, branch, state) if held == state else None
-    wanted = kept.sensed.get(state)
-    if wanted is None:
-        wanted = kept.sensed[state] = _sensed(branch, state)
-    if not wanted.pairs:
-        return None
-    if wanted.fresh <= readings.items():
-        return wanted.result
-    unsensed = 0
-    for key, value in wanted.pairs:
-        reading = readings.get(key)
-        if reading is None or not reading.sensed:
-            unsensed += 1
-        elif reading.value != value:
-            return None
-    if not unsensed:
-        return wanted.result
-    believed = held == state and unsensed == len(wanted.pairs)
-    return _believed(kept, branch, state) if believed else None
+    return checks_of(branch).expected(state, scene.readings, held)
 
 
-def _believed(kept: _Kept, branch: StateBranch, state: str) -> CheckResult:
-    found = kept.believed.get(state)
-    if found is None:
-        found = kept.believed[state] = _Met(branch, state, BELIEVED)
-    return found
-
-
-def _sensed(branch: StateBranch, state: str) -> _Sensed:
-    pairs = tuple(((branch.name, d), value) for d, value in enumerate(branch.facts(state)))
-    fresh = {key: fresh_reading(value) for key, value in pairs}
-    return _Sensed(pairs, fresh.items(), _Met(branch, state))
+def checks_of(branch: StateBranch) -> StateChecks:
+    """Return the kept results of an SB. They live as long as the SB."""
+    kept: StateChecks | None = branch.__dict__.get(_KEY)
+    return kept or branch.__dict__.setdefault(_KEY, StateChecks(branch))
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:

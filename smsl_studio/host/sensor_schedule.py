@@ -40,10 +40,7 @@ class SensorSchedule:
         seed: int = 0,
     ) -> None:
         self._sensors = tuple(sensors)
-        self._rows = tuple(
-            (partial(one.function, **one.arguments), one.branch, one.digit, one.name)
-            for one in self._sensors
-        )
+        self._rows = tuple((_ready(one), one.branch, one.digit, one.name) for one in self._sensors)
         self._facts = tuple((one.branch, one.digit) for one in self._sensors)
         self._brief = all(max(len(s.branch), len(s.name)) <= LONGEST for s in self._sensors)
         self._read: set[str] = set()
@@ -163,6 +160,13 @@ class SensorSchedule:
         if len(self._read) < _REMEMBERED and len(value) <= LONGEST:
             self._read.add(value)
         return str(value), reason
+
+
+def _ready(sensor: BoundSensor) -> Callable[[Any], Any]:
+    """Return the function of a sensor with its arguments, to be called with the world."""
+    if not sensor.arguments:
+        return sensor.function
+    return partial(sensor.function, **sensor.arguments)
 
 
 def _ticks(period: float, tick: float) -> int:

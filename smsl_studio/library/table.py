@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping
 from itertools import count, repeat
+from operator import methodcaller
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
@@ -121,6 +122,6 @@ def _sensor(branch: StateBranch, digit: int) -> BoundSensor:
         TableWorld.tick,
         (note.max_age if note else None) or 0.3,
         "single",
-        TableWorld.fact,
-        {"branch": branch.name, "digit": digit},
+        methodcaller("fact", branch.name, digit),
+        {},
     )

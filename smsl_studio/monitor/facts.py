@@ -203,7 +203,7 @@ class FactMonitor:
             return self._readings
         if fresh != self._shown:
             self._readings = MappingProxyType(
-                {key: fresh_reading(fresh[key]) for key in self._facts}
+                dict(zip(self._facts, map(fresh_reading, map(fresh.get, self._facts)), strict=True))
             )
         self._shown = fresh
         return self._readings

@@ -32,7 +32,12 @@ from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.host.protocol import RETURNED, Bound, Tick
 from smsl_studio.host.protocol import RUNNING as GOES_ON
-from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
+from smsl_studio.runlog.quick import (
+    committed,
+    operation_ended,
+    operation_started,
+    state_checked,
+)
 from smsl_studio.world.engines import TABLE
 
 HAIR = 1e-9
@@ -215,9 +220,7 @@ class Carrier:
         now = run.senses.time
         for edge in action.begins:
             function = run.bound[edge.address].function if edge.function else ""
-            run.tell(
-                OperationStarted(t=now, address=edge.text, target=edge.target, function=function)
-            )
+            run.tell(operation_started(now, edge.text, edge.target, function))
         if run.people_say:
             run.emit(*run.senses.forget(changed_by(run, action)))
         self.since, self._answerable, self._by = now, True, ""
@@ -308,7 +311,7 @@ class Carrier:
     def _ended(self, outcome: str, message: str) -> None:
         run, address = self._run, self.action.edge.text
         now = run.senses.time
-        run.tell(OperationEnded(t=now, address=address, outcome=outcome, message=message))
+        run.tell(operation_ended(now, address, outcome, message))
 
     def _settle(self, looked: bool = False) -> None:
         """Let the world settle. ``looked`` says that every sensor was read at this instant."""
@@ -352,8 +355,7 @@ class Carrier:
                 return
         if action.commits:
             run.commit(action.committed, action.commits)
-            now, operations, committed = run.senses.time, action.texts, action.committed
-            run.tell(Committed(t=now, operations=operations, configuration=committed))
+            run.tell(committed(run.senses.time, action.texts, action.committed))
         if self._watch is not None:
             self._watch.end(action)
         self._index += 1
@@ -369,16 +371,11 @@ class Carrier:
     def _told(self, check: CheckResult) -> None:
         run, truth, now = self._run, check.truth, self._run.senses.time
         if truth:
-            run.tell(StateChecked(t=now, address=check.address, result="true"))
+            run.tell(state_checked(now, check.address, "true", (), ()))
             return
         misses = all_words(run.blueprint, check.misses)
         unknown = all_words(run.blueprint, check.unknown)
-        result = truth_word(truth)
-        run.tell(
-            StateChecked(
-                t=now, address=check.address, result=result, misses=misses, unknown=unknown
-            )
-        )
+        run.tell(state_checked(now, check.address, truth_word(truth), misses, unknown))
 
     def _fail(
         self, reason: str, risky: bool, pending: bool | None = None, unanswered: bool = False

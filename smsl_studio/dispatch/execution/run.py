@@ -12,7 +12,7 @@ from smsl_studio.blueprint.check import (
     FactKey,
     Scene,
     Term,
-    as_expected,
+    checks_of,
     state_check,
 )
 from smsl_studio.blueprint.configuration import Hierarchy
@@ -66,6 +66,7 @@ class LiveRun:
         rules = leveled_rules(self.blueprint, opened, self.levels)
         self.people_say = any(rule.people for rule in rules.values())
         self.senses = Senses(host, opened, rules)
+        self._checks = {branch.name: checks_of(branch) for branch in self.blueprint}
         self.configuration = dict(start)
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
@@ -140,7 +141,7 @@ class LiveRun:
         are left out.
         """
         scene = self.senses.scene
-        expected = as_expected(self.blueprint.branches[branch], state, scene, state)
+        expected = self._checks[branch].expected(state, scene.readings, state)
         if expected is not None:
             return expected
         believed = {**self.configuration, **self.pending, branch: state}
@@ -167,10 +168,10 @@ class LiveRun:
         transit are left out.
         """
         believed = self.believed if self.pending else self.configuration
-        branches, scene = self.blueprint.branches, self.senses.scene
-        found: list[Term] = []
+        scene = self.senses.scene
+        readings, found = scene.readings, list[Term]()
         for name, state in believed.items():
-            if as_expected(branches[name], state, scene, state) is None:
+            if self._checks[name].expected(state, readings, state) is None:
                 transit = self.transit
                 check = state_check(self.blueprint, name, state, scene, believed, transit=transit)
                 found.extend(check.misses)

@@ -15,6 +15,7 @@ from smsl_studio.monitor.bus import FactBus
 from smsl_studio.monitor.facts import FactMonitor, SourceState
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.runlog.events import FactChanged
+from smsl_studio.runlog.quick import fact_changed
 
 
 @dataclass(slots=True)
@@ -208,20 +209,16 @@ class Senses:
         return self._remote.clock() if self._remote is not None else 0.0
 
     def _changes(self) -> tuple[FactChanged, ...]:
-        told, readings = self._told, self.scene.readings
+        told, before, readings = self._told, self._compared, self.scene.readings
         self._compared = readings
-        new = [key for key, one in readings.items() if told.get(key, ...) != one.value]
-        return tuple([self._change(key, readings[key]) for key in new]) if new else ()
+        new = [key for key, one in readings.items() if before.get(key) is not one]
+        changed = [key for key in new if told.get(key, ...) != readings[key].value]
+        return tuple([self._change(key, readings[key]) for key in changed]) if changed else ()
 
     def _change(self, key: FactKey, reading: Reading) -> FactChanged:
         self._told[key] = reading.value
-        return FactChanged(
-            t=self.time,
-            branch=key[0],
-            digit=key[1],
-            value=reading.value,
-            reason=reading.reason if reading.value is None else "",
-        )
+        value = reading.value
+        return fact_changed(self.time, *key, value, reading.reason if value is None else "")
 
 
 def _newer(source: SourceState, since: Moment) -> bool:
