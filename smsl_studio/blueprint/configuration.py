@@ -9,10 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from heapq import heappop, heappush
+from typing import TYPE_CHECKING
 
-from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import RunRefused
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.check import FactKey
 
 Configuration = Mapping[str, str]
 

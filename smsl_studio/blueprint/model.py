@@ -15,7 +15,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.drawn import Drawn, read_drawn
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
 from smsl_studio.blueprint.notes import NO_NOTES, Notes, read_notes
@@ -24,6 +23,7 @@ from smsl_studio.errors import AddressError, Place, did_you_mean
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, OperationNote, StateNote
+    from smsl_studio.blueprint.drawn import Drawn
     from smsl_studio.blueprint.imported_files import Imports
     from smsl_studio.smsl.document import Document
 
@@ -181,6 +181,8 @@ class StateBranch:
     @cached_property
     def drawn(self) -> Drawn:
         """The notes and groups on the drawing of this SB. They have no meaning."""
+        from smsl_studio.blueprint.drawn import read_drawn
+
         return read_drawn(self.fields, self.table)
 
     def fact_name(self, digit: int) -> str:

@@ -13,7 +13,6 @@ from operator import is_not
 from typing import Any, cast
 
 from smsl_studio.blueprint.elements import EMPTY, Header
-from smsl_studio.blueprint.handed_on import hand_on
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_NAME
@@ -108,6 +107,8 @@ def _read(
         elif type(value) is dict:
             branches[name] = _branch(name, value, wrong, before.table if before else EMPTY)
             if before:
+                from smsl_studio.blueprint.handed_on import hand_on
+
                 hand_on(before, branches[name])
         else:
             wrong.append(((name,), "a State Branch", value))

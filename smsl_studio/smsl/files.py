@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from smsl_studio.errors import Place, ReadError, SaveError
 from smsl_studio.home import saving_folder
 from smsl_studio.smsl.document import Document, decode
-from smsl_studio.smsl.document.conflict_markers import told_of_markers
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.forms import form_named, form_of
 from smsl_studio.smsl.garbage import uncollected
@@ -130,6 +129,8 @@ def parse_text(text: str, file: str) -> Document:
         try:
             return form_named(form_of(file, text)).parse(text, file)
         except ReadError as error:
+            from smsl_studio.smsl.document.conflict_markers import told_of_markers
+
             told = told_of_markers(error, text, file)
             if told is error:
                 raise
