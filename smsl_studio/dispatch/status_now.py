@@ -52,7 +52,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
     route = sought(lambda: _route(driver, phase, ended), _begun(driver))
     possible: tuple[Possible, ...] = ()
     if not ended:
-        possible, whole = driver.outlook.known()
+        possible, whole = driver.follower.outlook.known()
         sought.all &= whole
     detour = None
     if driver.attended and not ended:
@@ -70,11 +70,11 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         running=carrier.running if carrier else None,
         carrying=carrier.step.asked.address if carrier else None,
         running_since=carrier.since if carrier and carrier.moving else None,
-        progress=driver.outlook.progress(carrier),
+        progress=driver.follower.outlook.progress(carrier),
         route=route,
         goals=driver.course.goals,
         scene=standing.scene,
-        check=None if ended else driver.outlook.awaited(carrier),
+        check=None if ended else driver.follower.outlook.awaited(carrier),
         possible=tuple(_latched(driver, phase, possible)),
         candidates=candidates,
         reason=standing.reason,
@@ -89,7 +89,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         sources=run.senses.sources,
         full_map=state.full_map,
         by=state.by,
-        notes=() if ended else driver.bypasses.sentences((*begun, *route)),
+        notes=() if ended else driver.follower.bypasses.sentences((*begun, *route)),
         planning=not sought.all,
         pausing=phase == "running" and (state.once or state.pausing),
     )

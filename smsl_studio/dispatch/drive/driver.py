@@ -17,28 +17,24 @@ from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.drive.integrity import Integrity
 from smsl_studio.dispatch.drive.loop_guard import REPEATS, LoopGuard
 from smsl_studio.dispatch.drive.review import Reviewer
+from smsl_studio.dispatch.drive.route_follower import RouteFollower
 from smsl_studio.dispatch.drive.run_state import RunState
 from smsl_studio.dispatch.drive.start_tasks import StartTasks
 from smsl_studio.dispatch.drive.terms import RunTerms
-from smsl_studio.dispatch.execution.bypass import Bypasses
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.desk import Desk
-from smsl_studio.dispatch.execution.outlook import Outlook
-from smsl_studio.dispatch.execution.price_updates import PriceUpdates
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.execution.stage import ASKING, DONE, RUNNING, StepFailure
 from smsl_studio.dispatch.execution.trouble import Hold, Trouble
 from smsl_studio.dispatch.people.board import Closed
 from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.route.planner import holds
-from smsl_studio.errors import PlanningError, RunRefused
+from smsl_studio.errors import RunRefused
 from smsl_studio.runlog.events import (
     Held,
     Paused,
-    RoutePlanned,
     RunFinished,
 )
-from smsl_studio.stop import restartable
 
 
 class Driver:
@@ -68,9 +64,7 @@ class Driver:
         self.hazards = HazardWatch(run, self.state, trouble, self)
         self.integrity = Integrity(run, self.desk, trouble, self, self.hazards)
         self.admission = Admission(run, course, self.desk, reviewer, loops, self)
-        self.outlook = Outlook(run, course)
-        self.pricing = PriceUpdates(run, course)
-        self.bypasses = Bypasses(run, course)
+        self.follower = RouteFollower(run, course, trouble)
         self.carrier: Carrier | None = None
         self.ended: RunFinished | None = None
         self.sentence = ""
@@ -148,7 +142,7 @@ class Driver:
         self._tick()
         if self.endangered() or not watched or self._lost() or self.desk.keeps:
             return
-        self.pricing.ask()
+        self.follower.pricing.ask()
         if self.arrival.moved and not self.desk.busy and self.arrival.open:
             self.arrival.look()
             return
@@ -177,33 +171,11 @@ class Driver:
             self._tick()
             self.arrival.look()
             return
-        step = self._next()
-        if step is not None:
-            self.admission.admit(step)
-
-    def _next(self) -> JointStep | None:
-        """Return the next step of the route, or None if the run holds instead."""
-        run, course = self.run, self.course
-        if run.opened.priced:
-            self.pricing.ask()
-        step = course.following(run.configuration)
-        if step is not None:
-            return step
-        try:
-            with restartable():
-                step, leg = course.next_step(run.configuration)
-                hold = self.trouble.no_way(self.outlook.details()) if step is None else None
-        except PlanningError as error:
-            words = f"{error.sentence[:1].upper()}{error.sentence[1:]}."
-            step, leg, hold = None, None, Hold(words, (error.advice,))
-        if step is None:
-            self.hold(hold)
-            return None
-        if leg is not None:
-            operations = tuple(map(str, leg.operations))
-            run.emit(RoutePlanned(t=run.time, goal=leg.aim, operations=operations, cost=leg.cost))
-            self.bypasses.tell((*(edge.address for edge in step.edges), *course.ahead))
-        return step
+        found = self.follower.next()
+        if isinstance(found, Hold):
+            self.hold(found)
+        else:
+            self.admission.admit(found)
 
     def _lost(self) -> bool:
         """Return whether the run has begun and now holds because a critical fact is lost."""
@@ -221,7 +193,7 @@ class Driver:
             self.course.drop_plan()
             self.loops.forget()
             self.reviewer.forget()
-            self.bypasses.tell((edge.address for edge in step.edges), again=True)
+            self.follower.bypasses.tell((edge.address for edge in step.edges), again=True)
         else:
             self.loops.count(self.run.configuration, step.asked)
         self.state.begin(chosen)

@@ -41,7 +41,7 @@ def _held(driver: Driver) -> Iterator[Offer]:
         if address in course.closed:
             yield _offer("restore", str(address), why=course.closed[address])
     hazards = met(driver.run)
-    for one in driver.outlook.known()[0]:
+    for one in driver.follower.outlook.known()[0]:
         if one.risky and one.permitted:
             yield _offer("ask", str(one.address), why=course.risky[one.address])
         elif hazards and one.permitted:
