@@ -1,8 +1,8 @@
 """Operations per second, each with a trace and a listener.
 
 Three ways of ours. *By hand*: an operation is asked for in the table world; three facts are sensed
-three times (before anything moves, in the tick, when it has settled), source and target states are
-checked in three values, it is committed, and six events are told. *A route*: the same as the
+twice (before anything moves, and in the tick), source and target states are checked in three
+values, it is committed, and six events are told. *A route*: the same as the
 dispatcher follows its route through Hanoi with 7 disks, so seven facts. *Believed*: the same route
 in a world where nobody senses anything, so that facts are believed: guards, checks of what is
 believed, a library function, a commit and four events are left. The peers fire a transition between

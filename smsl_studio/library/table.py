@@ -61,7 +61,7 @@ def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:
     if target not in branch.table:
         return {}
     facts = facts_of(branch, target)
-    if branch.operation_note(edge.state, edge.operation).subs == "load":
+    if branch.subs and branch.operation_note(edge.state, edge.operation).subs == "load":
         for digit, sub in branch.subs.items():
             if digit < branch.num_facts and sub in blueprint.branches:
                 on = branch.is_on(target, digit)
