@@ -93,12 +93,12 @@ def agrees(s, at): s.facts = {key: v for key, v in s.facts.items() if v or not s
 def locate(s, at): s.conf, s.vetoed = at, s.vetoed if at == s.conf else ()
 def take(s, e):
 	# Time goes on where something takes time, and an effect has its command, at the same time.
-	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
-	no(s.over or not s.t <= e.t < 2**53 or s.start and kind not in ("left_out", "fact_changed",
-		"state_checked") or e.t > s.t and s.began and not (s.start or s.begun or s.tasks or s.latch or
-		s.held or s.paused or s.by_hand or {*s.goals.values()} & {*s.conf.items()}) or kind in CAUSES and
-		((c.t, c.command) != (e.t, CAUSES[kind]) or c.by != getattr(e, "by", c.by) or c.refused and kind
-		!= "task_answered" and "the world is gone" not in c.refused))
+	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause; no(s.over or not s.t <= e.t < 2**53
+		or s.start and kind not in ("left_out", "fact_changed", "state_checked") or e.t > s.t and s.began
+		and not (s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.by_hand or
+		{*s.goals.values()} & {*s.conf.items()}) or kind in CAUSES and ((c.t, c.command) != (e.t,
+		CAUSES[kind]) or c.by != getattr(e, "by", c.by) or c.address != getattr(e, "address", c.address)
+		or c.refused and kind != "task_answered" and "the world is gone" not in c.refused))
 	s.t = e.t; globals()["on_" + kind](s, e); c.t = -1 if kind in CAUSES else c.t
 	s.checked = s.checked if kind == "state_checked" else {}
 	s.busy, s.last = s.busy if kind in ("fact_changed", "costs_changed", "goal_reached") else e.t, e

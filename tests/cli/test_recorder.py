@@ -88,6 +88,13 @@ def _person(desk: Desk, raw: bytes) -> Json:
     return sealed(_private(desk, "ada"), PAYLOAD_TYPE, raw).as_json()
 
 
+def _moved(desk: Desk, raw: bytes) -> Json:
+    """The signature of another head, under the right bytes and the right name."""
+    right = sealed(_private(desk, "room-3"), PAYLOAD_TYPE, raw).as_json()
+    other = sealed(_private(desk, "room-3"), PAYLOAD_TYPE, b"{}").as_json()
+    return {**right, "signatures": other["signatures"]}
+
+
 def _one_more_member(desk: Desk, raw: bytes) -> Json:
     """Another spelling of the right envelope."""
     right = sealed(_private(desk, "room-3"), PAYLOAD_TYPE, raw).as_json()
@@ -104,7 +111,7 @@ def _other_base64(desk: Desk, raw: bytes) -> Json:
 
 
 FORGED: tuple[Callable[[Desk, bytes], Json], ...] = (
-    _other_chain, _other_key, _other_kind, _person, _one_more_member, _other_base64,
+    _other_chain, _other_key, _other_kind, _person, _moved, _one_more_member, _other_base64,
 )  # fmt: skip
 
 
@@ -122,6 +129,26 @@ def test_a_head_that_this_computer_did_not_sign_is_refused(
     assert (answer.status, "not verified" in answer.out) == (1, True), answer.out
     status, said = _verify(_bundle(desk))
     assert (status, "Not consistent." in said) == (1, True), said
+
+
+def test_a_signed_head_in_another_spelling_is_refused(recorded: Path, desk: Desk) -> None:
+    raw = recorded.read_bytes()
+    recorded.write_bytes(raw.replace(b'"signed":{', b'"signed":{ '))
+    answer = desk("replay", str(recorded), "--verify")
+    assert (answer.status, "not as Studio writes it" in answer.out) == (1, True)
+    assert _verify(_bundle(desk))[0] == 1
+
+
+def test_the_right_key_makes_no_impossible_story_true(recorded: Path, desk: Desk) -> None:
+    story = Story.of(recorded.read_bytes())
+    del story.events[story.at("operation_started")[0]]
+    *lines, head = story.raw().splitlines(keepends=True)
+    raw = head[len(b'{"head":') : -2]
+    signed = sealed(_private(desk, "room-3"), PAYLOAD_TYPE, raw).as_json()
+    _write(recorded, lines, json.loads(raw), signed)
+    assert desk("replay", str(recorded), "--verify", "--blueprint", desk.file).status == 1
+    status, said = _verify(_bundle(desk))
+    assert (status, "logs/run.jsonl: line" in said) == (1, True), said
 
 
 def test_a_revoked_recorder_counts_no_more(recorded: Path, desk: Desk) -> None:
