@@ -9,14 +9,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
 from smsl_studio.cli import main
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.run.low_page import TIMELINE, WORLD
 from smsl_studio.studio.shell.frame import screen_room
-from tests.stories.at_outline import click_line
 from tests.stories.at_supervise import AtSupervise
 from tests.stories.at_tasks import SURGEON, AtTasks
 from tests.stories.conftest import Sit
@@ -258,27 +256,6 @@ def nothing_overlaps(panel: QWidget) -> bool:
     places = [part.geometry() for part in parts if part.isVisible()]
     apart = not any(one.intersects(other) for one, other in combinations(places, 2))
     return apart and all(panel.rect().contains(place) for place in places)
-
-
-@pytest.mark.parametrize("size", [LARGE, LOWEST])
-def test_a_deleted_state_branch_can_be_brought_back_by_the_message(
-    sit: Sit, size: tuple[int, int]
-) -> None:
-    """In the lowest window the message became a line without its button."""
-    person = at(sit, HFSM, size)
-    toast = person.window.toast
-    person.ctrl(Key.Key_B)
-    tree = person.window.outline.tree
-    if not tree.isVisible():
-        person.ctrl(Key.Key_B)
-    person.until(tree.isVisible)
-    click_line(tree, "SB1")
-    QTest.keyClick(tree, Key.Key_Delete)
-    assert "SB1" not in person.blueprint.branches
-    assert "Deleted State Branch SB1" in toast.words
-    person.until(lambda: is_whole(toast.button))
-    person.click(toast.button)
-    assert "SB1" in person.blueprint.branches
 
 
 def test_what_may_be_written_on_the_page_inspection_is_not_squeezed(sit: Sit) -> None:

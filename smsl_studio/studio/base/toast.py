@@ -105,9 +105,12 @@ class Toast(QWidget):
         self, sentence: str, words: str, call: Callable[[], object], severity: str = ""
     ) -> None:
         """Show what was done or found, with a button that reacts to it, such as Undo."""
-        self._show(sentence, "", severity, REFUSED_MS, words)
+        self._show(sentence, "", severity, REFUSED_MS)
         self._call = call
         self._of_step = True
+        self.button.setText(words)
+        self.button.show()
+        self._place()
 
     def spare(self, rect: QRect) -> None:
         """Do not cover this part of the screen (global pixels), because somebody works there."""
@@ -137,8 +140,11 @@ class Toast(QWidget):
 
     def fail(self, sentence: str, words: str, call: Callable[[], object]) -> None:
         """Show that the program failed, with a button that tells more."""
-        self._show(sentence, "", "E", REFUSED_MS, words)
+        self.warn(sentence)
         self._call = call
+        self.button.setText(words)
+        self.button.show()
+        self._place()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""
@@ -165,16 +171,10 @@ class Toast(QWidget):
         self.hide()
         self._call()
 
-    def _show(
-        self, sentence: str, advice: str, severity: str, lasts: int, button: str = ""
-    ) -> None:
-        """Show a message. Its ``button`` is there from the beginning, because a message without one
-        becomes a line where it finds no place.
-        """
+    def _show(self, sentence: str, advice: str, severity: str, lasts: int) -> None:
         self.severity = severity
         self._of_step = self._fresh = False
-        self.button.setText(button)
-        self.button.setVisible(bool(button))
+        self.button.hide()
         sentence, advice = brief(sentence), brief(advice)
         self._sentence.setText(sentence)
         self._advice.setText(advice)
