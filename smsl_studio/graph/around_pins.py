@@ -27,8 +27,8 @@ _ROUNDS = 12
 
 @dataclass(frozen=True, eq=False)
 class Staying:
-    """The states that stay and those that may move, by number. ``settles`` says whether the SB is
-    small enough for the local search."""
+    """The states that stay and those that may move, by number. ``settles`` says whether the local
+    search may improve a new drawing."""
 
     ties: Ties
     stays: Ints

@@ -147,11 +147,14 @@ def _around(branch: StateBranch, former: Places, kind: str) -> dict[str, Point]:
     if not moves:
         return {name: former[name] for name in names}
     before, ties = array_of(names, former), ties_for(branch)
+    fresh, many = _fresh(branch, kind), 2 * len(stays) >= len(names)
     around = Staying(
-        ties, np.array(stays, dtype=np.intp), np.array(moves, dtype=np.intp), settles(ties)
+        ties,
+        np.array(stays, dtype=np.intp),
+        np.array(moves, dtype=np.intp),
+        settles(ties) and (fresh.free or many or kind != BEST),
     )
-    fresh = _fresh(branch, kind)
-    if 2 * len(stays) < len(names):
+    if not many:
         wanted = shifted_to(around.stays, array_of(names, fresh.places), before)
     else:
         fixed = {names[number]: former[names[number]] for number in stays}

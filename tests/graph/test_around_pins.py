@@ -16,7 +16,7 @@ from smsl_studio.graph.layout import place_anew, place_states
 from smsl_studio.graph.tidied import tidied
 from tests.graph.pinned import covered, pinned_branch, random_case
 from tests.graph.printed_layouts import random_graph
-from tests.graph.test_layout import Places, chain, cube, hanoi
+from tests.graph.test_layout import Places, chain, cube, hanoi, sample
 
 
 @pytest.mark.parametrize("seed", [*range(7), 14])
@@ -63,10 +63,12 @@ def test_a_drawing_without_pins_is_that_of_before() -> None:
     assert tidied(pinned_branch(branch, {}), shown) == tidied(branch, shown)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", [*KINDS, "rows of facts"])
 def test_the_new_drawing_is_moved_to_the_pin(kind: str) -> None:
-    """Around one pin that is at its place the drawing is the usual one, shifted as a whole."""
+    """Around one pin the drawing is the usual one, shifted as a whole."""
     branch = random_graph(12, 5)
+    if kind not in KINDS:
+        branch, kind = sample("registration.json")["REGISTRATION"], BEST
     usual = place_anew(branch, kind)
     first, *others = branch.table
     at = (usual[first][0] + 3_000.0, usual[first][1] - 1_000.0)
