@@ -38,6 +38,13 @@ def cells(table: BranchTable) -> list[list[str]]:
     ]
 
 
+def focused(table: BranchTable) -> list[str]:
+    """The words of the cells that say that they have the keyboard focus."""
+    read = QAccessible.queryAccessibleInterface(table)
+    found = [read.child(at) for at in range(read.childCount())]
+    return [one.text(QAccessible.Text.Name) for one in found if one.state().focused]
+
+
 def first(table: BranchTable) -> str:
     """The words of the first cell."""
     return str(table.lines.index(0, 0).data())
@@ -84,9 +91,16 @@ def test_cells_select_and_enter_leads_on(sit: Sit) -> None:
     assert table.hasFocus()
     # What is selected elsewhere is chosen here.
     person.select("SB1/State110/Operation110B")
-    assert table.lines.rows[table.currentIndex().row()].operation == "Operation110B"
+    person.window.canvas.setFocus()
+    assert [table.lines.rows[at.row()].operation for at in table.selectedIndexes()] == [
+        "Operation110B"
+    ]
+    assert not focused(table), "the drawing has the focus"
     # The key leads back to the drawing, and a hidden table has no rows.
     table.setFocus()
+    assert table.lines.rows[table.currentIndex().row()].operation == "Operation110B"
+    assert focused(table) == ["Operation110B"]
+    assert person.selected() == ["SB1/State110/Operation110B"]
     person.press(Key.Key_L, CTRL_SHIFT)
     assert person.window.canvas.hasFocus()
     person.window.show_tab("Findings")

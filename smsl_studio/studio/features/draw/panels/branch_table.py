@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -19,6 +19,7 @@ from smsl_studio.studio.features.draw.panels.branch_model import (
 )
 
 WIDTHS = (150, 190, 150, 130, 240)
+FLAG = QItemSelectionModel.SelectionFlag
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
@@ -27,6 +28,9 @@ class BranchTable(QTableView):
 
     Enter goes on to the target of the row, F2 and Del act on the selection. A hidden table has no
     rows, so that it costs nothing.
+
+    It has a current cell only while it has the keyboard focus, and a chosen cell always: Qt tells
+    screen readers that a current cell has the focus, wherever the focus is.
     """
 
     action_wanted = Signal(str)
@@ -75,6 +79,26 @@ class BranchTable(QTableView):
         super().hideEvent(event)
         self._show()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Go on at the chosen cell."""
+        self._make_current(self._chosen())
+        super().focusInEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Keep the chosen cell, but no current one."""
+        super().focusOutEvent(event)
+        self._make_current(QModelIndex())
+
+    def _make_current(self, index: QModelIndex) -> None:
+        self._following = True
+        self.selectionModel().setCurrentIndex(index, FLAG.NoUpdate)
+        self._following = False
+
+    def _chosen(self) -> QModelIndex:
+        """The current cell, or the chosen one without the keyboard focus; invalid for none."""
+        current = self.currentIndex()
+        return current if current.isValid() else next(iter(self.selectedIndexes()), current)
+
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Select the element of the cell that was chosen, and show it on the drawing."""
         super().currentChanged(current, previous)
@@ -121,13 +145,15 @@ class BranchTable(QTableView):
         """Choose the row of the element that was selected elsewhere."""
         if len(selection) != 1 or not self.lines.rows:
             return
-        current, (address,) = self.currentIndex(), selection
+        current, (address,) = self._chosen(), selection
         if current.isValid() and self.lines.address(current.row(), current.column()) == address:
             return
         row = self.lines.row_of(address)
         if row >= 0:
-            self._following = True
             column = max(current.column(), 0)
             kept = min(max(column, OPERATION), TARGET) if address.operation else 0
-            self.setCurrentIndex(self.lines.index(row, kept))
-            self._following = False
+            index = self.lines.index(row, kept)
+            self.selectionModel().select(index, FLAG.ClearAndSelect)
+            self.scrollTo(index)
+            if self.hasFocus():
+                self._make_current(index)
