@@ -52,6 +52,22 @@ def test_a_small_blueprint_stands_open(make: Make) -> None:
     assert texts(make(read(SMALL))) == OPEN
 
 
+def test_a_line_says_its_level_and_what_stands_above_it(make: Make) -> None:
+    """A screen reader reads the lines one below the other."""
+    tree = make(read(SMALL))
+    tree.show_marks({"B": "W"})
+    said = [index.data(Qt.ItemDataRole.AccessibleTextRole) for index in shown(tree)]
+    assert said == [
+        "A, State Branch, level 0",
+        "Fact 1, digit 0 of A",
+        "Fact 2, digit 1 of A, expanded by a sub-SB",
+        "B, State Branch, level 1, below Fact 2 of A, warning",
+        "Fact 1, digit 0 of B",
+        "C, State Branch, level 0",
+        "Fact 1, digit 0 of C",
+    ]
+
+
 @pytest.mark.parametrize("name", ["sub_cycles", "shared_sub", "sub_diamonds", "small_sbs"])
 def test_of_very_many_lines_the_first_stand_open(
     make: Make, name: str, monkeypatch: pytest.MonkeyPatch
