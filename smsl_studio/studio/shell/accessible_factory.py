@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAccessible, QAccessibleInterface
-from PySide6.QtWidgets import QApplication, QComboBox, QListView, QTabBar, QTreeView
+from PySide6.QtWidgets import QComboBox, QListView, QTabBar, QTreeView
 from shiboken6 import getCppPointer, isValid
 
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.shell.accessible_areas import area_of
 from smsl_studio.studio.shell.accessible_choice import ChoiceAccessible
-from smsl_studio.studio.shell.accessible_program import ProgramAccessible
 from smsl_studio.studio.shell.accessible_rows import rows_of
 from smsl_studio.studio.shell.accessible_tabs import TabsAccessible
 
 INSTALLED = "smsl accessible factory"
 
-QT_S_OWN = ("QListView", "QListWidget", "QTreeView", "QTreeWidget", "QTabBar", "QComboBox",
-            "QApplication")  # fmt: skip
+QT_S_OWN = ("QListView", "QListWidget", "QTreeView", "QTreeWidget", "QTabBar", "QComboBox")
 """Classes of Qt that the window uses itself. What Qt makes inside its own dialogs and combo boxes
 has other names, and keeps Qt's interfaces."""
 
@@ -55,7 +53,7 @@ def _made(thing: QObject) -> QAccessibleInterface | None:
         return TabsAccessible(thing)
     if isinstance(thing, QComboBox) and not thing.isEditable():
         return ChoiceAccessible(thing)
-    return ProgramAccessible() if isinstance(thing, QApplication) else None
+    return None
 
 
 def install(application: QCoreApplication) -> None:

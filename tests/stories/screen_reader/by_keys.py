@@ -42,7 +42,7 @@ def main() -> None:
     reader.activate()
     take(reader, steps.Step("Ctrl+N", "'Canvas'"), *steps.FACTS, *steps.STATES, *steps.MENU)
     # A menu that is open is found by walking, too.
-    menu = [thing.name for _, thing in reader.walk(depth=1) if thing.getRoleName() == "popup menu"]
+    menu = [thing.name for _, thing in reader.walk() if thing.getRoleName() == "popup menu"]
     take(reader, steps.Step("Esc"), *steps.BACK)
     focused = [told(thing) for _, thing in reader.walk() if has_focus(thing)]
     take(reader, *steps.SUB, *steps.CHECK, *steps.RUN, *steps.SUPERVISE, *steps.STOP)

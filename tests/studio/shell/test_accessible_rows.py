@@ -1,4 +1,4 @@
-"""What assistive tools find of lists, trees, tabs, combo boxes and open menus."""
+"""What assistive tools find of lists, trees, tabs, and combo boxes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import (
     QApplication,
     QListView,
-    QMenu,
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
@@ -21,7 +20,6 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.controls import Combo
-from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.tabs import tab_bar
 from smsl_studio.studio.shell.accessible_factory import install
 
@@ -178,35 +176,6 @@ def test_a_combo_box_is_named_by_what_it_chooses(page: Page) -> None:
     assert found(page.combo).text(QAccessible.Text.Value) == "State1"
     entries = found(page.combo).child(0)
     assert [entries.child(at).text(NAME) for at in range(2)] == ["State0", "State1"]
-
-
-def test_an_open_menu_of_a_right_click_is_a_part_of_the_program(
-    page: Page, qtbot: QtBot, qapp: QApplication
-) -> None:
-    def menus() -> list[str]:
-        return [one.text(NAME) for one in children(qapp) if isinstance(one.object(), QMenu)]
-
-    menu = passing_menu(page, "Menu of State0")
-    menu.addAction("Rename")
-    inner = menu.addMenu("More")
-    inner.addAction("Pin")
-    assert menus() == []
-    menu.popup(page.mapToGlobal(page.rect().center()))
-    qtbot.waitUntil(menu.isVisible)
-    assert menus() == ["Menu of State0"]
-    program = found(qapp)
-    at = [one.object() for one in children(qapp)].index(menu)
-    assert program.indexOfChild(program.child(at)) == at
-    assert program.child(at).parent().object() is qapp
-    assert "Rename" in [one.text(NAME) for one in children(menu)]
-    # A menu inside another is found below it.
-    inner.popup(page.mapToGlobal(page.rect().topLeft()))
-    qtbot.waitUntil(inner.isVisible)
-    assert menus() == ["Menu of State0"]
-    inner.close()
-    menu.close()
-    assert menus() == []
-    assert page in [one.object() for one in children(qapp)]
 
 
 def test_what_is_gone_is_not_asked(page: Page) -> None:

@@ -15,6 +15,7 @@ from weakref import ref
 
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
+from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
 from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
@@ -82,9 +83,25 @@ class CanvasAccessible(QAccessibleInterface):
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
     def childCount(self) -> int:
-        """The number of states, groups and notes in the SB that is shown."""
+        """The number of states, groups and notes in the SB that is shown, and of its open menu."""
         sheet = self.sheet
-        return self.states + len(sheet.drawn.listed()) if sheet is not None else 0
+        if sheet is None:
+            return 0
+        return self.states + len(sheet.drawn.listed()) + (self.menu is not None)
+
+    @property
+    def menu(self) -> QMenu | None:
+        """The menu that a right click or the menu key has opened over the window; None without one.
+
+        Qt leaves popups out of the tree. Readers that walk it would not come to the menu.
+        """
+        found = QApplication.activePopupWidget()
+        above = found.parentWidget() if isinstance(found, QMenu) else None
+        if not isinstance(found, QMenu) or above is None or not self.canvas.isVisible():
+            return None
+        shown_in = found.menuAction().associatedObjects()
+        inside = any(isinstance(one, QMenu | QMenuBar) for one in shown_in)
+        return found if not inside and above.window() is self.canvas.window() else None
 
     @property
     def states(self) -> int:
@@ -98,6 +115,9 @@ class CanvasAccessible(QAccessibleInterface):
         if not 0 <= index < self.childCount():
             return None
         sheet = self.sheet
+        menu = self.menu
+        if menu is not None and index == self.childCount() - 1:
+            return QAccessible.queryAccessibleInterface(menu)
         if sheet is not None and index >= self.states:
             key = sheet.drawn.listed()[index - self.states]
             if key not in self._drawn:
