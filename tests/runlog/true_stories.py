@@ -222,8 +222,8 @@ _OFTEN = {"ask": 4, "resume": 3, "reset": 3, "restore": 4, "veto": 2, "take_over
           "give_back": 3, "accept": 3}  # fmt: skip
 _WORDS = [word for word in COMMANDS if word not in ("answer", "end")
           for _ in range(_OFTEN.get(word, 1))]  # fmt: skip
-"""The commands; those without which an event would be rare come more often. Open tasks are answered,
-and a run is ended, apart."""
+"""The commands; those without which an event would be rare come more often. Open tasks are
+answered, and a run is ended, apart."""
 
 
 def _say(run: Dispatcher, blueprint: Blueprint, random: Random) -> None:
