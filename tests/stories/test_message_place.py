@@ -110,3 +110,37 @@ def test_a_message_is_not_below_the_drawer(sit: Sit) -> None:
     )
     told = toast.isVisible() or person.window.status_line.currentMessage() == toast.words
     assert told
+
+
+@pytest.mark.parametrize("size", [(640, 332), (720, 420), (960, 540)])
+def test_where_there_is_no_place_the_line_has_the_button(sit: Sit, size: tuple[int, int]) -> None:
+    person = sit(SAMPLES / "hfsm.json", size)
+    line, toast = person.window.status_line, person.window.toast
+    toast.seat = lambda wanted, now: None
+    before = person.blueprint
+    person.window.outline.delete_branch()
+    assert not toast.isVisible()
+    assert toast.words == line.currentMessage()
+    assert line.shown_message.startswith("Deleted State Branch")
+    assert line.rect().contains(line.button.geometry())
+    assert line.button.text() == "Undo"
+    person.click(line.button)
+    assert person.blueprint == before
+    assert not line.button.isVisible()
+    assert (toast.words, line.currentMessage()) == ("", "")
+
+
+def test_another_message_or_its_end_takes_the_button_away(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (960, 540))
+    line, toast = person.window.status_line, person.window.toast
+    toast.seat = lambda wanted, now: None
+    person.window.outline.delete_branch()
+    assert line.button.isVisible()
+    toast.say(WORDS)
+    assert not line.button.isVisible()
+    assert line.currentMessage() == WORDS
+    person.ctrl(Key.Key_Z)
+    person.window.outline.delete_branch()
+    assert line.button.isVisible()
+    line.showMessage("A tip of a menu")
+    assert not line.button.isVisible()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
@@ -24,6 +25,14 @@ TOP = 40
 """Where a message begins that would cover what somebody works on (pixels from the top)."""
 READING_MS = 70
 """Milliseconds for each letter, because a long sentence takes longer to read."""
+
+
+class MessageLine(Protocol):
+    """A line for messages that find no free place over the canvas."""
+
+    def show_line(self, sentence: str, lasts: int, words: str, call: Callable[[], object]) -> None:
+        """Show a sentence for some milliseconds, with a button that says ``words``; none if these
+        are empty. An empty sentence clears the line."""
 
 
 class Toast(QWidget):
@@ -49,8 +58,8 @@ class Toast(QWidget):
         self.seat: Callable[[QRect, QRect], QPoint | None] = lambda wanted, now: wanted.topLeft()
         """Called with the usual place and the present one (empty while hidden): where it covers
         nothing that somebody works on, None if there is no such place."""
-        self.line: Callable[[str, int], object] | None = None
-        """Shows a sentence for some milliseconds (none: 0) where it can cover nothing."""
+        self.line: MessageLine | None = None
+        """Shows what has no place here where it can cover nothing."""
         self._folded = ""
         self._call: Callable[[], object] = lambda: None
         self._of_step = self._fresh = False
@@ -78,7 +87,7 @@ class Toast(QWidget):
         """Hide the message, also where it is only a line."""
         if self._folded and self.line is not None:
             self._folded = ""
-            self.line("", 0)
+            self.line.show_line("", 0, "", self._press)
         super().hide()
 
     def settle(self) -> None:
@@ -105,12 +114,9 @@ class Toast(QWidget):
         self, sentence: str, words: str, call: Callable[[], object], severity: str = ""
     ) -> None:
         """Show what was done or found, with a button that reacts to it, such as Undo."""
-        self._show(sentence, "", severity, REFUSED_MS)
         self._call = call
+        self._show(sentence, "", severity, REFUSED_MS, words)
         self._of_step = True
-        self.button.setText(words)
-        self.button.show()
-        self._place()
 
     def spare(self, rect: QRect) -> None:
         """Do not cover this part of the screen (global pixels), because somebody works there."""
@@ -140,11 +146,8 @@ class Toast(QWidget):
 
     def fail(self, sentence: str, words: str, call: Callable[[], object]) -> None:
         """Show that the program failed, with a button that tells more."""
-        self.warn(sentence)
         self._call = call
-        self.button.setText(words)
-        self.button.show()
-        self._place()
+        self._show(sentence, "", "E", REFUSED_MS, words)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""
@@ -171,10 +174,12 @@ class Toast(QWidget):
         self.hide()
         self._call()
 
-    def _show(self, sentence: str, advice: str, severity: str, lasts: int) -> None:
+    def _show(self, sentence: str, advice: str, severity: str, lasts: int, words: str = "") -> None:
+        """Show a message. ``words`` are those of its button; it has none if they are empty."""
         self.severity = severity
         self._of_step = self._fresh = False
-        self.button.hide()
+        self.button.setText(words)
+        self.button.setVisible(bool(words))
         sentence, advice = brief(sentence), brief(advice)
         self._sentence.setText(sentence)
         self._advice.setText(advice)
@@ -190,13 +195,13 @@ class Toast(QWidget):
         self._fold_if_seatless()
 
     def _fold_if_seatless(self) -> None:
-        """Become a line if there is no free place. A refusal or a button stays as it is."""
-        if self._seated or self.severity == "E" or not self.button.isHidden():
+        """Become a line, with the button, if there is no free place. A refusal stays as it is."""
+        if self._seated or self.severity == "E" or self.line is None:
             return
-        if self.line is not None:
-            super().hide()
-            self._folded = self.accessibleName()
-            self.line(self._folded, max(self._timer.remainingTime(), 1))
+        super().hide()
+        self._folded = self.accessibleName()
+        words = "" if self.button.isHidden() else self.button.text()
+        self.line.show_line(self._folded, max(self._timer.remainingTime(), 1), words, self._press)
 
     def _place(self) -> None:
         """Take a free place; a message that has none in its usual width is tried narrower."""

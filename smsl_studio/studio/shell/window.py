@@ -131,7 +131,7 @@ class Window(QMainWindow):
         self.page_row.page_wanted.connect(self.set_mode)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
-        self.toast.line = self.status_line.showMessage
+        self.toast.line = self.status_line
         self._modes.dress(self.mode_bar, self.status_line)
         KeysHome(self._modes, (self.mode_bar, self.menu_row), self)
         self._captions = Captions(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import PurePath
 from weakref import WeakSet
 
@@ -10,6 +11,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QMenu,
+    QPushButton,
     QSizePolicy,
     QStatusBar,
     QStyle,
@@ -71,11 +73,19 @@ class StatusLine(QStatusBar):
         self.form, self.place = _Segment(), _Segment()
         self.run_right = [_Segment(whole=True) for _ in range(3)]
         self.ending = Label(ENDING)
+        self.button = QPushButton()
+        """Answers the message that is shown; visible with such a message alone."""
+        self.button.setProperty("role", "link")
+        self.button.clicked.connect(self._press)
+        self._call: Callable[[], object] = lambda: None
+        self.addPermanentWidget(self.button)
+        self.button.hide()
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
         self._tip, self._followed = "", WeakSet[QMenu]()
         self.messageChanged.connect(self._follow_menu)
+        self.messageChanged.connect(lambda *_: self.button.hide())
         self.messageChanged.connect(lambda *_: self._show_parts())
         self.messageChanged.connect(lambda *_: self._fit_message())
         self._show_parts()
@@ -126,6 +136,18 @@ class StatusLine(QStatusBar):
         self._start = mode == "start"
         self._running = mode not in ("draw", "merge") and not self._start
         self._show_parts()
+
+    def show_line(self, sentence: str, lasts: int, words: str, call: Callable[[], object]) -> None:
+        """Show a message for some milliseconds, with a button if ``words`` are not empty."""
+        self.showMessage(sentence, lasts)
+        self._call = call
+        self.button.setText(words)
+        self.button.setVisible(bool(sentence and words))
+        self._show_parts()
+
+    def _press(self) -> None:
+        self.clearMessage()
+        self._call()
 
     @property
     def words(self) -> str:
@@ -186,7 +208,7 @@ class StatusLine(QStatusBar):
 
     def _message_room(self) -> QRect:
         """The place of the message: as far as the parts at the right."""
-        rights = [self.form, self.place, *self.run_right, self.ending]
+        rights = [self.button, self.form, self.place, *self.run_right, self.ending]
         end = min((part.x() for part in rights if part.isVisible()), default=self.width())
         return QRect(INSET, 0, max(end - 2 * INSET, 0), self.height())
 
@@ -230,6 +252,10 @@ class StatusLine(QStatusBar):
         """
         shown = list(wanted)
         room = self.width() - self.ending.sizeHint().width() - 2 * GAP
+        if not self.button.isHidden():
+            # A message that asks for an answer is read before where the file stands.
+            message = self.fontMetrics().horizontalAdvance(plain_text(self.currentMessage()))
+            room -= self.button.sizeHint().width() + message + 2 * GAP
         needed = sum(part.least + GAP for part in shown)
         left_out: list[str] = []
         for part in self._last:
