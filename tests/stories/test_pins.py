@@ -43,7 +43,7 @@ def test_a_pinned_state_stays_and_the_others_go_around_it(sit: Sit, tmp_path: Pa
     drag(person, FIRST, QPoint(40, 90))
     assert pins(person) == set(), "a state that was placed by hand is not pinned by that"
     person.window.session.select([person.blueprint.resolve(f"{SB}/{FIRST}")])
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     assert person.steps()[-1] == f"Pin {FIRST}"
     assert pins(person) == {FIRST}
     written = dict(person.blueprint.document.values[SB]["_layout"])
@@ -109,9 +109,9 @@ def test_keys_menus_and_properties_pin_and_unpin(sit: Sit) -> None:
     assert pins(person) == {SECOND}
     window.canvas.setFocus()
     person.select(f"{SB}/{FIRST}", f"{SB}/{SECOND}")
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     assert person.steps()[-1] == f"Pin {FIRST}", "the other one was pinned"
-    person.press(Key.Key_P, [Shift])
+    person.press(Key.Key_K, [Shift])
     assert person.steps()[-1] == "Unpin 2 states"
     assert pins(person) == set()
     assert not table["unpin_all"].isEnabled()
@@ -123,7 +123,7 @@ def test_keys_menus_and_properties_pin_and_unpin(sit: Sit) -> None:
     window.session.select(())
     window.canvas.setFocus()
     steps = person.steps()
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     assert person.steps() == steps
     assert said(person).startswith("Select one or more states first.")
 
@@ -133,7 +133,7 @@ def test_if_all_are_pinned_tidy_says_so(sit: Sit) -> None:
     window = person.window
     window.canvas.setFocus()
     person.ctrl(Key.Key_A)
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     steps = person.steps()
     window.session.select(())
     tidy(person)
@@ -149,7 +149,7 @@ def test_a_pinned_state_is_said_to_be_pinned_and_a_hand_may_move_it(sit: Sit) ->
     person = sit(FILE)
     window = person.window
     person.select(f"{SB}/{FIRST}")
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     tree = CanvasAccessible(window.canvas)
     numbers = {tree.child(i).text(QAccessible.Text.Description) for i in range(tree.childCount())}
     told = [words for words in numbers if "Pinned." in words]
@@ -171,7 +171,7 @@ def test_bends_between_pinned_states_stay(sit: Sit) -> None:
              person.blueprint.resolve(f"{SB}/{other}/{loose}")]  # fmt: skip
     person.window.session.edit("Bend", lambda b: editing.set_bends(b, edges, [(33.0, 44.0)]))
     person.select(f"{SB}/{source}", f"{SB}/{target}")
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     person.window.session.select(())
     tidy(person)
     assert set(person.blueprint[SB].notes.edges) == {(source, operation)}
@@ -193,8 +193,8 @@ def test_a_pinned_state_has_a_mark(sit: Sit) -> None:
         return [image.pixel(at.x() + x, at.y() + y) for x in range(-4, 5) for y in range(-4, 5)]
 
     plain = corner()
-    person.press(Key.Key_P)
+    person.press(Key.Key_K)
     marked = corner()
     assert sum(a != b for a, b in zip(plain, marked, strict=True)) > 20
-    person.press(Key.Key_P, [Shift])
+    person.press(Key.Key_K, [Shift])
     assert corner() == plain

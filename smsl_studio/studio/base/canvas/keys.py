@@ -68,9 +68,9 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
     if key == Key.Key_Backtab and canvas.editing and canvas.marks.selection:
         canvas.sibling_wanted.emit()
         return True
-    if key == Key.Key_P and canvas.editing and not modifiers & ~Modifier.ShiftModifier:
+    if key == Key.Key_K and canvas.editing and not modifiers & ~Modifier.ShiftModifier:
         if not any(address.state for address in canvas.marks.selection):
-            canvas.say("Select one or more states first. P then pins them, Shift+P unpins them.")
+            canvas.say("Select one or more states first. K then pins them, Shift+K unpins them.")
         canvas.verb_wanted.emit("unpin" if modifiers else "pin")
         return True
     if modifiers:

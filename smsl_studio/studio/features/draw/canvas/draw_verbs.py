@@ -148,7 +148,7 @@ class DrawVerbs:
             return
         if branch.notes.pinned.issuperset(branch.table if chosen is None else chosen):
             which = "Every state" if chosen is None else "Each selected state"
-            self.canvas.say(f"{which} is pinned, so none moves. Unpin some first (Shift+P).")
+            self.canvas.say(f"{which} is pinned, so none moves. Unpin some first (Shift+K).")
             return
         shown = self.canvas.positions
         work = TidyWork(self._session.blueprint, branch.name, shown, chosen, kind)

@@ -70,10 +70,10 @@ def pin_actions(pins: PinVerbs, drawn: Callable[[], bool]) -> tuple[Action, ...]
     """The rows about pins. ``drawn`` tells whether Draw mode is shown."""
     pointer = ("state",)
     return (
-        Action("pin", "Pin", pins.pin, "Edit", "pin", ("P",),
+        Action("pin", "Pin", pins.pin, "Edit", "pin", ("K",),
                lambda: drawn() and pins.can_pin(), scope="canvas", section=3, pointer=pointer,
                tip="Fix the selected states at their places; Tidy leaves them there"),
-        Action("unpin", "Unpin", pins.unpin, "Edit", "", ("Shift+P",),
+        Action("unpin", "Unpin", pins.unpin, "Edit", "", ("Shift+K",),
                lambda: drawn() and pins.can_unpin(), scope="canvas", section=3, pointer=pointer,
                tip="Let Tidy move the selected states again"),
         Action("unpin_all", "Unpin all", pins.unpin_all, "Edit", "",

@@ -16,8 +16,8 @@ from smsl_studio.studio.base.controls import Elided, row
 from smsl_studio.studio.base.lines.line import labelled
 
 Places = Mapping[str, tuple[float, float]]
-PIN = "Fix the state at its place; Tidy leaves it there (P)"
-UNPIN = "Let Tidy move the state again (Shift+P)"
+PIN = "Fix the state at its place; Tidy leaves it there (K)"
+UNPIN = "Let Tidy move the state again (Shift+K)"
 
 
 class PlaceLine(QWidget):
