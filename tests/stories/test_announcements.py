@@ -14,6 +14,7 @@ from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.rows import LINE
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
 from smsl_studio.studio.features.draw.find.palette import Palette
+from smsl_studio.studio.shell.accessible_choice import ChoiceAccessible
 from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
@@ -183,9 +184,8 @@ def test_names_are_words_and_one_thing_has_the_focus(sit: Sit) -> None:
     for entry in window.findChildren(QAction):
         assert "\t" not in entry.text(), entry.text()
     combo = window.properties.header.initial
-    found = QAccessible.queryAccessibleInterface(combo)
-    assert found is not None
-    assert found.text(QAccessible.Text.Name).startswith("Initial state")
+    found = ChoiceAccessible(combo)
+    assert found.text(QAccessible.Text.Name).startswith("Initial state: ")
     related = [one.text(QAccessible.Text.Name) for one, _ in found.relations()]
     assert "Initial" in related
     facts = window.docks.panel("Facts").findChild(FactModel)

@@ -83,9 +83,13 @@ def test_a_picture_that_gets_much_larger_is_drawn_anew_at_once(hanoi: Drawer) ->
     assert hanoi.sheet.unit == 1.0
 
 
-def test_the_wheel_pans_with_ctrl_and_shift(hanoi: Drawer) -> None:
+def test_the_wheel_pans_with_alt_and_shift_and_zooms_with_ctrl(hanoi: Drawer) -> None:
     at, zoom = hanoi.place("State_bba"), hanoi.canvas.zoom
     turn(hanoi, at, -1, Modifier.ControlModifier)
+    assert hanoi.canvas.zoom < zoom
+    turn(hanoi, at, 1, Modifier.ControlModifier)
+    at, zoom = hanoi.place("State_bba"), hanoi.canvas.zoom
+    turn(hanoi, at, -1, Modifier.AltModifier)
     down = hanoi.place("State_bba")
     assert down.x() == at.x()
     assert down.y() < at.y()

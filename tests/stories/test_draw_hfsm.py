@@ -51,6 +51,8 @@ def draw_first_branch(person: Person) -> None:
     name_it(person, "Operation110A")
     person.click_canvas(QPoint(30, 300))
     person.choose(header.initial, "State000")
+    # State111 was put beside the others, so the activating state has stayed what it was.
+    person.choose(header.activating, "State111")
 
 
 def draw_second_branch(person: Person) -> None:
