@@ -11,6 +11,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.cli import main
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.run.low_page import TIMELINE, WORLD
@@ -268,3 +269,24 @@ def test_what_may_be_written_on_the_page_inspection_is_not_squeezed(sit: Sit) ->
     assert around is not None
     for part in around.findChildren(QLabel):
         assert part.height() >= part.heightForWidth(part.width())
+
+
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_the_drawing_of_a_recording_is_in_view(
+    sit: Sit, tmp_path: Path, size: tuple[int, int]
+) -> None:
+    log = tmp_path / "run.jsonl"
+    assert main(["run", str(HFSM), "--world", "table", "--log", str(log)]) == 0
+    person = at(sit, HFSM, size)
+    person.window.open_path(log)
+    pane = person.window.features.replay.verbs.pane
+    person.until(pane.isVisible)
+    page = person.window.body
+    seen = QRect(page.viewport().mapToGlobal(QPoint(0, 0)), page.viewport().size())
+    view = pane.canvas.canvas
+
+    def drawn() -> bool:
+        nodes = [view.rect_of(Address("SB1", state)) for state in ("State000", "State111")]
+        return all(one is not None and seen.contains(view.screen_rect(one)) for one in nodes)
+
+    person.until(drawn)

@@ -26,7 +26,8 @@ from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words
 from smsl_studio.studio.running.timeline import Timeline
 
-FACTS = 380
+FACTS = 260
+"""The least width of the facts (pixels)."""
 
 
 class ReplayCanvas(RunCanvas):
@@ -77,6 +78,13 @@ class ReplayPane(QWidget):
         replay.changed.connect(self._show_moment)
         self.events.index_wanted.connect(replay.to_index)
         self.timeline.time_wanted.connect(replay.to_time)
+
+    def hasHeightForWidth(self) -> bool:
+        """False: the note above has several lines, but the page is as high as its window.
+
+        Else the scroll area around it would give it the height that all its parts wish for.
+        """
+        return False
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
