@@ -79,8 +79,9 @@ def carried(branch: StateBranch) -> Facts:
         words = set(read_by_letters(branch)) if shape.width else branch.table.keys()
         return {name: branch.facts(name) for name in branch.table if name not in words}
     texts = {name: fact_string(name, shape.written) for name in branch.table}
+    misfits = set(shape.misfits)
     fitting = {name: text for name, text in texts.items()
-               if name not in shape.misfits and text != name}  # fmt: skip
+               if name not in misfits and text != name}  # fmt: skip
     number = shape.written or len(next(iter(fitting.values()), ""))
     wide = len(next(iter(fitting.values()), "")) // max(number, 1)
     return {name: tuple(text[at : at + wide] for at in range(0, len(text), wide))
