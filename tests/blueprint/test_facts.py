@@ -9,6 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.facts import fact_string, shape_of
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.plain_words import carried
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.json_form import parse_json
 
@@ -105,3 +106,24 @@ def test_an_sb_without_states_has_no_values() -> None:
     assert empty.alphabet == ()
     assert (empty.initial, empty.activating) == ("", "")
     assert empty.on_value(0) == "1"
+
+
+class CountedName(str):
+    """A name that counts how often it is compared with another one."""
+
+    compared = 0
+
+    def __eq__(self, other: object) -> bool:
+        CountedName.compared += 1
+        return super().__eq__(other)
+
+    __hash__ = str.__hash__
+
+
+def test_facts_that_names_carry_are_found_without_comparing_each_name_with_all() -> None:
+    names = [CountedName(f"{'a' * (number % 7)}_{number}") for number in range(500)]
+    found = StateBranch("SB", {name: {} for name in names})
+    assert len(found.shape.misfits) == 100
+    CountedName.compared = 0
+    carried(found)
+    assert CountedName.compared <= 5 * len(names)

@@ -40,7 +40,7 @@ def put_notes(blueprint: Blueprint, branch: str, drawn_notes: Entries) -> Bluepr
         if "at" in (words or {}):
             after["at"] = point(after["at"])
         if after.get("state"):
-            _must_be_states(branch, states, [after["state"]])
+            must_be_states(branch, states, [after["state"]])
         table[key] = after
     if not table:
         del draft.at(branch)[NOTES]
@@ -55,7 +55,7 @@ def put_groups(blueprint: Blueprint, branch: str, groups: Entries) -> Blueprint:
     """
     states = branch_of(blueprint, branch).table
     draft = Draft(blueprint)
-    table = _groups(draft, branch)
+    table = layout_map(draft, branch, GROUPS)
     for key, words in groups.items():
         after = _entry(table, key, words)
         if after is None:
@@ -63,7 +63,7 @@ def put_groups(blueprint: Blueprint, branch: str, groups: Entries) -> Blueprint:
             continue
         _must_fit(Group, after, f"{GROUPS} of {branch}")
         if "states" in (words or {}):
-            _must_be_states(branch, states, after["states"])
+            must_be_states(branch, states, after["states"])
             after["states"] = list(dict.fromkeys(after["states"]))
             _leave(table, set(after["states"]), spared=key)
         table[key] = after
@@ -91,9 +91,9 @@ def states_follow(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
                 table[key] = {word: value for word, value in note.items() if word != "state"}
             elif _state_of(note) in names:
                 table[key] = {**note, "state": names[note["state"]]}
-    if not _has_groups(draft, branch):
+    if not has_layout_map(draft, branch, GROUPS):
         return
-    table = _groups(draft, branch)
+    table = layout_map(draft, branch, GROUPS)
     for key, group in table.items():
         listed = _listed(group)
         if any(name in names or name in former for name in listed):
@@ -109,8 +109,8 @@ def states_gone(draft: Draft, branch: str, gone: Collection[str]) -> None:
                 del table[key]
         if not table:
             del draft.at(branch)[NOTES]
-    if _has_groups(draft, branch):
-        table = _groups(draft, branch)
+    if has_layout_map(draft, branch, GROUPS):
+        table = layout_map(draft, branch, GROUPS)
         _leave(table, gone)
         if not table:
             del draft.at(branch, LAYOUT)[GROUPS]
@@ -137,7 +137,7 @@ def put_pasted(draft: Draft, branch: str, value: Values, names: Mapping[str, str
         for key, note in zip(free_keys(table), notes.values(), strict=False):
             table[key] = {**note, "state": names[note["state"]]}
     if groups:
-        table = _groups(draft, branch)
+        table = layout_map(draft, branch, GROUPS)
         for key, group in zip(free_keys(table), groups.values(), strict=False):
             table[key] = {**group, "states": [names[s] for s in _listed(group)]}
 
@@ -160,7 +160,8 @@ def _must_fit(kind: type[Any], entry: Values, where: str) -> None:
         )
 
 
-def _must_be_states(branch: str, states: Mapping[str, Any], names: Iterable[str]) -> None:
+def must_be_states(branch: str, states: Mapping[str, Any], names: Iterable[str]) -> None:
+    """Raise EditRefused if a name is not among the states of an SB."""
     for name in names:
         if name not in states:
             raise EditRefused(
@@ -168,20 +169,21 @@ def _must_be_states(branch: str, states: Mapping[str, Any], names: Iterable[str]
             )
 
 
-def _has_groups(draft: Draft, branch: str) -> bool:
-    return any(isinstance(table.get(GROUPS), dict) for table in draft.tables(branch, LAYOUT))
+def has_layout_map(draft: Draft, branch: str, key: str) -> bool:
+    """Return whether ``_layout`` of an SB has a map under a key, such as that of its groups."""
+    return any(isinstance(table.get(key), dict) for table in draft.tables(branch, LAYOUT))
 
 
-def _groups(draft: Draft, branch: str) -> dict[str, Json]:
-    """Return the groups of an SB for changes. EditRefused if something else stands there."""
+def layout_map(draft: Draft, branch: str, key: str) -> dict[str, Json]:
+    """Return a map of ``_layout`` for changes. EditRefused if something else stands there."""
     layout = draft.table(branch, LAYOUT)
-    if not isinstance(layout.setdefault(GROUPS, {}), dict):
+    if not isinstance(layout.setdefault(key, {}), dict):
         raise EditRefused(
-            f"{GROUPS} of {branch} is no map, so nothing can be added to it",
-            draft.before.home(branch).place((branch, LAYOUT, GROUPS)),
-            f"Write {GROUPS} as {{ ... }} in the text, or rename it.",
+            f"{key} of {branch} is no map, so nothing can be added to it",
+            draft.before.home(branch).place((branch, LAYOUT, key)),
+            f"Write {key} as {{ ... }} in the text, or rename it.",
         )
-    return draft.at(branch, LAYOUT, GROUPS)
+    return draft.at(branch, LAYOUT, key)
 
 
 def _leave(table: dict[str, Json], states: Collection[str], spared: str = "") -> None:

@@ -11,10 +11,10 @@ from typing import Any
 from smsl_studio.blueprint.drawn import LAYOUT
 from smsl_studio.blueprint.edge_layout import Point, point_of
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, rename_keys
+from smsl_studio.blueprint.editing.drawn import has_layout_map, layout_map, must_be_states
 from smsl_studio.blueprint.editing.positions import point
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.pins import PINNED
-from smsl_studio.errors import EditRefused, did_you_mean
 
 Json = Any
 
@@ -26,11 +26,7 @@ def pin(blueprint: Blueprint, branch: str, positions: Mapping[str, Point]) -> Bl
     place is written only if ``_layout`` has none. EditRefused if there is no such state.
     """
     states = branch_of(blueprint, branch).table
-    for state in positions:
-        if state not in states:
-            raise EditRefused(
-                f"there is no state {state!r} in {branch}", advice=did_you_mean(state, states)
-            )
+    must_be_states(branch, states, positions)
     if not positions:
         return blueprint
     draft = Draft(blueprint)
@@ -38,7 +34,7 @@ def pin(blueprint: Blueprint, branch: str, positions: Mapping[str, Point]) -> Bl
     for state, at in positions.items():
         if point_of(table.get(state)) is None:
             table[state] = point(at)
-    pins = _pins(draft, branch)
+    pins = layout_map(draft, branch, PINNED)
     pins.update(dict.fromkeys(positions, True))
     return draft.done()
 
@@ -65,9 +61,9 @@ def pins_follow(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
 
     What is left of a former state with such a name does not come to the new one.
     """
-    if not _has_pins(draft, branch):
+    if not has_layout_map(draft, branch, PINNED):
         return
-    table = _pins(draft, branch)
+    table = layout_map(draft, branch, PINNED)
     for key in (set(names.values()) - draft.before[branch].table.keys()) & table.keys():
         del table[key]
     rename_keys(table, names)
@@ -75,9 +71,9 @@ def pins_follow(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
 
 def pins_gone(draft: Draft, branch: str, gone: Collection[str]) -> None:
     """Remove the pins of some states, and the map of pins with the last one."""
-    if not _has_pins(draft, branch):
+    if not has_layout_map(draft, branch, PINNED):
         return
-    table = _pins(draft, branch)
+    table = layout_map(draft, branch, PINNED)
     for state in gone:
         table.pop(state, None)
     if not table:
@@ -87,20 +83,4 @@ def pins_gone(draft: Draft, branch: str, gone: Collection[str]) -> None:
 def put_pins(draft: Draft, branch: str, pins: Mapping[str, Json]) -> None:
     """Write the pins of new states."""
     if pins:
-        _pins(draft, branch).update(pins)
-
-
-def _has_pins(draft: Draft, branch: str) -> bool:
-    return any(isinstance(table.get(PINNED), dict) for table in draft.tables(branch, LAYOUT))
-
-
-def _pins(draft: Draft, branch: str) -> dict[str, Json]:
-    """Return the pins of an SB for changes. EditRefused if something else stands there."""
-    layout = draft.table(branch, LAYOUT)
-    if not isinstance(layout.setdefault(PINNED, {}), dict):
-        raise EditRefused(
-            f"{PINNED} of {branch} is no map, so no state can be pinned",
-            draft.before.home(branch).place((branch, LAYOUT, PINNED)),
-            f"Write {PINNED} as {{ ... }} in the text, or remove it.",
-        )
-    return draft.at(branch, LAYOUT, PINNED)
+        layout_map(draft, branch, PINNED).update(pins)

@@ -82,109 +82,109 @@ class Connect:
         return rect is not None and rect.adjusted(-20, -20, 20, 20).contains(at)
 
 
-class Retarget:
+class _EndDrag:
+    """Drags one end of the selected operation to another state."""
+
+    HIDDEN: tuple[str, ...] = ("grip", "tail")
+    """The handles that are hidden while the end is dragged."""
+
+    def __init__(
+        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
+    ) -> None:
+        sheet = canvas.sheet
+        assert sheet is not None
+        self.canvas, self._hand, self.sheet = canvas, hand, sheet
+        self.address = sheet.picture.address(edge)
+        self.shape = sheet.geometry.shape(edge)
+        self._pressed = event.position().toPoint()
+        self._begun = False
+
+    def move(self, event: QMouseEvent) -> None:
+        """Draw the line to the pointer. If it cannot end there, say why."""
+        here = event.position().toPoint()
+        if not self._begun and not is_far(self._pressed, here):
+            return
+        self._begun = True
+        at = self.canvas.mapToScene(here)
+        state = _state_at(self.canvas, at)
+        reason = self.why_not(state)
+        for handle in self.HIDDEN:
+            self.canvas.gestures.put(handle, None)
+        self.canvas.gestures.put("drawn", self.line(at, bool(reason)))
+        self._hand.hover_target(state)
+        if reason:
+            self.canvas.say(reason)
+        else:
+            self._hand.hush()
+
+    def release(self, event: QMouseEvent) -> None:
+        """Ask for the state below the pointer, or say why the operation cannot end there."""
+        state = _state_at(self.canvas, self.canvas.mapToScene(event.position().toPoint()))
+        reason = self.why_not(state)
+        self.cancel()
+        if not self._begun or state is None:
+            return
+        if reason:
+            self.canvas.say(reason)
+        else:
+            self.ask(state)
+
+    def cancel(self) -> None:
+        """Remove the line and the sentence at the pointer."""
+        self.canvas.gestures.put("drawn", None)
+        self._hand.hover_target(None)
+        self._hand.hush()
+
+    def why_not(self, state: Address | None) -> str:
+        """Return why the end cannot be at a state. The text is empty if it can."""
+        raise NotImplementedError
+
+    def line(self, at: QPointF, refused: bool) -> DrawnOperation:
+        """Return the line with its end at the pointer."""
+        raise NotImplementedError
+
+    def ask(self, state: Address) -> None:
+        """Ask for the operation to end at this state."""
+        raise NotImplementedError
+
+
+class Retarget(_EndDrag):
     """Drags the arrowhead of the selected operation to another state."""
 
-    def __init__(
-        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
-    ) -> None:
-        sheet = canvas.sheet
-        assert sheet is not None
-        self._canvas, self._hand = canvas, hand
-        self._address = sheet.picture.address(edge)
-        self._pressed = event.position().toPoint()
-        self._start = QPointF(*sheet.geometry.shape(edge).at(0.0))
-        self._begun = False
+    HIDDEN = ("grip",)
 
-    def move(self, event: QMouseEvent) -> None:
-        """Draw the line to the pointer. If there is no state below it, say what is missing."""
-        here = event.position().toPoint()
-        if not self._begun and not is_far(self._pressed, here):
-            return
-        self._begun = True
-        at = self._canvas.mapToScene(here)
-        target = _state_at(self._canvas, at)
-        self._canvas.gestures.put("grip", None)
-        self._canvas.gestures.put("drawn", DrawnOperation(self._start, at, refused=target is None))
-        self._hand.hover_target(target)
-        if target is None:
-            self._canvas.say("An operation needs a target. Let go over a state.")
-        else:
-            self._hand.hush()
+    def why_not(self, state: Address | None) -> str:
+        """Return that a target is needed, if there is no state."""
+        return "" if state is not None else "An operation needs a target. Let go over a state."
 
-    def release(self, event: QMouseEvent) -> None:
-        """Ask for the state below the pointer as the new target."""
-        target = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
-        self.cancel()
-        if self._begun and target is not None:
-            self._canvas.retarget_wanted.emit(self._address, target)
+    def line(self, at: QPointF, refused: bool) -> DrawnOperation:
+        """Return the line from its former start to the pointer."""
+        return DrawnOperation(QPointF(*self.shape.at(0.0)), at, refused=refused)
 
-    def cancel(self) -> None:
-        """Remove the line and the sentence at the pointer."""
-        self._canvas.gestures.put("drawn", None)
-        self._hand.hover_target(None)
-        self._hand.hush()
+    def ask(self, state: Address) -> None:
+        """Ask for the state as the new target."""
+        self.canvas.retarget_wanted.emit(self.address, state)
 
 
-class MoveSource:
+class MoveSource(_EndDrag):
     """Drags the beginning of the selected operation to another state."""
 
-    def __init__(
-        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
-    ) -> None:
-        sheet = canvas.sheet
-        assert sheet is not None
-        self._canvas, self._hand, self._sheet = canvas, hand, sheet
-        self._address = sheet.picture.address(edge)
-        self._pressed = event.position().toPoint()
-        self._tip = QPointF(*sheet.geometry.shape(edge).tip)
-        self._begun = False
-
-    def move(self, event: QMouseEvent) -> None:
-        """Draw the line from the pointer. If it cannot start there, say why."""
-        here = event.position().toPoint()
-        if not self._begun and not is_far(self._pressed, here):
-            return
-        self._begun = True
-        at = self._canvas.mapToScene(here)
-        source = _state_at(self._canvas, at)
-        reason = self._why_not(source)
-        gestures = self._canvas.gestures
-        for end in ("grip", "tail"):
-            gestures.put(end, None)
-        gestures.put("drawn", DrawnOperation(at, self._tip, bool(reason), moves_start=True))
-        self._hand.hover_target(source)
-        if reason:
-            self._canvas.say(reason)
-        else:
-            self._hand.hush()
-
-    def release(self, event: QMouseEvent) -> None:
-        """Ask for the state below the pointer as the new source."""
-        source = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
-        reason = self._why_not(source)
-        self.cancel()
-        if not self._begun or source is None:
-            return
-        if reason:
-            self._canvas.say(reason)
-        else:
-            self._canvas.source_wanted.emit(self._address, source)
-
-    def cancel(self) -> None:
-        """Remove the line and the sentence at the pointer."""
-        self._canvas.gestures.put("drawn", None)
-        self._hand.hover_target(None)
-        self._hand.hush()
-
-    def _why_not(self, source: Address | None) -> str:
-        """Why the operation cannot start from a state; empty if it can."""
-        if source is None:
+    def why_not(self, state: Address | None) -> str:
+        """Return that a state is needed, or that it has an operation of this name."""
+        if state is None:
             return "An operation needs a state to start from. Let go over a state."
-        name, former = self._address.operation, self._address.state
-        if source.state != former and name in self._sheet.picture.branch.table[source.state]:
-            return f"{source.state} has an operation {name} already. Rename one of the two first."
+        name, former = self.address.operation, self.address.state
+        if state.state != former and name in self.sheet.picture.branch.table[state.state]:
+            return f"{state.state} has an operation {name} already. Rename one of the two first."
         return ""
+
+    def line(self, at: QPointF, refused: bool) -> DrawnOperation:
+        """Return the line from the pointer to its former tip."""
+        return DrawnOperation(at, QPointF(*self.shape.tip), refused, moves_start=True)
+
+    def ask(self, state: Address) -> None:
+        """Ask for the state as the new source."""
+        self.canvas.source_wanted.emit(self.address, state)
 
 
 def _state_at(canvas: BranchView, at: QPointF) -> Address | None:
