@@ -73,8 +73,9 @@ class StatusLine(QStatusBar):
         self.form, self.place = _Segment(), _Segment()
         self.run_right = [_Segment(whole=True) for _ in range(3)]
         self.ending = Label(ENDING)
-        self.button = QPushButton()
-        """Answers the message that is shown; visible with such a message alone."""
+        self.button = QPushButton("Undo")
+        """Answers the message that is shown; visible with such a message alone. It always has
+        words, because a screen reader finds it while it is hidden too."""
         self.button.setProperty("role", "link")
         self.button.clicked.connect(self._press)
         self._call: Callable[[], object] = lambda: None
@@ -141,7 +142,8 @@ class StatusLine(QStatusBar):
         """Show a message for some milliseconds, with a button if ``words`` are not empty."""
         self.showMessage(sentence, lasts)
         self._call = call
-        self.button.setText(words)
+        if words:
+            self.button.setText(words)
         self.button.setVisible(bool(sentence and words))
         self._show_parts()
 

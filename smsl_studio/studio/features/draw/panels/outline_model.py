@@ -212,7 +212,8 @@ def _facts_are_alike(before: Blueprint, after: Blueprint, keys: list[Key]) -> bo
 
 def _leads(branch: StateBranch | None) -> object:
     """The values that decide which lines of an SB have children."""
-    return None if branch is None else (bool(branch.table), branch.header.sub_sbs)
+    planned = branch is not None and not branch.table and branch.header.num_facts
+    return None if branch is None else (bool(branch.table), planned, branch.header.sub_sbs)
 
 
 def _alike(some: list[Key], others: list[Key]) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.features.draw.panels.outline_lines import (
     OutlineLine,
     branch_line,
@@ -19,6 +19,9 @@ from smsl_studio.studio.features.draw.panels.outline_lines import (
 
 DEEPEST = 40
 """At most this many levels are nested. Deeper SBs begin at the top level again."""
+
+MOST_PLANNED = 200
+"""At most this many facts are listed of an SB without states: NUM_FACTS can be any number."""
 
 Key = tuple[str, int | None]
 """(SB, None) for an SB, (SB, digit) for a fact, ("", number) for an import that failed."""
@@ -88,6 +91,13 @@ def surveyed(blueprint: Blueprint) -> Survey:
     return found
 
 
+def _planned_digits(branch: StateBranch) -> list[int]:
+    """The facts that the header of an SB without states plans: the first of NUM_FACTS, and those
+    that a sub-SB expands, so that no sub-SB is hidden."""
+    first = range(min(branch.header.num_facts or 0, MOST_PLANNED))
+    return sorted({*first, *(digit for digit in branch.subs if digit >= 0)})
+
+
 class OutlineNodes:
     """The nodes of one blueprint, made when they are asked for."""
 
@@ -135,7 +145,9 @@ class OutlineNodes:
             return bool(self.keys(node))
         # An SB with states has at least one fact.
         branch = self.blueprint.branches.get(name)
-        return branch is not None and bool(branch.table) and node.depth < DEEPEST
+        if branch is None or node.depth >= DEEPEST:
+            return False
+        return bool(branch.table) or bool(_planned_digits(branch))
 
     def keys(self, node: OutlineNode) -> list[Key]:
         """The keys of the children that a node should have now."""
@@ -147,8 +159,10 @@ class OutlineNodes:
         if branch is None:
             return []
         if digit is None:
-            facts = branch.num_facts if branch.table and node.depth < DEEPEST else 0
-            return [(name, at) for at in range(facts)]
+            if node.depth >= DEEPEST:
+                return []
+            digits = range(branch.num_facts) if branch.table else _planned_digits(branch)
+            return [(name, at) for at in digits]
         sub = branch.subs.get(digit, "")
         if sub not in self.blueprint.branches or _stands_above(node, sub):
             return []

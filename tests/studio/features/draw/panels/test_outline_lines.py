@@ -14,7 +14,11 @@ from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine, worst_of
-from smsl_studio.studio.features.draw.panels.outline_nodes import DEEPEST, OutlineNodes
+from smsl_studio.studio.features.draw.panels.outline_nodes import (
+    DEEPEST,
+    MOST_PLANNED,
+    OutlineNodes,
+)
 from tests.bombs.table import BY_NAME
 from tests.bombs.test_work import steps
 
@@ -68,6 +72,18 @@ def test_sbs_in_a_cycle_are_still_shown_but_not_below_themselves() -> None:
 
 def test_an_sb_without_states_has_no_facts() -> None:
     assert [line.text for _, line in lines_of(read({"A": {"HEADER": {}}}))] == ["A"]
+
+
+def test_an_sb_without_states_shows_the_facts_that_its_header_plans() -> None:
+    header = {"NUM_FACTS": 10**9, "SUB_SBS": {"B": 0, "C": 500}}
+    one: dict[str, Any] = {"State0": {}, "State1": {}}
+    lines = lines_of(read({"A": {"HEADER": header}, "B": one, "C": one}))
+    digits = [line.digit for _, line in lines if line.branch == "A"]
+    assert digits == [None, *range(MOST_PLANNED), 500]
+    # No sub-SB is hidden because its base has lost its states.
+    assert [(above, line.branch) for above, line in lines if line.text in "BC"] == [
+        (2, "B"), (2, "C"),
+    ]  # fmt: skip
 
 
 def test_imports_that_failed_stand_at_the_end_with_the_files_that_led_there(tmp_path: Path) -> None:
