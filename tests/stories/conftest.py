@@ -18,6 +18,7 @@ from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.running import operation_time
+from smsl_studio.studio.shell import plugins
 from smsl_studio.studio.shell.application import make_window
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window
@@ -51,9 +52,10 @@ def sit(
     """Open a window on a copy of a file, else with a new drawing, and sit down at it.
 
     With ``begin`` False the window stays at the start page. Without physics operations are shown
-    for a short time only, because nobody has to follow them.
+    for a short time only, because nobody has to follow them. Plugins are looked for at once.
     """
     monkeypatch.setattr(operation_time, "USUAL", 0.02)
+    monkeypatch.setattr(plugins, "SOON", 0)
     windows = Windows(qapp, Settings(home), Plugins(Look()))
 
     def open_on(
