@@ -15,7 +15,9 @@ from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import RunRefused
+from smsl_studio.inspection.proof.claim_cones import WATCHED
 from smsl_studio.inspection.proof.claims import Claim, claims_of
+from smsl_studio.inspection.proof.contradiction import contradicted
 from smsl_studio.inspection.proof.prove import LIMIT, PlannedRoute, Scope
 from smsl_studio.inspection.proof.prove import prove as proved
 from smsl_studio.inspection.proof.verdict import (
@@ -118,7 +120,10 @@ def _remarks(
     blueprint: Blueprint, verdicts: Sequence[tuple[Claim, PropertyVerdict]]
 ) -> Iterator[Remark]:
     for sentence, verdict in verdicts:
-        if verdict.verdict == HOLDS or sentence.meanings is None:
+        if sentence.meanings is None:
+            continue
+        if verdict.verdict == HOLDS:
+            yield from _notes(sentence)
             continue
         yield Remark(
             RULES.get(verdict.kind, "R30"),
@@ -128,6 +133,23 @@ def _remarks(
             _advice(verdict),
             spot=(sentence.document, sentence.path),
         )
+
+
+def _notes(claim: Claim) -> Iterator[Remark]:
+    """Note that a hazard or a ``never`` holds only because it contradicts itself."""
+    if claim.kind not in WATCHED or claim.meanings is None:
+        return
+    names = contradicted(claim.meanings[0])
+    if not names:
+        return
+    nowhere = f"no state of {' or '.join(names[:_SHOWN])} fits all that it names"
+    words = f"{claim.name} can never be met: {nowhere}"
+    advice = "compare what it names with the states"
+    if claim.kind == HAZARD:
+        advice += "; a run watches for it all the same, because sensors may show anything"
+    spot = (claim.document, claim.path)
+    address = Address(claim.path[0], claim.name)
+    yield Remark(RULES[claim.kind], Severity.NOTE, address, words, advice, spot=spot)
 
 
 def _words(verdict: PropertyVerdict, blueprint: Blueprint, written: Property | None = None) -> str:

@@ -86,6 +86,30 @@ def test_a_property_that_fails_has_its_rule_and_severity(
     assert report(shell, file, "--rule", "R15")[1] == {**found[1], "findings": [], "properties": []}
 
 
+@pytest.mark.parametrize(
+    ("field", "entry", "watches"),
+    [
+        ("_hazards", {"name": "Odd", "facts": {"SB/0": "1", "SB/1": "0", "OTHER/0": "1"}}, True),
+        ("_properties", {"name": "Odd", "never": "SB/0 = 1 and (SB/1 = 0 and OTHER = 1)"}, False),
+    ],
+)
+def test_what_contradicts_itself_holds_with_a_note(
+    shell: Shell, tmp_path: Path, field: str, entry: dict[str, Any], watches: bool
+) -> None:
+    branch = {"HEADER": HEADER, "State_00": {"on": "State_11"}, "State_11": {"off": "State_00"}}
+    other = {"State_0": {"on": "State_1"}, "State_1": {"off": "State_0"}}
+    file = tmp_path / "odd.json"
+    file.write_text(json.dumps({field: [entry], "SB": branch, "OTHER": other}, indent=1))
+    status, found = report(shell, str(file), "--rule", "R19")
+    assert (status, found["properties"][0]["verdict"]) == (0, "holds")
+    (note,) = found["findings"]
+    assert (note["severity"], note["address"]) == ("I", f"{field}/Odd")
+    assert note["message"] == "Odd can never be met: no state of SB fits all that it names"
+    assert note["advice"].startswith("compare what it names with the states")
+    assert ("sensors" in note["advice"]) is watches
+    assert "counterexample" not in note
+
+
 def test_the_limit_gives_an_unknown_verdict_which_is_no_good_answer(
     shell: Shell, tmp_path: Path
 ) -> None:

@@ -18,6 +18,7 @@ from smsl_studio.blueprint.properties.formula import (
 )
 from smsl_studio.blueprint.properties.reading import read_formula, written_name, written_plain
 from smsl_studio.errors import FormulaError
+from smsl_studio.stop import heed
 
 Json = Any
 
@@ -28,6 +29,7 @@ def terms_of(formula: Formula) -> Iterator[Term]:
         yield from terms_of(formula.part)
     elif isinstance(formula, AllOf | AnyOf):
         for part in formula.parts:
+            heed()
             yield from terms_of(part)
     else:
         yield formula

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.properties.formula import (
     StateTerm,
 )
 from smsl_studio.errors import FormulaError, did_you_mean
+from smsl_studio.stop import heed
 
 __all__ = [
     "Joined",
@@ -63,6 +64,7 @@ def branches_in(meaning: Meaning) -> Iterator[str]:
         yield meaning.branch
     else:
         for part in meaning.parts:
+            heed()
             yield from branches_in(part)
 
 
@@ -101,6 +103,7 @@ class _Look:
 
     def up(self, formula: Formula, wanted: bool) -> Meaning:
         """Return the meaning of a formula, or of its negation if ``wanted`` is false."""
+        heed()
         if isinstance(formula, Negation):
             return self.up(formula.part, not wanted)
         if isinstance(formula, AllOf | AnyOf):

@@ -90,6 +90,7 @@ class _Reader:
         heed()
         negated = False
         while self._takes("not"):
+            heed()
             negated = not negated
         token = self._look()
         if self._takes("("):
@@ -156,6 +157,7 @@ def _tokens(text: str) -> list[_Token]:
     found, at = [], 0
     end = len(text.rstrip())
     while at < end:
+        heed()
         match = _TOKEN.match(text, at, end)
         if match is None:
             raise _unreadable(text, at)

@@ -17,6 +17,7 @@ from smsl_studio.blueprint.properties.formula import (
 )
 from smsl_studio.blueprint.properties.meaning import fact_of, values_of
 from smsl_studio.blueprint.properties.property import Property
+from smsl_studio.stop import heed
 
 LONGEST = 400
 """The largest number of characters of a sentence."""
@@ -68,6 +69,7 @@ class _Phrases:
 
     def of(self, formula: Formula, top: bool = False) -> str:
         """Return a formula in words. The first ``and`` of a ``top`` one is ``while``."""
+        heed()
         if isinstance(formula, Negation):
             part = formula.part
             if isinstance(part, FactTerm):

@@ -123,6 +123,7 @@ class Exploration:
         A file may have thousands of conditions about the same facts. So the numbers for conditions
         about one SB are kept, as long as there is memory for them (``MOST_BITS``).
         """
+        heed()
         if not isinstance(meaning, States):
             parts = map(self._meeting, meaning.parts)
             everywhere = (1 << len(self.keys)) - 1
@@ -152,6 +153,7 @@ class Exploration:
             for step in steps:
                 label = self._label_of(step.address)
                 for at, test in enumerate(self._watched if step.passed else ()):
+                    heed()
                     met = self.met[at]
                     if (not met or self._depth[met[0][0]] == depth) and any(
                         test(one.key) for one in step.passed

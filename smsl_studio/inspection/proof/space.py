@@ -19,6 +19,7 @@ from smsl_studio.blueprint.properties.meaning import Meaning, States
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.inspection.proof.cone import Cone
+from smsl_studio.stop import heed
 
 Key = tuple[str, ...]
 Test = Callable[[Key], bool]
@@ -165,6 +166,7 @@ class Space:
 
     def test(self, meaning: Meaning) -> Test:
         """Return a condition as a function of a configuration."""
+        heed()
         if isinstance(meaning, States):
             at, states = self._at[meaning.branch], meaning.states
             return lambda key: key[at] in states

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import product
+from collections.abc import Callable
+from itertools import count, product
 
 import pytest
 from hypothesis import given
@@ -17,10 +18,17 @@ from smsl_studio.blueprint.properties import (
     meaning_of,
     read_formula,
 )
-from smsl_studio.blueprint.properties.meaning import branches_in, holds
+from smsl_studio.blueprint.properties.follow import terms_of
+from smsl_studio.blueprint.properties.meaning import Joined, branches_in, holds
+from smsl_studio.blueprint.properties.property import Property
+from smsl_studio.blueprint.properties.words import property_words
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import FormulaError
+from smsl_studio.inspection.proof.contradiction import contradicted
+from smsl_studio.inspection.proof.exploration import Exploration
+from smsl_studio.inspection.proof.space import Space
 from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.stop import heeding
 from tests.blueprint.properties.drawn import BLUEPRINT, formulas, true_in, written
 
 CONFIGURATIONS = [
@@ -38,6 +46,48 @@ def test_what_is_written_is_read_and_means_the_same(formula: Formula) -> None:
     assert set(branches_in(meaning)) <= set(BLUEPRINT.branches)
 
 
+@given(formulas)
+def test_what_contradicts_itself_is_true_in_no_configuration(formula: Formula) -> None:
+    met = any(true_in(formula, one) for one in CONFIGURATIONS)
+    names = contradicted(meaning_of(formula, BLUEPRINT))
+    assert set(names) <= set(BLUEPRINT.branches)
+    assert not (names and met)
+    if isinstance(formula, AllOf) and all(isinstance(one, TERMS) for one in formula.parts):
+        assert bool(names) != met
+
+
+PARTS = 300
+
+
+LONG = read_formula(" or ".join(["SB1 in State_aa and SB1/0 = b"] * PARTS))
+MEANING = meaning_of(LONG, BLUEPRINT)
+assert isinstance(MEANING, Joined)
+WORDS = 8 * PARTS
+
+
+@pytest.mark.parametrize(
+    ("look", "often"),
+    [
+        (lambda: read_formula("not " * WORDS + "SB1/0 = b"), 2 * WORDS),
+        (lambda: meaning_of(LONG, BLUEPRINT), 3 * PARTS),
+        (lambda: list(branches_in(MEANING)), 3 * PARTS),
+        (lambda: list(terms_of(LONG)), 3 * PARTS),
+        (lambda: Space(BLUEPRINT).test(MEANING), 3 * PARTS),
+        (lambda: Exploration(Space(BLUEPRINT), 10).first(MEANING), 3 * PARTS),
+        (lambda: property_words(Property("p", "never", formulas=(LONG,)), BLUEPRINT), 3 * PARTS),
+        (lambda: contradicted(MEANING), 2 * PARTS),
+    ],
+)
+def test_a_stop_is_heeded_at_each_part_of_a_long_condition(
+    look: Callable[[], object], often: int
+) -> None:
+    heeded = count()
+    with heeding(lambda: next(heeded)):
+        look()
+    assert next(heeded) >= often
+
+
+TERMS = (FactTerm, StateTerm)
 A, B, C = (FactTerm("SB1", 0, "", value, True) for value in "abc")
 
 
