@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QEnterEvent, QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from smsl_studio.blueprint import editing
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -113,6 +116,56 @@ def test_the_key_to_short_names_covers_no_state_wherever_one_looks(sit: Sit) -> 
             for name in canvas.positions:
                 assert not node(person, f"SB1/{name}").intersects(key.geometry()), (dx, dy)
     assert shown > 5, "it is shown where there is room"
+
+
+def test_the_zoom_control_covers_no_state_wherever_one_looks(sit: Sit) -> None:
+    person = sit(HFSM, (853, 466))
+    canvas, zoom = person.window.canvas, person.window.canvas.overlays.zoom
+    canvas.camera.motion = False
+    canvas.fit(smooth=False)
+    home, shown, seen = zoom.pos(), 0, 0
+    for dx in range(-150, 151, 75):
+        for dy in range(-150, 151, 75):
+            canvas.fit(smooth=False)
+            canvas.zoom_to(1.0)
+            canvas.camera.pan(dx, dy)
+            seen += 1
+            if zoom.isHidden():
+                continue
+            shown += 1
+            assert canvas.rect().contains(zoom.geometry())
+            for name in canvas.positions:
+                assert not node(person, f"SB1/{name}").intersects(zoom.geometry()), (dx, dy)
+    assert shown > seen / 2, "it is shown where there is room"
+    canvas.fit(smooth=False)
+    assert zoom.pos() == home
+    assert zoom.isVisible()
+
+
+def test_the_legend_of_a_run_leaves_the_running_operation_free(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(HFSM)
+    person.window.resize(853, 466)
+    person.ctrl(Key.Key_2)
+    canvas = person.window.features.run.pane.canvas.canvas
+    person.until(lambda: canvas.isVisible() and canvas.width() < 400)
+    legend, shown = canvas.overlays.run_legend, 0
+    for state, row in person.blueprint["SB1"].table.items():
+        for name in row:
+            operation = person.blueprint.resolve(f"SB1/{state}/{name}")
+            words = f"{name} 2.9 of 4.9 s"
+            canvas.set_marks(
+                Marks(active=state, running=(operation, 0.5), running_words=words, dimmed=True)
+            )
+            assert canvas.sheet is not None
+            label = canvas.lit_layer.shown()[canvas.sheet.picture.edge(operation)]
+            left, top, right, bottom = label.rect
+            place = canvas.mapFromScene(QRectF(left, top, right - left, bottom - top))
+            shown += legend.isVisible()
+            assert legend.isHidden() or not place.boundingRect().intersects(legend.geometry()), name
+    assert shown
 
 
 def test_the_legend_leaves_a_note_free(sit: Sit) -> None:

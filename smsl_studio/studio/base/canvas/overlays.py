@@ -17,6 +17,13 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.branch_view import TOP, BranchView
 from smsl_studio.studio.base.canvas.bundle_card import BundleCard
+from smsl_studio.studio.base.canvas.covered import (
+    along_the_rim,
+    on_fitted,
+    on_names,
+    on_picture,
+    on_states,
+)
 from smsl_studio.studio.base.canvas.hover_pad import HoverPad
 from smsl_studio.studio.base.canvas.mini_map import MiniMap
 from smsl_studio.studio.base.canvas.zoom_control import ZoomControl
@@ -107,8 +114,9 @@ class Overlays:
         anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
         # A merge dims what did not change, but its signs are not those of a run.
         dimmed = marks.dimmed and not (marks.changes or marks.conflicts)
-        if dimmed != self._dimmed or (anew and dimmed):
-            self._dimmed = dimmed
+        changed = dimmed != self._dimmed or (anew and dimmed)
+        self._dimmed = dimmed
+        if changed or self._legends_in_the_way():
             self._place_legend()
 
     def show_dense(self) -> bool:
@@ -163,8 +171,8 @@ class Overlays:
         foot = canvas.height() - size.height() - EDGE
         below = min(self.breadcrumb.geometry().bottom() + 6, foot)
         places = (QPoint(right, 12), QPoint(right, below), QPoint(EDGE, foot))
-        free = (at for at in places if not self._taken(at, size, key) and not self._hides(at, size))
-        place = next(free, None)
+        free = (at for at in places if not self._taken(at, size, key))
+        place = next((at for at in free if not on_picture(canvas, at, size)), None)
         key.setVisible(bool(key.rows) and place is not None)
         key.move(place or key.pos())
 
@@ -186,7 +194,7 @@ class Overlays:
             area = QRect(at, crumb.sizeHint())
             others = (self.zoom, self.map)
             taken = any(not w.isHidden() and w.geometry().intersects(area) for w in others)
-            if not taken and not self._hides(at, area.size()):
+            if not taken and not on_picture(canvas, at, area.size()):
                 break
         else:
             at = corner
@@ -203,21 +211,11 @@ class Overlays:
         below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
         places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
         free = (at for at in places if not self._taken(at, size, dense))
-        clear = next((at for at in free if not self._on_states(at, size)), None)
+        clear = next((at for at in free if self._is_clear(at, size)), None)
         fits = clear is not None and size.width() <= room
         dense.setVisible(fits and not dense.empty)
         if clear is not None:
             dense.move(clear)
-
-    def _on_states(self, corner: QPoint, size: QSize) -> bool:
-        """Whether a widget of this size at this corner covers a state or a note."""
-        sheet = self._canvas.sheet
-        if sheet is None:
-            return False
-        near = self._canvas.mapToScene(corner - QPoint(6, 6))
-        far = self._canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
-        sides = near.x(), near.y(), far.x(), far.y()
-        return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
 
     def _place_legend(self) -> None:
         """Put the legend in a corner where it covers nothing, or hide it."""
@@ -232,11 +230,24 @@ class Overlays:
         corners = [QPoint(left, bottom), QPoint(right, top), QPoint(left, top)]
         if self._dimmed:
             corners = [*reversed(corners), QPoint(right, bottom)]
-        free = (c for c in corners if not self._hides(c, size) and not self._taken(c, size))
-        place = next(free, None)
+        free = (c for c in corners if not self._taken(c, size) and not on_picture(canvas, c, size))
+        place = next((c for c in free if not on_names(canvas, QRect(c, size))), None)
         legend.setVisible(place is not None and not legend.empty)
         if place is not None:
             legend.move(place)
+
+    def _is_clear(self, corner: QPoint, size: QSize) -> bool:
+        """Whether the legend of a dense drawing covers nothing there. It gives way to names that
+        are lit in a run only: while one draws, a selection moves none of its buttons."""
+        names = not self._canvas.editing and on_names(self._canvas, QRect(corner, size))
+        return not names and not on_states(self._canvas, corner, size)
+
+    def _legends_in_the_way(self) -> bool:
+        """Whether a legend lies on a name that is lit now, or waits for a free place."""
+        canvas, used = self._canvas, [self.run_legend if self._dimmed else self.legend]
+        waits = any(p.isHidden() or on_names(canvas, p.geometry()) for p in used if not p.empty)
+        dense = self.dense if not canvas.editing and not self.dense.empty else None
+        return waits or (dense is not None and on_names(canvas, dense.geometry()))
 
     def _taken(self, corner: QPoint, size: QSize, itself: QWidget | None = None) -> bool:
         """Whether another floating widget is there."""
@@ -312,7 +323,7 @@ class Overlays:
             self._place_legend()
         if not self.map.isHidden():
             self.map.update()
-        elif self._canvas.editing and not self._canvas.camera.fitted:
+        if self._canvas.editing and not self._canvas.camera.fitted:
             self._place_zoom()
 
     def picture_changed(self) -> None:
@@ -321,6 +332,8 @@ class Overlays:
         self._place_breadcrumb()
         if not self.map.isHidden():
             self.map.update()
+        if self._canvas.editing and not self._canvas.camera.fitted:
+            self._place_zoom()
 
     def _count_outside(self) -> None:
         """Show how many states are outside the view; the zoom control grows for that."""
@@ -339,43 +352,31 @@ class Overlays:
         canvas, zoom, map_ = self._canvas, self.zoom, self.map
         if zoom.held and not anew:
             return
-        zoom.setVisible(self._has_tools)
         right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
         several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
         roomy = canvas.width() >= WIDE and canvas.height() >= TALL
         at = QPoint(right - map_.width(), bottom - map_.height())
-        shown = canvas.editing and several and roomy and not self._covers(at, map_.size())
+        shown = canvas.editing and several and roomy and not on_fitted(canvas, at, map_.size())
         map_.move(at)
         map_.setVisible(shown)
         if shown:
             right = at.x() - 12
-        place = QPoint(right - zoom.width(), bottom - zoom.height())
+        home, size = QPoint(right - zoom.width(), bottom - zoom.height()), zoom.size()
         # If it would cover the picture, it goes below the breadcrumb, or at the right of it.
         beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)
         clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
         below = QPoint(EDGE - 2, 44 + (self.banner.height() + 6 if self.banner.text else 0))
-        places = [place, below, *([beside] if clear else []), place]
-        free = (p for p in places if not self._covers(p, zoom.size()))
-        zoom.move(next(free, places[-2] if clear else place))
-
-    def _hides(self, corner: QPoint, size: QSize) -> bool:
-        """Whether a widget of this size at this corner covers the fitted drawing, or states, notes
-        and titles of any view."""
-        canvas, sheet = self._canvas, self._canvas.sheet
-        if sheet is None or canvas.camera.fitted:
-            return self._covers(corner, size)
-        return self._on_states(corner, size)
-
-    def _covers(self, corner: QPoint, size: QSize) -> bool:
-        """Whether a widget of this size at this corner covers nodes or lines of a fitted
-        picture."""
-        canvas = self._canvas
-        sheet = canvas.sheet
-        if sheet is None or not canvas.camera.fitted:
-            return False
-        near = canvas.mapToScene(corner - QPoint(6, 6))
-        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
-        return sheet.is_drawn_on(near.x(), near.y(), far.x(), far.y())
+        places = [home, below, *([beside] if clear else [])]
+        if not canvas.camera.fitted:
+            # While the view moves it stays where it covers nothing.
+            rim = QRect(EDGE, 7, canvas.width() - 2 * EDGE, bottom - 7)
+            rest = [zoom.pos()] * (not anew) + places[1:] + along_the_rim(rim, size)
+            places = [home, *(p for p in rest if not self._taken(p, size, zoom))]
+        place = next((p for p in places if not on_picture(canvas, p, size)), None)
+        if place is None and canvas.camera.fitted:
+            place = beside if clear else home
+        zoom.setVisible(self._has_tools and place is not None)
+        zoom.move(place or home)
 
     def place(self) -> None:
         """Place all widgets for the present size of the view."""

@@ -1,0 +1,67 @@
+"""What a floating widget would cover at a place of a canvas, and the places along its rim."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize
+
+from smsl_studio.picture.labels import Rect
+from smsl_studio.studio.base.canvas.branch_view import BranchView
+
+SPACE = 6
+"""The free room around a floating widget (pixels)."""
+SHARES = (1.0, 0.0, 0.5, 0.75, 0.25)
+"""Where a widget is tried along each side of the view: first at the ends, then between."""
+
+
+def on_states(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
+    """Whether a widget of this size at this corner (pixels) covers a state, a note or a title."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return False
+    sides = _sides(canvas, corner, size)
+    return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
+
+
+def on_fitted(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
+    """Whether a widget of this size at this corner (pixels) covers states or lines of a fitted
+    picture. In a view that was zoomed or moved it is always False."""
+    sheet = canvas.sheet
+    if sheet is None or not canvas.camera.fitted:
+        return False
+    return sheet.is_drawn_on(*_sides(canvas, corner, size))
+
+
+def on_picture(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
+    """Whether a widget covers the fitted drawing, or states, notes and titles of any view."""
+    if canvas.sheet is None or canvas.camera.fitted:
+        return on_fitted(canvas, corner, size)
+    return on_states(canvas, corner, size)
+
+
+def on_names(canvas: BranchView, area: QRect) -> bool:
+    """Whether an area (pixels) covers the name of an operation that is lit, such as the running
+    one."""
+    for label in canvas.lit_layer.shown().values():
+        left, top, right, bottom = label.rect
+        name = QRectF(left, top, right - left, bottom - top)
+        if canvas.mapFromScene(name).boundingRect().intersects(area):
+            return True
+    return False
+
+
+def along_the_rim(inside: QRect, size: QSize) -> list[QPoint]:
+    """The corners for a widget of this size at the foot, the sides and the top of a part of the
+    view (pixels)."""
+    across, down = inside.width() - size.width(), inside.height() - size.height()
+    if across < 0 or down < 0:
+        return []
+    ends = [(share, side) for side in (1.0, 0.0) for share in SHARES]
+    shares = [*ends, *((x, y) for x in (1.0, 0.0) for y in SHARES[2:])]
+    return [inside.topLeft() + QPoint(round(across * x), round(down * y)) for x, y in shares]
+
+
+def _sides(canvas: BranchView, corner: QPoint, size: QSize) -> Rect:
+    """The part of the scene below a widget, with some room: left, top, right, bottom."""
+    near = canvas.mapToScene(corner - QPoint(SPACE, SPACE))
+    far = canvas.mapToScene(corner + QPoint(size.width() + SPACE, size.height() + SPACE))
+    return near.x(), near.y(), far.x(), far.y()
