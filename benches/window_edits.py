@@ -1,9 +1,10 @@
 """Waiting times in the window: an edit until the drawing is right, the wheel, a pan.
 
 An edit is made as a key or a gesture makes it, and all Qt events that follow at once are done
-before the clock stops: forms, rows and the drawing. The work that follows later (findings, source,
-journal) has a row of its own. Frames of wheel and pan are painted before the clock stops. Times are
-CPU time of the window's own thread; the row of later work counts all threads.
+before the clock stops: the drawing, the title and the source. What follows later (forms, lists,
+enabled actions, findings, journal) has a row of its own. Frames of wheel and pan are painted before
+the clock stops. Times are CPU time of the window's own thread; the row of later work counts all
+threads.
 """
 
 from __future__ import annotations

@@ -15,6 +15,8 @@ from PySide6.QtGui import QCursor, QGuiApplication
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from smsl_studio.studio.document import afterwards
+
 # Before anything imports Qt.
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 
@@ -71,6 +73,15 @@ class PatientBot(QtBot):
 @pytest.fixture
 def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
     return PatientBot(request)
+
+
+@pytest.fixture(autouse=True)
+def _all_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Forms and lists follow an edit at once, because tests read them and press no key before.
+
+    ``tests/stories/test_afterwards.py`` and the random sequences have the real moment.
+    """
+    monkeypatch.setattr(afterwards, "MOMENT", 0)
 
 
 @pytest.fixture(autouse=True)

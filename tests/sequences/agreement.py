@@ -38,6 +38,8 @@ def as_opened(blueprint: Blueprint) -> dict[str, Places]:
 def disagreements(window: Window, path: Path) -> Iterator[str]:
     """Everything in which what is shown differs, in words."""
     session = window.session
+    # As for a key or a click, which finds all parts as they should be.
+    session.afterwards.catch_up()
     if stand(as_read(session.blueprint)) != stand(session.blueprint):
         yield "the text does not mean the blueprint"
     if session.texts != {one.file: one.text for one in session.blueprint.documents}:

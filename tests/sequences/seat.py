@@ -85,6 +85,8 @@ class Seat:
 
     def act(self, name: str) -> None:
         """An action of the menus, where it can be chosen now."""
+        # A key or a click in a menu comes before it.
+        self.window.session.afterwards.catch_up()
         self.window.actions_table[name].trigger()
         QApplication.processEvents()
 

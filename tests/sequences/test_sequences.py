@@ -8,11 +8,15 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.studio.document import afterwards
 from tests.sequences.shares import findings
 
 SHARE, LENGTH = 10, 10
 
 
 @pytest.mark.parametrize("share", range(4))
-def test_after_each_act_all_that_is_shown_agrees(qapp: QApplication, share: int) -> None:
+def test_after_each_act_all_that_is_shown_agrees(
+    qapp: QApplication, monkeypatch: pytest.MonkeyPatch, share: int
+) -> None:
+    monkeypatch.setattr(afterwards, "MOMENT", 40)
     assert not list(findings(share * SHARE, (share + 1) * SHARE, LENGTH))

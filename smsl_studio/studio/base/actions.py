@@ -58,6 +58,10 @@ class Action:
         return f"{said} ({key_words(self.keys[0])})" if self.keys else said
 
 
+def _now(function: Callable[[], object]) -> None:
+    function()
+
+
 def key_words(keys: str) -> str:
     """A shortcut as this platform writes it, such as Ctrl+S."""
     return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
@@ -88,7 +92,8 @@ class Actions(QObject):
             if self.table[name].scope == "window":
                 self.table[name] = replace(self.table[name], keys=keys[name])
         self._made: dict[str, QAction] = {}
-        self._held: frozenset[str] = frozenset()
+        self.later: Callable[[Callable[[], object]], object] = _now
+        """Calls a function now, or a moment later if the window shows an edit then."""
         for action in self.table.values():
             made = QAction(action.words, window)
             made.setObjectName(action.id)
@@ -148,6 +153,6 @@ class Actions(QObject):
                 action.call()
             # The action may have closed the window.
             if isValid(self):
-                self.refresh()
+                self.later(self.refresh)
 
         return call

@@ -16,6 +16,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
+from smsl_studio.studio.document.afterwards import Afterwards
 from smsl_studio.studio.document.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.document.broken import Broken, Reading, read_text, texts_of, under_name
 from smsl_studio.studio.document.history_steps import EditStep, GiveUpStep, Stand
@@ -85,6 +86,8 @@ class Session(QObject):
         """The SBs that the file had when it was opened or saved last, without those begun since."""
         self.places = Places()
         """The automatic places of states, the same in every view of the file."""
+        self.afterwards = Afterwards(self)
+        """What is shown a moment after an edit: forms, lists and the enabled actions."""
         self.history = QUndoStack(self)
         # A method and not a lambda, because Qt disconnects it before the history is deleted.
         self.history.cleanChanged.connect(self._clean_changed)
@@ -199,6 +202,7 @@ class Session(QObject):
         ``broken`` is the file's text if it cannot be read. ``blueprint`` then has what could be
         read of it.
         """
+        self.afterwards.catch_up()
         before, self._blueprint = self._blueprint, blueprint
         self._kept = _drawn(blueprint)
         told = self._broken is not broken
@@ -309,8 +313,13 @@ class Session(QObject):
             after = brought_back(after, self._aside, self.unsaved)
             before = Stand(self._blueprint, self._broken)
             self.adds_step = True
-            self.history.push(EditStep(words, self._show, before, Stand(after, broken), run))
+            with self.afterwards.change():
+                self.history.push(EditStep(words, self._step, before, Stand(after, broken), run))
             self.adds_step = False
+
+    def _step(self, stand: Stand) -> tuple[Address, ...]:
+        with self.afterwards.change():
+            return self._show(stand)
 
     def _show(self, stand: Stand) -> tuple[Address, ...]:
         """Show what a step of the history comes from or leads to; returns the former selection."""

@@ -149,9 +149,10 @@ class Window(QMainWindow):
 
     def _connect(self) -> None:
         session, actions, features = self.session, self.actions_table, self.features
-        for signal in (session.blueprint_changed, session.selection_changed,
-                       session.branch_changed, session.history.indexChanged):  # fmt: skip
-            signal.connect(lambda *_: actions.refresh())
+        actions.later = session.afterwards.show
+        session.afterwards.follow(
+            actions.refresh, session.blueprint_changed, session.selection_changed,
+            session.branch_changed, session.history.indexChanged)  # fmt: skip
         self.files.settling.connect(self.settle)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)
@@ -342,6 +343,7 @@ class Window(QMainWindow):
 
     def settle(self) -> None:
         """Take over what is still being typed; the focus stays in its field."""
+        self.session.afterwards.catch_up()
         for feature in self.features:
             feature.settle()
         take_over(self.focusWidget())

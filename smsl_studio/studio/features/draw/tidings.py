@@ -53,7 +53,8 @@ class Tidings(QObject):
         self._findings, self._editor, self._say = findings, editor, say
         self._marked, self._then = tuple(marked), then
         inspector.started.connect(self._checking)
-        inspector.found.connect(self._found)
+        session.afterwards.follow(self._show_found, inspector.found)
+        session.afterwards.follow(then, inspector.found)
         parts.files.changed.connect(self._show_again)
         findings.check_wanted.connect(self.check)
         session.opened.connect(self._opened)
@@ -72,6 +73,7 @@ class Tidings(QObject):
         saved."""
         if self._findings.draft != self._is_draft and self._inspector.current:
             self._found(self._inspector.findings)
+            self._then()
 
     @property
     def _is_draft(self) -> bool:
@@ -120,6 +122,10 @@ class Tidings(QObject):
     def _checking(self) -> None:
         self._findings.set_checking()
 
+    def _show_found(self) -> None:
+        if self._inspector.current:
+            self._found(self._inspector.findings)
+
     def _found(self, findings: tuple[Finding, ...]) -> None:
         if self._session.broken is not None and self._session.blueprint is self._salvaged:
             # The unreadable part is missing in it; that is no mistake and needs no fix.
@@ -136,7 +142,6 @@ class Tidings(QObject):
         self._editor.set_findings(worst(findings))
         if self._session.broken is None:
             self._say(self._told(findings))
-        self._then()
 
     def _told(self, findings: Sequence[Finding]) -> str:
         """The number of findings in words. An empty blueprint has “nothing to check”."""

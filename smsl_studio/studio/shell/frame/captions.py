@@ -35,7 +35,7 @@ class Captions(QObject):
         self._row, self._line, self._window = row, line, window
         self.other: Callable[[], str] = lambda: ""
         """Returns the file that is shown instead of the drawing; empty for none."""
-        session.blueprint_changed.connect(lambda *_: self._show_blueprint())
+        session.afterwards.follow(self._show_blueprint, session.blueprint_changed)
         session.selection_changed.connect(lambda *_: self._show_place())
         session.branch_changed.connect(lambda *_: self._show_place())
         for signal in (session.edited_changed, session.blueprint_changed, session.broken_changed,

@@ -62,8 +62,8 @@ class BranchTable(QTableView):
         name_parts(self)
         self.set_findings = self.lines.set_findings
         self._name()
-        session.blueprint_changed.connect(lambda *_: self._show())
-        session.branch_changed.connect(lambda _: self._show())
+        changed = session.blueprint_changed, session.branch_changed
+        session.afterwards.follow(self._show, *changed)
         session.selection_changed.connect(self._follow)
 
     def keyboardSearch(self, search: str, /) -> None:

@@ -33,7 +33,7 @@ class ClaimsLine(Panel):
         self.column.addLayout(row(label("Hazards and properties", "heading"), None, self.open))
         self.said = label("", "hint")
         self.column.addWidget(self.said)
-        session.blueprint_changed.connect(lambda *_: self._show())
+        session.afterwards.follow(self._show, session.blueprint_changed)
         self._show()
 
     def _show(self) -> None:

@@ -53,8 +53,8 @@ class FileForm(Panel):
         self.rows: list[tuple[QWidget, Elided, SmallButton]] = []
         self.kept = KeptValues("Kept in this file")
         self.column.addWidget(self.kept)
-        session.blueprint_changed.connect(lambda *_: self.show_file())
-        session.branch_changed.connect(lambda *_: self.show_file())
+        changed = session.blueprint_changed, session.branch_changed
+        session.afterwards.follow(self.show_file, *changed)
         self.show_file()
 
     def set_tokens(self, tokens: Tokens) -> None:

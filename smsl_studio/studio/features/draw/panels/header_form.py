@@ -85,7 +85,7 @@ class HeaderForm(Panel):
         self.column.addWidget(self.sentence)
         self.kept = KeptValues("Kept in this State Branch")
         self.column.addWidget(self.kept)
-        session.blueprint_changed.connect(lambda *_: self.show_header())
+        session.afterwards.follow(self.show_header, session.blueprint_changed)
         session.branch_changed.connect(self._another)
         self.show_header()
 

@@ -84,7 +84,7 @@ class Library(Panel):
         self.filter.textChanged.connect(lambda *_: self._show())
         self.list.clicked.connect(self._clicked)
         self.list.activated.connect(self._activated)
-        session.blueprint_changed.connect(lambda *_: self._show())
+        session.afterwards.follow(self._show, session.blueprint_changed)
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -104,7 +104,7 @@ class Library(Panel):
         """Show what the plugins offer."""
         if tuple(offers) != self._offers:
             self._offers = tuple(offers)
-            self._show()
+            self._session.afterwards.show(self._show)
 
     @property
     def offered(self) -> tuple[str, ...]:

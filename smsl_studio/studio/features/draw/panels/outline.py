@@ -95,9 +95,8 @@ class Outline(Panel):
             action.triggered.connect(partial(self._press, key))
             self.tree.addAction(action)
         session.opened.connect(self._note_opened)
-        session.blueprint_changed.connect(lambda *_: self._show())
-        session.branch_changed.connect(lambda *_: self._mark())
-        session.selection_changed.connect(lambda *_: self._mark())
+        session.afterwards.follow(self._show, session.blueprint_changed)
+        session.afterwards.follow(self._mark, session.branch_changed, session.selection_changed)
         self.set_tokens(tokens)
         self._show()
 
@@ -126,6 +125,7 @@ class Outline(Panel):
 
     def rename_branch(self) -> None:
         """Edit the name of the current SB in its line."""
+        self._session.afterwards.catch_up()
         self._name(self.tree.index_of(self._current_branch()))
 
     def _name(self, index: QModelIndex) -> None:

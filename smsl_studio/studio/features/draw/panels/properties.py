@@ -64,9 +64,8 @@ class Properties(QScrollArea):
 
     def _connect(self) -> None:
         session = self._session
-        session.selection_changed.connect(lambda *_: self._show())
-        session.branch_changed.connect(lambda *_: self._show())
-        session.blueprint_changed.connect(lambda *_: self._show())
+        session.afterwards.follow(self._show, session.selection_changed, session.branch_changed,
+                                  session.blueprint_changed)  # fmt: skip
         self.header.fact_wanted.connect(self.show_fact)
         self.fact.left.connect(session.leave_fact)
         self.fact.sub_wanted.connect(session.show_branch)
