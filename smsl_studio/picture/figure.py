@@ -63,6 +63,13 @@ class Figure:
         return self.level in (Level.FULL, Level.COMPACT)
 
     @property
+    def shows_facts(self) -> bool:
+        """Whether nodes show values of facts, as chips or as the short form of a name."""
+        if self.level is Level.FULL:
+            return any(face.chips for face in self.faces)
+        return self.level is Level.COMPACT and self.picture.first_shortened >= 0
+
+    @property
     def shows_labels(self) -> bool:
         """Whether operations have labels."""
         return self.shows_nodes and self.picture.line_count <= MOST_LABELS

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from smsl_studio.picture.bundle_svg import draw_stubs
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.drawn_svg import draw_groups, draw_notes, draw_titles
+from smsl_studio.picture.facts_key import facts_key
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.guards import MEANING
 from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, guard_at, sub_mark_at
@@ -47,7 +48,7 @@ def panel_of(
     number.
     """
     left, top, right, bottom = figure.bounds()
-    rows = list(_legend(figure, colours))
+    rows = list(_legend(figure, right - left, colours))
     wide = max(right - left + 2 * EDGE, LEAST, *(row[1] + 2 * EDGE for row in rows), 0.0)
     high = HEAD + bottom - top + 2 * EDGE + ROW * len(rows)
     parts = [*_title(title, note, wide, colours)]
@@ -80,20 +81,22 @@ def _title(title: str, note: str, wide: float, colours: Colours) -> Iterator[str
     yield text((x, 30.0), elided(note, NOTE, wide - x - EDGE), NOTE, colours["tx3"], 400, "start")
 
 
-def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
+def _legend(figure: Figure, across: float, colours: Colours) -> Iterator[tuple[str, float]]:
     """Yield the rows below the figure with their widths: what is left out, and the meaning of
-    marks.
+    facts and marks. ``across`` is the width of the figure (pixels).
     """
     picture = figure.picture
     words: list[tuple[str, str]] = []
     if picture.prefix and figure.shows_labels:
-        prefix = elided(picture.prefix, NOTE, LEAST / 2)
-        words.append(("", f"The name of every operation here begins with {prefix}"))
+        words.append(("", _prefix_words(picture)))
     if not figure.shows_labels and picture.operations:
         words.append(("", "The names of the operations are left out: there are too many."))
     if not figure.shows_nodes:
         words.append(("", "Each dot is a state: there are too many to show their names."))
-    elif picture.branch.subs:
+    if figure.shows_facts:
+        room = max(across, LEAST)
+        words.extend(("", row) for row in facts_key(picture.branch, NOTE, room))
+    if figure.shows_nodes and picture.branch.subs:
         subs = "; ".join(
             f"{picture.branch.fact_name(digit)} by {sub}"
             for digit, sub in picture.branch.subs.items()
@@ -115,6 +118,18 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
                 words.append((kind, meaning))
     for mark, line in words:
         yield "".join(_row(mark, line, colours)), width(line, NOTE) + (18.0 if mark else 0.0)
+
+
+def _prefix_words(picture: Picture) -> str:
+    """Say what is left out of the names of operations, and name one that is written in full."""
+    prefix = elided(picture.prefix, NOTE, LEAST / 2)
+    whole = f"The name of every operation here begins with {prefix}"
+    names = picture.branch.operation_names
+    others = [name for name in names if not name.startswith(picture.prefix)]
+    if not others:
+        return whole
+    more = f" and {len(others) - 1:,} more" if len(others) > 1 else ""
+    return f"{whole}, except {elided(others[0], NOTE, LEAST / 2)}{more}"
 
 
 def _bundle_words(picture: Picture) -> Iterator[tuple[str, str]]:

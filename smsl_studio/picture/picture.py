@@ -23,8 +23,9 @@ from smsl_studio.picture.chip_kinds import chip_kind
 from smsl_studio.picture.chip_words import ChipWords
 from smsl_studio.picture.crowd import MOST_CAREFUL, MOST_LED
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
-from smsl_studio.picture.prefix import shared_prefix
+from smsl_studio.picture.prefix import left_out
 from smsl_studio.picture.returns import lane_chip_size, returns_of
+from smsl_studio.picture.short_form import ShortForms
 from smsl_studio.picture.sub_marks import sub_mark
 
 Ints = NDArray[np.int32]
@@ -44,7 +45,10 @@ class Chip:
 
 @dataclass(frozen=True)
 class Face:
-    """The content of a node: name, title, facts, text of the compact form, and role."""
+    """The content of a node: name, title, facts, text of the compact form, and role.
+
+    ``short`` is derived from the name, or it is the name (see ``ShortForms``).
+    """
 
     name: str
     title: str
@@ -92,7 +96,8 @@ class Picture:
         self.first: Ints = np.cumsum(counts, dtype=np.int32) - counts
         """The number of the first edge out of each state; the others follow it."""
         self.operations = tuple(chain.from_iterable(table.values()))
-        self.prefix = shared_prefix(self.branch.operation_names)
+        self.prefix = left_out(self.branch.operation_names)
+        self._shorts = ShortForms(self.branch)
         self._faces: dict[int, Face] = {}
         self._chip_kinds: dict[tuple[int, str], str] = {}
         self._kinds: dict[int, str] = {}
@@ -276,10 +281,20 @@ class Picture:
         return {edge: layout for edge, layout in found.items() if edge >= 0}
 
     def label(self, edge: int) -> str:
-        """Return an edge's label: the operation's name without the prefix that all operations
-        share.
+        """Return an edge's label: the operation's name without the prefix that (nearly) all
+        operations share.
         """
-        return self.operations[edge][len(self.prefix) :]
+        return self.operations[edge].removeprefix(self.prefix)
+
+    def is_cut(self, edge: int) -> bool:
+        """Return whether an edge's label lacks the prefix of the operation's name."""
+        return bool(self.prefix) and self.operations[edge].startswith(self.prefix)
+
+    @cached_property
+    def first_shortened(self) -> int:
+        """The first state whose short form is not its name, -1 if there is none."""
+        shortened = (at for at, name in enumerate(self.names) if self._shorts.of(name) != name)
+        return next(shortened, -1)
 
     def kind(self, edge: int) -> str:
         """Return ``rise``, ``fall`` or ``mixed``, or the empty text if no fact of a sub-SB
@@ -333,20 +348,14 @@ class Picture:
         branch = self.branch
         note = branch.state_note(name)
         chips: tuple[Chip, ...] = ()
-        short = name
-        if not branch.shape.opaque:
-            facts = branch.facts(name)
-            if not is_plain_word(branch, name):
-                shown = enumerate(facts[:MOST_CHIPS])
-                chips = tuple(self._chip(d, value) for d, value in shown)
-            if len(facts) > MOST_CHIPS:  # the beginning and the end distinguish states
-                facts = (*facts[: MOST_CHIPS // 2], "…", *facts[-MOST_CHIPS // 2 :])
-            short = "".join(facts) if branch.shape.width else " ".join(facts)
+        if not branch.shape.opaque and not is_plain_word(branch, name):
+            shown = enumerate(branch.facts(name)[:MOST_CHIPS])
+            chips = tuple(self._chip(d, value) for d, value in shown)
         return Face(
             name=name,
             title=note.title if note else "",
             chips=chips,
-            short=short,
+            short=self._shorts.of(name),
             initial=name == branch.initial,
             activating=name == branch.activating,
             pinned=name in branch.notes.pinned,

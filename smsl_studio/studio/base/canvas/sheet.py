@@ -29,6 +29,7 @@ from smsl_studio.picture.levels import (
     unit_at,
 )
 from smsl_studio.picture.marks import Marks
+from smsl_studio.picture.name_room import with_room
 from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnSheet
@@ -93,6 +94,8 @@ class Sheet:
         compact = np.array([compact_width(f, self.ink) for f in faces])
         if not few:
             full, compact = np.full(count, full.max()), np.full(count, compact.max())
+        else:
+            compact = with_room(self.at, full, compact, faces)
         self.full_widths, self.compact_widths = full, compact
         self.spacing = spacing_of(self.at, full, compact)
 

@@ -31,19 +31,22 @@ class Key(QWidget):
         return self._rows
 
     def show_picture(self, picture: Picture | None, compact: bool) -> None:
-        """Explain the short texts of a picture; hidden if all names are written out."""
+        """Explain the short texts of a picture with one example for states and one for operations;
+        hidden if all names are written out."""
         rows: list[tuple[str, str]] = []
         if picture is not None and len(picture) and compact:
             branch = picture.branch
-            if not branch.shape.opaque:
+            state = picture.first_shortened
+            if state >= 0:
                 names = [branch.fact_name(d) for d in range(branch.num_facts)]
                 noted = any(branch.fact_note(d) for d in range(branch.num_facts))
                 words = ", ".join(names) if noted else ""
                 if not words or len(words) > LONGEST:
-                    words = f"short for {picture.names[0]}"
-                rows.append((picture.face(0).short, words))
-        if picture is not None and picture.prefix and compact and picture.operations:
-            rows.append((picture.label(0), f"short for {picture.operations[0]}"))
+                    words = f"short for {picture.names[state]}"
+                rows.append((picture.face(state).short, words))
+            if picture.prefix:
+                edge = next(e for e in range(len(picture.operations)) if picture.is_cut(e))
+                rows.append((picture.label(edge), f"short for {picture.operations[edge]}"))
         self._rows = tuple(rows)
         self.setAccessibleName(plain_text("; ".join(f"{code}: {words}" for code, words in rows)))
         self.resize(self.sizeHint())

@@ -13,7 +13,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.prefix import shared_prefix
+from smsl_studio.picture.prefix import left_out
 from tests.stories.at_canvas import sample
 
 PICTURES = ["hfsm.json", "registration.json", "hanoi.json"]
@@ -92,12 +92,12 @@ def test_the_same_picture_is_always_drawn_the_same_way() -> None:
 
 
 def test_the_shared_prefix_is_left_out_only_where_names_remain() -> None:
-    assert shared_prefix(["Op_1a", "Op_2b"]) == "Op_"
-    assert shared_prefix(["move-a", "move-b", "move-to-c"]) == "move-"
-    assert shared_prefix(["Operation000", "Operation100A"]) == ""
-    assert shared_prefix(["Op_", "Op_a"]) == ""
-    assert shared_prefix(["Op_a"]) == ""
-    assert shared_prefix(["Op_set_a", "Op_set_b"]) == "Op_set_"
+    assert left_out(["Op_1a", "Op_2b"]) == "Op_"
+    assert left_out(["move-a", "move-b", "move-to-c"]) == "move-"
+    assert left_out(["Operation000", "Operation100A"]) == ""
+    assert left_out(["Op_", "Op_a"]) == ""
+    assert left_out(["Op_a"]) == ""
+    assert left_out(["Op_set_a", "Op_set_b"]) == "Op_set_"
 
 
 def test_marks_of_the_sub_sb_are_classed() -> None:
