@@ -33,6 +33,16 @@ settings.register_profile(
 settings.load_profile("house")
 
 
+def pytest_collection_finish() -> None:
+    """Keep Python's collector away from the tests themselves.
+
+    They are half a million objects that stay. A collection of all objects would take 0.3 s, and the
+    window makes one again and again.
+    """
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture(scope="session")
 def _homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     base = tmp_path_factory.mktemp("homes")

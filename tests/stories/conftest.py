@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
-from smsl_studio.studio.base.style import dress
+from smsl_studio.studio.base.style import prepare
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.running import operation_time
 from smsl_studio.studio.shell import plugins
@@ -56,13 +56,15 @@ def sit(
     """
     monkeypatch.setattr(operation_time, "USUAL", 0.02)
     monkeypatch.setattr(plugins, "SOON", 0)
+    # As at a start of the program: the first window brings the style sheet.
+    qapp.setStyleSheet("")
+    prepare(qapp, LIGHT)
     windows = Windows(qapp, Settings(home), Plugins(Look()))
 
     def open_on(
         path: Path | None = None, size: tuple[int, int] = (1440, 900), begin: bool = True
     ) -> Person:
         windows.settings.theme = "light"
-        dress(qapp, LIGHT)
         window = make_window(windows, str(path) if path else "")
         qtbot.waitUntil(lambda: windows.plugins.known)
         window.resize(*size)

@@ -30,14 +30,27 @@ def style_sheet(tokens: Tokens) -> str:
 
 
 def dress(app: QApplication, tokens: Tokens) -> None:
-    """Set style, palette, font and style sheet of the application.
+    """Set style, palette, font and style sheet of the application."""
+    prepare(app, tokens)
+    put_sheet(app, tokens)
+
+
+def prepare(app: QApplication, tokens: Tokens) -> None:
+    """Set style, palette and font, without which no widget can be measured.
 
     The palette gives our colours to the parts that the style sheet leaves to Fusion.
     """
-    sheet = style_sheet(tokens)
-    if app.styleSheet() == sheet:
-        return
     app.setStyle("Fusion")
     app.setPalette(tokens.palette())
     app.setFont(text_font())
-    app.setStyleSheet(sheet)
+
+
+def put_sheet(app: QApplication, tokens: Tokens) -> None:
+    """Set the style sheet.
+
+    It comes after the first window is built and before it is shown: whenever a widget gets a
+    parent, Qt applies a sheet to all that is in the widget, which costs more than the building.
+    """
+    sheet = style_sheet(tokens)
+    if app.styleSheet() != sheet:
+        app.setStyleSheet(sheet)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.shipped import resources_dir
 from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.studio.base.settings import Settings
-from smsl_studio.studio.base.style import dress, tokens_of
+from smsl_studio.studio.base.style import prepare, put_sheet, tokens_of
 from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.shell import accessible_factory
 from smsl_studio.studio.shell.crash import crash_hook
@@ -42,7 +42,7 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     application = make_application(sys.argv)
     from smsl_studio.host.spare import Spare
 
-    dress(application, tokens_of(settings.theme, application))
+    prepare(application, tokens_of(settings.theme, application))
     spare = Spare()
     windows = Windows(application, settings, spare=spare)
     first, *_ = [make_window(windows, path, mode) for path in paths or [""]]
@@ -83,6 +83,7 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     """Show a window with a file. If the file cannot be read, the window says why."""
     with uncollected():
         window = Window(windows)
+        put_sheet(windows.application, windows.tokens)
         if not path:
             window.set_mode("draw")
         window.show()
