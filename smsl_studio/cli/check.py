@@ -259,14 +259,21 @@ def _print_held(checked: _Checked, out: Output) -> None:
 
 
 def _print_recoveries(checked: _Checked, out: Output) -> None:
-    """Print a line for each failure state: the way out of it, and the cost of the goals."""
-    for one in checked.recoveries or ():
+    """Print a line for each failure state: the way out of it, who decides, and the cost of the
+    goals."""
+    if not checked.recoveries:
+        return
+    from smsl_studio.front.recovery_rows import recovery_row
+
+    for one in checked.recoveries:
+        row = recovery_row(checked.blueprint, one)
         if one.path is None:
             said = one.bound or "no way leads to where nothing has failed"
         else:
             many = len(one.path)
             by = ", ".join(str(address) for address in one.path)
-            said = f"without failure after {many} operation{'' if many == 1 else 's'}"
-            said += f" by {by}" if many else ""
+            said = f"without failure in {one.state.branch}/{row.nearest}"
+            said += f" after {many} operation{'' if many == 1 else 's'} by {by}" if many else ""
+            said += f"; who decides: {row.decides}" if row.decides else ""
         goal = "no route to the goal" if one.cost is None else f"the goal costs {one.cost:g}"
         out.line(one_line(f"{checked.blueprint.file}: {one.state}: {said}; {goal}"))

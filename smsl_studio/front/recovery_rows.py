@@ -18,10 +18,16 @@ ROBOT = "robot"
 
 @dataclass(frozen=True)
 class RecoveryRow:
-    """One failure state in words. ``run`` is the way out of it, None if there is none."""
+    """One failure state in words.
+
+    ``nearest`` is the nearest state of its SB that is without failure or declared safe, or says why
+    there is none. ``way`` are the operations to it, and ``decides`` who decides about them. ``run``
+    is the way out, None if there is none.
+    """
 
     state: Address
     failure: str
+    nearest: str
     way: str
     decides: str
     goal: str
@@ -38,11 +44,12 @@ def recovery_rows(blueprint: Blueprint, limit: int) -> tuple[RecoveryRow, ...]:
 
     It can be called off. At most ``limit`` configurations are stored.
     """
-    rows = [_row(blueprint, one) for one in recoverability(blueprint, limit)]
+    rows = [recovery_row(blueprint, one) for one in recoverability(blueprint, limit)]
     return tuple(sorted(rows, key=lambda row: row.found))
 
 
-def _row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
+def recovery_row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
+    """Return how the procedure recovers from one failure state, in words."""
     branch = blueprint[one.state.branch]
     failure = " and ".join(
         f"{branch.fact_name(digit)} is {value_words(blueprint, (branch.name, digit), value)}"
@@ -50,19 +57,18 @@ def _row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
     )
     goal = "no route" if one.cost is None else f"cost {one.cost:g}"
     if one.path is None or one.start is None:
-        way = f"Unknown: {one.bound}" if one.bound else "No way back"
-        return RecoveryRow(one.state, failure, way, "", goal, None)
+        nearest = f"Unknown: {one.bound}" if one.bound else "No way back"
+        return RecoveryRow(one.state, failure, nearest, "", "", goal, None)
     here = dict(one.start)
-    run = Counterexample(here, one.path, here)
-    steps = steps_of(blueprint, run)
+    end = dict(steps_of(blueprint, Counterexample(here, one.path, here))[-1].configuration)
     many = len(one.path)
     first = one.path[0].operation if one.path else ""
     way = f"{many} operation{'' if many == 1 else 's'}" + (f": {first}" if first else "")
     way += " first" if many > 1 else ""
     notes = [blueprint[at.branch].operation_note(at.state, at.operation) for at in one.path]
     decides = ", ".join(dict.fromkeys(_who(note) for note in notes))
-    ended = Counterexample(here, one.path, dict(steps[-1].configuration))
-    return RecoveryRow(one.state, failure, way, decides, goal, ended)
+    run = Counterexample(here, one.path, end)
+    return RecoveryRow(one.state, failure, end[branch.name], way, decides, goal, run)
 
 
 def _who(note: OperationNote) -> str:

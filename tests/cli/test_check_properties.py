@@ -190,8 +190,8 @@ def test_recoverability_names_the_way_out_of_each_failure_state(
         ],
     )
     words = shell("check", str(file), "--recoverability", "--rule", "R15").out
-    said = "SB/State_x: without failure after 1 operation by SB/State_x/mend; the goal costs 2"
-    assert said in words
+    said = "SB/State_x: without failure in SB/State_0 after 1 operation by SB/State_x/mend"
+    assert f"{said}; who decides: robot; the goal costs 2" in words
     branch["State_y"] = {}
     file.write_text(json.dumps({"SB": branch}))
     status, found = report(shell, str(file), "--recoverability", "--rule", "R15")

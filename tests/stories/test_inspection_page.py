@@ -14,9 +14,9 @@ from smsl_studio.studio.base.canvas.accessible import state_words
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.help.pages import HelpPlace
 from smsl_studio.studio.features.inspection.panel import InspectionPanel
-from smsl_studio.studio.features.inspection.tab_line import SHOWN
+from smsl_studio.studio.features.inspection.tab_line import NAMES, SHOWN
 from tests.stories.conftest import Sit
-from tests.stories.person import Person
+from tests.stories.person import SAMPLES, Person
 
 Key = Qt.Key
 DRILL = {
@@ -170,6 +170,38 @@ def test_the_run_is_walked_on_the_drawing_in_base_and_sub(sit: Sit, tmp_path: Pa
     person.click(run.back)
     assert {one.operation for one in run.lit.steps[:1]} == {None}
     assert run.lit.at == 0
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1920, 1080)])
+def test_what_a_verdict_means_is_told_whole(
+    sit: Sit, tmp_path: Path, size: tuple[int, int]
+) -> None:
+    person = at_page(sit, tmp_path, _hazards=[HAZARD])
+    person.window.resize(*size)
+    line, shown, limit = page(person).line, page(person).shown, page(person).line.limit
+    person.until(lambda: line.width() == page(person).width())
+    assert shown.isVisible()
+    person.until(lambda: shown.width() >= shown.sizeHint().width())
+    assert limit.isVisible()
+    for one in (shown, limit):
+        assert line.rect().contains(one.geometry())
+    assert not shown.geometry().intersects(page(person).tabs.geometry())
+
+
+@pytest.mark.parametrize("tab", ["Verdicts", "Recoverability", "Configuration"])
+def test_another_theme_leaves_the_light_where_it_is(sit: Sit, tmp_path: Path, tab: str) -> None:
+    file = tmp_path / "drill.json"
+    file.write_bytes((SAMPLES / "registration-drilling.json").read_bytes())
+    person = sit(file)
+    answered(person)
+    person.ctrl(Key.Key_I)
+    page(person).tabs.setCurrentIndex(NAMES.index(tab))
+    lit = page(person).run.lit
+    person.until(lambda: len(lit.steps) > 0)
+    lit.go(lit.last)
+    marks = person.window.canvas.marks
+    person.windows.set_theme("dark")
+    assert (lit.at, person.window.canvas.marks) == (lit.last, marks)
 
 
 def test_cards_are_chosen_by_pointer_and_by_arrows(sit: Sit, tmp_path: Path) -> None:

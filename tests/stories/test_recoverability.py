@@ -40,15 +40,17 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
     file.write_text(json.dumps(values, indent=1))
     person = at_tab(sit, file)
     assert rows(person) == [
-        ["TRACKER/State_o", "Tracker is occluded (o)", "No way back", "", "no route"],
+        ["TRACKER/State_o", "Tracker is occluded (o)", "No way back", "", "", "no route"],
         [
             "HEAD/State_m",
             "Head is moved in the clamp (m)",
+            "State_1",
             "1 operation: Op_FixHeadAgain",
             "surgeon",
             "cost 25",
         ],
     ]
+    assert page(person).sum.text() == "1 of 2 have a way back"
     table, run = page(person).recovery, page(person).run
     assert table.chosen is not None, "the first row is chosen by itself"
     assert page(person).said.isVisible()
@@ -63,6 +65,7 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
     assert person.window.canvas.marks.active == "State_1"
 
     page(person).tabs.setCurrentIndex(0)
+    assert page(person).sum.text() == "1 fails, 7 hold"
     assert run.title.text() == "Shortest run to it", "the run of the first row that fails"
     assert person.window.canvas.marks.active == "State_0", "where that run stands in HEAD"
     page(person).choose(page(person).table.claims.rows[0].address)
@@ -72,7 +75,8 @@ def test_each_failure_has_its_way_back_which_is_lit(sit: Sit, tmp_path: Path) ->
 def test_after_an_edit_the_ways_are_asked_again(sit: Sit) -> None:
     person = at_tab(sit, SAMPLES / "registration-failures.json")
     before = rows(person)
-    assert [row[2].partition(":")[0] for row in before] == ["1 operation"] * 3
+    assert [row[3].partition(":")[0] for row in before] == ["1 operation"] * 3
+    assert page(person).sum.text() == "3 of 3 have a way back"
     person.select("REGISTRATION/State_1ee/Op_DiscardPoints")
     person.window.canvas.setFocus()
     person.press(Key.Key_Delete)

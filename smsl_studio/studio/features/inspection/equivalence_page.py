@@ -120,7 +120,7 @@ class EquivalencePage(QWidget):
         self._tokens = tokens
         self.rows.set_tokens(tokens)
         self.run.set_tokens(tokens)
-        self._show_answer()
+        self._show_verdict()
 
     def enter(self) -> None:
         """Show the run on this page and on the drawing, because the person has opened this tab."""
@@ -151,6 +151,11 @@ class EquivalencePage(QWidget):
     # The comparison with a version.
 
     def _show_answer(self) -> None:
+        answer = self.look.answer
+        self._show_verdict()
+        self._show_run(answer if isinstance(answer, ComparedRuns) else None)
+
+    def _show_verdict(self) -> None:
         look = self.look
         answer, version = look.answer, look.version
         name = version.words if version else ""
@@ -166,9 +171,7 @@ class EquivalencePage(QWidget):
         self.verdict.setText(words)
         self.reason.setText(reason)
         self.again.setVisible(version is not None and not look.works)
-        runs = isinstance(answer, ComparedRuns) and answer.told.equal is False
-        self.both.setVisible(runs)
-        self._show_run(answer if isinstance(answer, ComparedRuns) and runs else None)
+        self.both.setVisible(isinstance(answer, ComparedRuns) and answer.told.equal is False)
 
     def _said(self, answer: ComparedRuns | StudioError | None) -> tuple[str, QColor, str, str]:
         """The icon and its colour, the verdict and the reason, for an answer."""
@@ -187,7 +190,9 @@ class EquivalencePage(QWidget):
         return "error", tokens.bad, f"Another behaviour than {name}", capital(told.reason)
 
     def _show_run(self, answer: ComparedRuns | None) -> None:
-        if answer is None or not answer.told.path or not self._entered:
+        if not self._entered:
+            return  # another tab may show a run on the drawing
+        if answer is None or answer.told.equal is not False or not answer.told.path:
             self.run.clear()
             self.run.hide()
             return

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QPushButton, QStackedWidget, QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
-from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
@@ -23,6 +23,7 @@ from smsl_studio.studio.features.inspection.configuration_page import Configurat
 from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, recovery_of
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
+from smsl_studio.studio.features.inspection.page_tools import PageTools
 from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
 from smsl_studio.studio.features.inspection.tab_line import (
@@ -51,6 +52,8 @@ CLOSE = 420
 """In a panel narrower than this the tools are hidden, because the tabs need the space (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
+HIGH = 300
+"""From this height on the sentence about all verdicts may have a line of its own (pixels)."""
 
 
 class InspectionPanel(QWidget):
@@ -98,7 +101,8 @@ class InspectionPanel(QWidget):
         self._pages.addWidget(tables)
         self._pages.addWidget(self.configuration)
         self._pages.addWidget(self.equivalence)
-        self.tools = self._make_tools()
+        self.tools = PageTools()
+        self.sum, self.again, self.add = self.tools.sum, self.tools.again, self.tools.add
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -122,21 +126,6 @@ class InspectionPanel(QWidget):
         column.addLayout(row(self.add_empty, None))
         column.addStretch(1)
         return Room(page)
-
-    def _make_tools(self) -> QWidget:
-        self.sum = Elided("")
-        self.sum.setProperty("role", "small")
-        self.again = QPushButton("Check again")
-        self.again.setProperty("role", "row")
-        self.add = QPushButton("Add…")
-        self.add.setAccessibleName("Add a hazard or a property")
-        self.add.setProperty("role", "row")
-        self.add.setToolTip("Write a hazard or a property")
-        tools = QWidget()
-        line = row(self.sum, self.add, self.again, spacing=8)
-        line.setContentsMargins(0, 0, 8, 0)
-        tools.setLayout(line)
-        return tools
 
     def _connect(self) -> None:
         inspector = self._inspector
@@ -199,6 +188,7 @@ class InspectionPanel(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide the tools if the tabs need the space."""
         super().resizeEvent(event)
+        self.line.set_room(self.height() >= HIGH)
         self.tools.setMaximumWidth(ANY if self.width() >= CLOSE else 0)
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -300,6 +290,7 @@ class InspectionPanel(QWidget):
         self._look()
         self._choose_first()
         self._show_row(self.table.chosen)
+        self._show_tools()
         if self._apart is not None and self.isVisible():
             self._apart.enter()
 
@@ -310,6 +301,7 @@ class InspectionPanel(QWidget):
 
     def _recovered(self) -> None:
         self.recovery.show_rows(self.look.answer or ())
+        self._show_tools()
         self._choose_first()
         self._way_chosen()
 
@@ -334,7 +326,7 @@ class InspectionPanel(QWidget):
         elif not rows:
             self.said.setText(NO_FAILURE)
         elif chosen is not None:
-            self.said.setText(f"{chosen.state}: {chosen.failure}. {chosen.way}.")
+            self.said.setText(f"{chosen.state}: {chosen.failure}. {chosen.nearest}.")
         else:
             self.said.setText(
                 "Choose a row: its way back stands here, and on the drawing. One failure at a "
@@ -354,18 +346,10 @@ class InspectionPanel(QWidget):
     def _show_tools(self) -> None:
         rows, claims = self.table.claims.rows, self.table.claims
         verdicts = [claims.verdict(one) for one in rows]
-        words = {FAILS: "fails", UNKNOWN: "unknown", HOLDS: "holds"}
-        many = {FAILS: "fail", UNKNOWN: "unknown", HOLDS: "hold"}
-        parts = [
-            f"{count} {words[one] if count == 1 else many[one]}"
-            for one in words
-            if (count := verdicts.count(one))
-        ]
-        self.sum.setText(claims.waiting or ", ".join(parts))
-        self.sum.setVisible(bool(rows))
         looking = self._inspector.proof is None and not self._inspector.stopped
-        self.again.setText("Stop looking" if looking else "Check again")
-        self.again.setVisible(bool(rows))
+        self.tools.show_verdicts(verdicts, claims.waiting, looking)
+        if self._recovering:
+            self.tools.show_ways(self.look.answer or ())
         self.unproved.emit(sum(one != HOLDS for one in verdicts))
 
     def _show_row(self, claim: ClaimRow | None) -> None:

@@ -17,8 +17,8 @@ from smsl_studio.studio.features.inspection.row_table import RowTable
 if TYPE_CHECKING:
     from smsl_studio.front.recovery_rows import RecoveryRow
 
-HEADS = ("From", "Failure", "Nearest without failure", "Who decides", "Goal")
-SHARES = (3, 4, 4, 2, 2)
+HEADS = ("From", "Failure", "Nearest good", "By", "Who decides", "Goal")
+SHARES = (4, 4, 3, 4, 3, 2)
 """How the columns share the width."""
 
 
@@ -44,7 +44,9 @@ class RecoveryTable(RowTable):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
+        blocked = self.blockSignals(True)  # the chosen way stays where it is
         self.show_rows(self.rows)
+        self.blockSignals(blocked)
 
     def show_rows(self, rows: tuple[RecoveryRow, ...]) -> None:
         """Show other rows. The chosen one stays chosen."""
@@ -77,7 +79,7 @@ class RecoveryTable(RowTable):
         self._share()
 
     def _items(self, row: RecoveryRow) -> list[QStandardItem]:
-        words = (str(row.state), row.failure, row.way, row.decides, row.goal)
+        words = (str(row.state), row.failure, row.nearest, row.way, row.decides, row.goal)
         items = [QStandardItem(text) for text in words]
         for item, text in zip(items, words, strict=True):
             item.setToolTip(tip_text(text))
