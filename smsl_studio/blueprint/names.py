@@ -8,6 +8,7 @@ from string import ascii_lowercase
 
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import has_only_words
 
 _TRIES = 4096
 _LONGEST = 64
@@ -32,7 +33,7 @@ def fresh_state_name(branch: StateBranch) -> str:
 def fresh_state_names(branch: StateBranch) -> Iterator[str]:
     """Yield all free names of this form, for an SB with states."""
     shape = branch.shape
-    if shape.opaque or shape.width == 0:
+    if shape.opaque or shape.width == 0 or has_only_words(branch):
         yield from numbered("State", branch.table)
         return
     last = next(reversed(branch.table))

@@ -58,6 +58,15 @@ def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
     return tuple(found)
 
 
+def has_only_words(branch: StateBranch) -> bool:
+    """Return whether every state is a plain word with many letters, so that no name shows facts.
+
+    In an SB whose names show facts this is found at its first state.
+    """
+    words = all(is_plain_word(branch, name) for name in branch.table)
+    return words and bool(branch.table) and branch.num_facts >= MANY_LETTERS
+
+
 def is_read_by_letters(branch: StateBranch, name: str) -> bool:
     """Return whether a state is one of ``read_by_letters``.
 

@@ -318,3 +318,37 @@ def test_what_is_pasted_is_what_was_copied(text: str, seed: int) -> None:
     assert made_sb == Address(whole)
     assert fresh[whole] == blueprint[whole]
     assert again(fresh) == fresh
+
+
+GIVEN: dict[str, Any] = {
+    "Ready": {"Go": "Moving"},
+    "Moving": {},
+    "_states": {"Ready": {"facts": ["0", "1"]}, "Moving": {"facts": ["1", "1"], "title": "fast"}},
+    "_facts": {"0": {"name": "Power", "values": {"0": "off", "1": "on"}}},
+}
+
+
+def test_copies_take_fact_values_that_are_free() -> None:
+    blueprint = read(A=GIVEN)
+    both = at("A/Ready", "A/Moving")
+    for after, made in (
+        edit.duplicate(blueprint, both),
+        edit.paste(blueprint, "A", edit.excerpt(blueprint, both)),
+    ):
+        branch = after["A"]
+        assert [branch.facts(one.state) for one in made] == [("0", "0"), ("1", "0")]
+        assert branch.fields["_states"][made[1].state]["title"] == "fast"
+        assert [branch.facts(name) for name in GIVEN if name[0] != "_"] == [("0", "1"), ("1", "1")]
+
+
+def test_the_names_of_facts_come_along_where_there_are_none() -> None:
+    blueprint, target = read(A=GIVEN), read(A={})
+    text = edit.excerpt(blueprint, at("A/Ready"))
+    after, made = edit.paste(target, "A", text)
+    assert after["A"].fields["_facts"] == GIVEN["_facts"]
+    assert after["A"].facts(made[0].state) == ("0", "1")
+    again_, _ = edit.paste(after, "A", text)
+    assert again_["A"].fields["_facts"] == GIVEN["_facts"]
+    named = read(A={"State_0": {}, "State_1": {}, "_facts": {"0": {"name": "Mine"}}})
+    kept, _ = edit.paste(named, "A", text)
+    assert kept["A"].fields["_facts"] == {"0": {"name": "Mine"}}

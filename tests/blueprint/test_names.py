@@ -38,6 +38,8 @@ def branch(states: dict[str, dict[str, str]], header: dict[str, int] | None = No
         (["chess_0a1b"], 2, "chess_0a0a"),
         (["Idle", "Working"], None, "State1"),
         (["Idle", "State1"], None, "State2"),
+        (["Idle"], None, "State1"),
+        (["Idle", "Busy"], None, "State1"),
         (["State0", "State1"], None, "State2"),
     ],
 )

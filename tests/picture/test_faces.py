@@ -106,3 +106,15 @@ def test_a_title_stands_in_the_node_and_nothing_moves(title: str) -> None:
         Figure(Picture(read, "A"), place_states(read["A"])).at for read in (with_title, without)
     )
     assert (there - there[0] == before - before[0]).all()
+
+
+def test_a_compact_node_keeps_a_name_that_does_not_show_its_facts() -> None:
+    """Three copies of a state all read 0 1 0, and no name was left on the drawing."""
+    given_facts = {
+        "Ready": {"facts": ["0", "1"]},
+        "Moving": {"facts": ["1", "1"]},
+        "State_00": {"facts": ["0", "0"]},
+    }
+    values = {"A": {**{name: {} for name in given_facts}, "_states": given_facts}}
+    picture = Picture(read_blueprint(parse_json(json.dumps(values), "test.json")), "A")
+    assert [picture.face(at).short for at in range(3)] == ["Ready", "Moving", "0 0"]

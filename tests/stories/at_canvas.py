@@ -123,7 +123,9 @@ class Drawer:
         QApplication.processEvents()
 
     def connect(self, source: str, target: str, name: str) -> None:
-        """Drag from a handle to a state and name the operation."""
+        """Drag from a handle to a state, with a pointer that comes from its state, and name the
+        operation."""
+        self.hover(self.place(source))
         side = "right" if self.place(target).x() >= self.place(source).x() else "left"
         handle = self.handle_of(source, side)
         self.hover(handle)

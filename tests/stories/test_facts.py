@@ -103,9 +103,13 @@ def test_tab_goes_through_the_cells_of_a_fact_and_on_to_the_next_fact(sit: Sit) 
         QTest.keyClick(view.field, Key.Key_Tab)
     assert visited == [(0, ("name", "")), (0, ("unit", "")), (0, ("meaning", "0")),
                        (0, ("meaning", "1"))]  # fmt: skip
+    hints = []
     while view.looks.edited is not None and view.looks.edited[0] == 0:
+        hints.append(view.field.placeholderText())
         QTest.keyClick(view.field, Key.Key_Tab)
     assert view.looks.edited == (1, ("name", ""))
+    assert hints == ["sensor", "age"], "the open field says what is typed there"
+    assert view.field.placeholderText() == "Fact 2"
     QTest.keyClicks(view.field, "Clamp")
     click_cell(person, 2, "name")
     QTest.keyClicks(view.field, "Door")

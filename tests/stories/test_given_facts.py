@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 
@@ -46,3 +47,43 @@ def test_an_edit_that_adds_no_state_changes_no_facts() -> None:
     assert edit.give_facts(before, after) is after
     third = edit.give_facts(before, edit.add_state(before, "SB1", "Third"))
     assert third["SB1"].facts("Third") == ("0",)
+
+
+def test_values_may_be_typed_as_names_have_them(sit: Sit, tmp_path: Path) -> None:
+    facts = {"Idle": ["0", "0", "0"], "Homing": ["1", "0", "1"], "Ready": ["0", "1", "0"]}
+    notes = {name: {"facts": values} for name, values in facts.items()}
+    path = tmp_path / "arm.json"
+    path.write_text(json.dumps({"SB1": {**{name: {} for name in facts}, "_states": notes}}))
+    person = sit(path)
+    person.select("SB1/Ready")
+    person.write(person.window.properties.state.values, "110")
+    assert person.blueprint["SB1"].facts("Ready") == ("1", "1", "0")
+    person.write(person.window.properties.state.values, "1100")
+    assert person.blueprint["SB1"].facts("Ready") == ("1", "1", "0"), "it is refused as ever"
+
+
+def test_an_undo_brings_values_back_and_calls_none_new(sit: Sit, tmp_path: Path) -> None:
+    notes = {name: {"facts": [value]} for name, value in (("Idle", "0"), ("Ready", "1"))}
+    path = tmp_path / "arm.json"
+    path.write_text(json.dumps({"SB1": {"Idle": {"go": "Ready"}, "Ready": {}, "_states": notes}}))
+    person = sit(path)
+    person.select("SB1/Ready")
+    person.press(Key.Key_Delete)
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint["SB1"].facts("Ready") == ("1",)
+    assert "got the free" not in person.window.toast.words
+    add(person, "Third", QPoint(60, 80))
+    assert "Third has the fact values of Idle (0)" in person.window.toast.words
+
+
+def test_short_names_need_no_key_where_the_names_stand(sit: Sit, tmp_path: Path) -> None:
+    notes = {name: {"facts": [value]} for name, value in (("Idle", "0"), ("Ready", "1"))}
+    path = tmp_path / "arm.json"
+    path.write_text(json.dumps({"SB1": {"Idle": {"go": "Ready"}, "Ready": {}, "_states": notes}}))
+    person = sit(path)
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    canvas.zoom_to(0.5)
+    assert canvas.sheet is not None
+    assert canvas.sheet.compact
+    assert canvas.overlays.key.rows == ()

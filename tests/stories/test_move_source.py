@@ -132,3 +132,22 @@ def test_a_pointer_from_the_state_still_draws_a_new_operation(hfsm: Drawer) -> N
     hfsm.session.select((Address("SB1", STATE, OP),))
     hfsm.connect(STATE, OTHER, "New")
     assert hfsm.table()[STATE] == {OP: hfsm.table()[STATE][OP], "New": OTHER}
+
+
+def test_the_beginning_of_the_selected_operation_is_taken_from_wherever_one_comes(
+    hfsm: Drawer,
+) -> None:
+    """After a rename nothing was hovered, and the same drag drew a new operation."""
+    hfsm.hover(along(hfsm, STATE, OP, 60.0))
+    new = Address("SB1", STATE, "Travel")
+    hfsm.session.edit("Rename", lambda bp: editing.rename(bp, Address("SB1", STATE, OP), "Travel"))
+    hfsm.session.select((new,))
+    at = tail(hfsm, STATE, "Travel")
+    QTest.mouseMove(hfsm.hands_on, QPoint(5, 5))
+    QTest.mouseMove(hfsm.hands_on, at)
+    QTest.mousePress(hfsm.hands_on, LEFT, NONE, at)
+    over(hfsm, hfsm.place(OTHER))
+    let_go(hfsm, hfsm.place(OTHER))
+    assert hfsm.editor.field is None, "no new operation is asked for"
+    assert hfsm.session.selection == (Address("SB1", OTHER, "Travel"),)
+    assert hfsm.steps() == 2

@@ -30,7 +30,8 @@ def excerpt(blueprint: Blueprint, addresses: Iterable[Address]) -> str:
     """Return the chosen SBs, states or operations as native SMSL.
 
     An SB comes with everything in it. States come with the operations between them, their notes and
-    places. Operations alone come in the states that they leave.
+    places, and with the names and meanings of the facts. Operations alone come in the states that
+    they leave.
     """
     return form_named("smsl").write(parts_of(blueprint, addresses))
 
@@ -94,6 +95,8 @@ def _notes(
         found = {n: v for n, v in table.items() if n in names} if isinstance(table, dict) else {}
         if found:
             notes[key] = found
+    if states and written.get("_facts"):
+        notes["_facts"] = written["_facts"]
     hanging, groups = part_of(written, states)
     if hanging:
         notes[NOTES] = hanging

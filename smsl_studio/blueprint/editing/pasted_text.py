@@ -13,6 +13,7 @@ from smsl_studio.blueprint.editing.bends import put_edge
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.editing.drawn import put_pasted
 from smsl_studio.blueprint.editing.excerpts import MARK, OPERATIONS, STATES, parts_of
+from smsl_studio.blueprint.editing.given_facts import give_facts
 from smsl_studio.blueprint.editing.pasted_places import ASIDE, PastedPlaces, Point
 from smsl_studio.blueprint.editing.pins import put_pins
 from smsl_studio.blueprint.editing.renames import renamed_requires, renamed_subs
@@ -110,7 +111,8 @@ def _put(
             "the pasted text holds nothing that could be put in",
             advice="Copy states, operations or State Branches.",
         )
-    return draft.done(), tuple(made)
+    # States whose fact values are taken here got none, and take free ones.
+    return give_facts(draft.before, draft.done()), tuple(made)
 
 
 def _put_branches(draft: Draft, whole: Mapping[str, Values]) -> Iterator[Address]:
@@ -137,6 +139,7 @@ class _Into:
         self._found = branch_of(draft.before, branch)
         self._names = _StateNames(self._found)
         self._known = {name for ops in self._found.table.values() for name in ops}
+        self._values = [list(one.facts) for one in self._found.notes.states.values()]
         self.added = 0
 
     def states(self, value: Values, places: PastedPlaces) -> Iterator[Address]:
@@ -158,7 +161,8 @@ class _Into:
         notes = _map(value, "_states")
         for state in states:
             if state in notes:
-                draft.table(branch, "_states")[names[state]] = notes[state]
+                draft.table(branch, "_states")[names[state]] = self._own_values(notes[state])
+        self._fact_notes(_map(value, "_facts"))
         taken, layout = self._found.notes.layout.values(), _map(value, "_layout")
         placed = dict(places.of(states, layout, taken))
         for state, place in placed.items():
@@ -171,6 +175,24 @@ class _Into:
                 put_edge(draft, branch, (names[state], operation), moved)
         put_pins(draft, branch, renamed_pins(layout, {state: names[state] for state in placed}))
         put_pasted(draft, branch, value, names)
+
+    def _own_values(self, note: Json) -> Json:
+        """Return the note of a state, without its fact values if another state here has them."""
+        facts = note.get("facts") if isinstance(note, dict) else None
+        if not isinstance(facts, list) or self._found.shape.width or self._found.shape.opaque:
+            return note
+        if facts in self._values:
+            return {key: item for key, item in note.items() if key != "facts"}
+        self._values.append(facts)
+        return note
+
+    def _fact_notes(self, notes: Values) -> None:
+        """Take the names and meanings of facts along, if the SB has none for its facts."""
+        found = self._found
+        fit = all(key.isdecimal() and int(key) < found.num_facts for key in notes)
+        fit = fit or not found.table
+        if notes and fit and not found.notes.facts and "_facts" not in self._draft.at(self._branch):
+            self._draft.table(self._branch, "_facts").update(notes)
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:
         """Put operations into the states with the same names as those from which they were

@@ -24,7 +24,13 @@ def values_given(before: Blueprint, after: Blueprint) -> str:
         new = [state for state in branch.table if state not in old.table]
         if not all(given) or not new or any(state not in branch.table for state in old.table):
             continue
-        values = " ".join(branch.facts(new[0]))
+        facts, values = branch.facts(new[0]), " ".join(branch.facts(new[0]))
+        same = [state for state in branch.table if state != new[0] and branch.facts(state) == facts]
+        if same:
+            return (
+                f"{new[0]} has the fact values of {same[0]} ({values}), because no other ones are "
+                "free. Properties changes them."
+            )
         others = f", and {len(new) - 1} more got some too" if new[1:] else ""
         return f"{new[0]} got the free fact values {values}{others}. Properties changes them."
     return ""

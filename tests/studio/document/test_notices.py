@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.document.notices import goal_kept, goal_moved, step_notice
+from smsl_studio.studio.document.notices import goal_kept, goal_moved, step_notice, values_given
 
 HANOI = Path(__file__).parents[3] / "samples" / "hanoi.json"
 
@@ -67,3 +69,20 @@ def test_only_a_goal_that_moved_is_a_warning() -> None:
     assert step_notice(before, moved) == (goal_moved(before, moved), "W")
     assert step_notice(before, kept) == (goal_kept(before, kept), "")
     assert step_notice(before, before) == ("", "W")
+
+
+def test_fact_values_that_another_state_has_are_not_called_free() -> None:
+    given = {"Off": {"facts": ["0"]}, "On": {"facts": ["1"]}}
+    before = read_blueprint(
+        parse_json(json.dumps({"A": {"Off": {}, "On": {}, "_states": given}}, indent=1), "a.json")
+    )
+    after = editing.give_facts(before, editing.add_state(before, "A", "Third"))
+    assert values_given(before, after) == (
+        "Third has the fact values of Off (0), because no other ones are free. "
+        "Properties changes them."
+    )
+    two = editing.delete(before, [Address("A", "On")])
+    third = editing.give_facts(two, editing.add_state(two, "A", "Third"))
+    assert values_given(two, third) == (
+        "Third got the free fact values 1. Properties changes them."
+    )

@@ -71,12 +71,16 @@ class Hover:
             canvas.viewport().setToolTip(tip_text("Drag to move, double-click to remove"))
 
     def _is_at_end(self, sheet: Sheet, point: QPointF) -> bool:
-        """Whether the pointer has come along the line of an operation to one of its ends.
+        """Whether the pointer has come along the line of an operation to one of its ends, or to the
+        tail of the selected one.
 
         The handle of the state lies at the same place. It is for a pointer that comes from the
         state.
         """
-        edge = sheet.looks.hovered_edge
+        edge, chosen = sheet.looks.hovered_edge, self._line.edge
+        if chosen >= 0 and self._canvas.editing and self.is_at_tail(chosen, point):
+            # Its tail is shown, so it is taken from wherever the pointer comes but from the state.
+            return sheet.looks.hovered_state != int(sheet.picture.source[chosen])
         if edge < 0 or not self._canvas.editing or edge != sheet.operation_at(point.x(), point.y()):
             return False
         return self._is_at_tip(sheet, edge, point, REACH) or self.is_at_tail(edge, point, REACH)

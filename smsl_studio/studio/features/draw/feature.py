@@ -315,6 +315,9 @@ class DrawFeature(Feature):
 
     def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
         sentence, severity = step_notice(before, after)
+        if not self._parts.session.adds_step:
+            # An undo or redo gives nothing that was not there before.
+            sentence, severity = "", ""
         if sentence and severity:
             # Each new state becomes activating until one is chosen. Once is enough.
             if self._warned:

@@ -24,6 +24,7 @@ TYPED = ("name", "meaning", "source", "age", "unit")
 """The kinds of cells in which a person types."""
 HINTS = {"name": "Fact {}", "meaning": "meaning", "source": "no sensor", "age": "age",
          "unit": "unit"}  # fmt: skip
+"""What is shown in an empty cell, by its kind; a name has the number of its fact."""
 
 
 @dataclass(frozen=True)

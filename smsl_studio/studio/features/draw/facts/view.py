@@ -20,7 +20,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.draw.facts.cell_field import CellField
-from smsl_studio.studio.features.draw.facts.cells import TYPED, Cell, cells_of
+from smsl_studio.studio.features.draw.facts.cells import HINTS, TYPED, Cell, cells_of
 from smsl_studio.studio.features.draw.facts.fact_lines import TabledFact
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
 from smsl_studio.studio.features.draw.facts.painter import FactPainter, Index
@@ -116,6 +116,9 @@ class FactView(QListView):
         self.looks.edited = (digit, self._cell)
         self.field.settle(cell.text)
         self.field.setAccessibleName(plain_text(_words(cell, digit)))
+        # The field covers what the empty cell says, so it says it itself.
+        hint = HINTS.get(cell.kind, "").format(digit + 1)
+        self.field.setPlaceholderText(hint.removeprefix("no "))
         self._place_field()
         self.field.show()
         self.field.selectAll()

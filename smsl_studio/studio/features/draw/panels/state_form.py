@@ -141,7 +141,8 @@ class StateForm(NoteForm):
         """Write the value of a key. ``editing.give_values`` writes fact values."""
         if word != "facts" or value is None:
             return super().give(word, value)
-        line, wanted = self._lines[word], list(value)
+        line = self._lines[word]
+        wanted = _apart(list(value), self._session.blueprint[self._states[0].branch])
 
         def change(blueprint: Blueprint) -> Blueprint:
             """Return the blueprint in which the states have these facts."""
@@ -168,6 +169,14 @@ class StateForm(NoteForm):
     def _clicked(self, index: QModelIndex) -> None:
         row_ = index.data(Qt.ItemDataRole.UserRole)
         self._session.select((row_.payload,))
+
+
+def _apart(values: list[str], branch: StateBranch) -> list[str]:
+    """Values that were typed without commas, as names have them: 110 is 1, 1, 0 where each value
+    of the other states is one letter."""
+    together = len(values) == 1 and len(values[0]) == branch.num_facts > 1
+    letters = together and all(len(one) == 1 for column in branch.alphabet for one in column)
+    return list(values[0]) if letters else values
 
 
 def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]:
