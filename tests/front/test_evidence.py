@@ -72,6 +72,19 @@ def test_the_checks_are_short_and_need_no_other_package() -> None:
     assert names <= sys.stdlib_module_names
 
 
+def test_the_checks_can_be_read_aloud() -> None:
+    """A function fits a screen, and a statement begins its line wherever it needs a second one."""
+    text = verifier_file().read_text("utf-8")
+    lines, tree = text.splitlines(), list(ast.walk(ast.parse(text)))
+    functions = [node for node in tree if isinstance(node, ast.FunctionDef)]
+    assert max(node.end_lineno - node.lineno for node in functions if node.end_lineno) < 24
+    plain = [node for node in tree if isinstance(node, ast.Assign | ast.Expr | ast.Return)]
+    long = [node for node in plain if node.end_lineno != node.lineno]
+    assert [node.lineno for node in long if lines[node.lineno - 1][: node.col_offset].strip()] == []
+    dense = [node.lineno for node in plain if sum(1 for _ in ast.walk(node)) > 100]
+    assert len(dense) <= 1, f"too much is said at once in lines {dense}"
+
+
 def test_what_is_not_checked_is_said_and_is_little() -> None:
     tree = ast.parse(verifier_file().read_text("utf-8"))
     (said,) = [
