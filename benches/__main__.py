@@ -53,6 +53,7 @@ BENCHES = (
     "pins",
     "plans",
     "proof",
+    "readings",
     "shapes",
     "spin",
     "tampers",

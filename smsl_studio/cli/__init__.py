@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from smsl_studio.cli.arguments import COMMANDS, ArgumentParser, overview
-from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report
+from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report_error
 from smsl_studio.cli.signals import Signals, heard
 from smsl_studio.errors import (
     ApprovalRefused,
@@ -75,10 +75,10 @@ def _told(arguments: Sequence[str], name: str, signals: Signals) -> int:
             except SystemExit as end:  # argparse has printed its help
                 return end.code if isinstance(end.code, int) else 2
             except (ApprovalRefused, PlanningError, RunRefused) as error:
-                report(error, name)
+                report_error(error, name)
                 return 1
             except StudioError as error:
-                report(error, name)
+                report_error(error, name)
                 return 2
     except BrokenPipeError:
         lead_nowhere(sys.stdout)  # so that the interpreter does not fail at its last flush

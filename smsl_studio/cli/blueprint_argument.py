@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.cli.output import note, report
+from smsl_studio.cli.output import note, report_error
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.inputs import read, read_bytes
 from smsl_studio.smsl.document.limits import LARGEST_FILE
@@ -47,7 +47,7 @@ def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | ReadEr
         try:
             blueprint = read_argument(file)
         except ReadError as error:
-            report(error, command)
+            report_error(error, command)
             yield error
         else:
             yield blueprint

@@ -8,7 +8,7 @@ import argparse
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import note_stand_in, read_argument
-from smsl_studio.cli.output import Output, note, note_losses, report
+from smsl_studio.cli.output import Output, note, note_losses, report_error
 from smsl_studio.errors import StudioError, UsageError
 from smsl_studio.front.outputs import tidy
 from smsl_studio.legible import one_line
@@ -51,7 +51,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             if not options.check:
                 _write(document, tidied, over, out)
         except StudioError as error:
-            report(error, "smsl-studio fmt")
+            report_error(error, "smsl-studio fmt")
             status = 2
             continue
         reports.append({"file": document.file, "changed": changed})

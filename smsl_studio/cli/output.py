@@ -109,7 +109,7 @@ def last_note(text: str) -> None:
         note(text)
 
 
-def report(error: StudioError, name: str) -> None:
+def report_error(error: StudioError, name: str) -> None:
     """Print an expected error: its sentence with its place, then the advice, one line each.
 
     For a text that cannot be read, all faults are reported.

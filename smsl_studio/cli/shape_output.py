@@ -8,7 +8,7 @@ from collections.abc import Callable
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import ArgumentParser, add_format, add_limit
 from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
-from smsl_studio.cli.output import Output, note, report
+from smsl_studio.cli.output import Output, note, report_error
 from smsl_studio.errors import EditRefused
 from smsl_studio.front.outputs import converted, form_of
 from smsl_studio.generate.shapes.chosen import CutRefused
@@ -62,7 +62,7 @@ def write_shape(
         after = make(blueprint)
     except refusal as error:
         run = error.run if isinstance(error, CutRefused) else ()
-        report(error, f"smsl-studio {command}")
+        report_error(error, f"smsl-studio {command}")
         if options.format == "json":
             out.json({"equal": False, "path": list(run), "reason": error.sentence})
         elif run:

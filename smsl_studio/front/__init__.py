@@ -37,7 +37,9 @@ if TYPE_CHECKING:
         render,
     )
     from smsl_studio.front.proof import prove
+    from smsl_studio.front.readings import reading
     from smsl_studio.front.recovery import recoverability
+    from smsl_studio.front.reports import report
     from smsl_studio.front.request import RunRequest
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
@@ -85,10 +87,12 @@ __all__ = [
     "prove",
     "read",
     "read_script",
+    "reading",
     "recoverability",
     "refusals",
     "render",
     "replay",
+    "report",
     "revoke_digest",
     "revoke_key",
     "run",
@@ -122,6 +126,8 @@ VERBS = {
     "merge": Verb("merge two versions of a blueprint by what they mean", ("merge",)),
     "git-setup": Verb("let git compare and merge blueprints by what they mean", ("git_setup",)),
     "render": Verb("draw a picture of a blueprint: SVG, PNG or PDF", ("render",)),
+    "report": Verb("tell a blueprint in sentences for people, as HTML or PDF",
+                   ("report", "reading")),
     "digest": Verb("SHA-256 of what blueprints do, say and need", ("digest",)),
     "route": Verb("plan the cheapest route between two states", ("plan_route",)),
     "explore": Verb("all configurations of all SBs together: disagreements and traps",
@@ -152,6 +158,8 @@ each, and ``docs/command-line.md`` has a row made from the row here."""
 _HOMES = {
     "read": "inputs",
     "read_script": "script.lines",
+    "reading": "readings",
+    "report": "reports",
     "inspect": "inputs",
     "prove": "proof",
     "recoverability": "recovery",

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place, ReadError, SealError
@@ -22,18 +23,31 @@ def changes_since_record(
 ) -> tuple[str, tuple[Finding, ...]]:
     """Return the name of the newest record of a blueprint, and the changes since it was signed.
 
+    The arguments are those of ``newest_content``. If there is no record, both results are empty.
+    """
+    from smsl_studio.inspection.against import inspect_against_content
+
+    name, content = newest_content(blueprint, record)
+    return name, () if content is None else inspect_against_content(blueprint, content, name)
+
+
+def newest_content(
+    blueprint: Blueprint, record: str | None = None
+) -> tuple[str, Mapping[str, Any] | None]:
+    """Return the name of the newest record of a blueprint, and the content that was signed.
+
     ``record`` is the file of a record. None means the record beside the blueprint, or one in the
-    store. If there is no record, both results are empty. ReadError if a record cannot be read.
+    store. If there is no record, the name is empty and the content None. ReadError if a record
+    cannot be read.
     """
     from smsl_studio.inspection.approval.seen_index import newest_entry
 
     beside = os.path.lexists(f"{blueprint.file}.record.json")
     try:
         if record is None and not beside and not newest_entry(blueprint.file):
-            return "", ()
+            return "", None
     except SealError as error:
         raise ReadError(error.sentence, error.place or Place(blueprint.file, 1, 1)) from None
-    from smsl_studio.inspection.against import inspect_against_content
     from smsl_studio.inspection.approval.record_file import (
         SignedRecord,
         read_record_file,
@@ -58,8 +72,7 @@ def changes_since_record(
     if seen is not None and (newest is None or newest.statement.time < seen.statement.time):
         newest = seen
     if newest is None:
-        return "", ()
+        return "", None
     said = newest.statement.predicate
     name = f"the record of {said.person} of {said.time[:19]}Z"
-    content = said.content[newest.statement.subject[0].name]
-    return name, inspect_against_content(blueprint, content, name)
+    return name, said.content[newest.statement.subject[0].name]

@@ -1,0 +1,66 @@
+"""Writes the reading of a blueprint from its titles and from what the engine has shown."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.reading.beginning import beginning
+from smsl_studio.inspection.reading.controls import controls
+from smsl_studio.inspection.reading.duties import duties, watched
+from smsl_studio.inspection.reading.plain_names import PlainNames, listed, untitled
+from smsl_studio.inspection.reading.procedure import Procedure
+from smsl_studio.inspection.reading.reading import BlueprintReading
+from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.since import since
+from smsl_studio.inspection.reading.step_words import StepWords
+from smsl_studio.inspection.reading.troubles import troubles
+
+
+def written_reading(
+    blueprint: Blueprint, grounds: ReadingGrounds, identifiers: bool = False
+) -> BlueprintReading:
+    """Return a blueprint as sentences for people who have never seen a state machine.
+
+    Nothing is invented: each sentence repeats a title, an annotation, or an answer of the engine in
+    ``grounds``. With ``identifiers`` the names in the file stand behind the titles.
+    """
+    names = PlainNames(blueprint, identifiers)
+    words = StepWords(names)
+    bare = untitled(blueprint)
+    procedure = Procedure(words, grounds)
+    steps = procedure.section()
+    sections = [
+        beginning(words, grounds, bare),
+        steps,
+        procedure.others(),
+        troubles(words, grounds),
+        controls(words, grounds),
+        duties(words),
+        watched(words),
+    ]
+    if grounds.difference is not None:
+        sections.insert(0, since(names, grounds.difference, grounds.former))
+    title, purpose = _purpose(names)
+    kept = tuple(one for one in sections if one.lines or one.lead)
+    file = PurePath(blueprint.file).name
+    return BlueprintReading(title or file, purpose, file, digests(blueprint).closure, kept, bare)
+
+
+def _purpose(names: PlainNames) -> tuple[str, str]:
+    """Return the title, which is that of the situation at the end, and one sentence about it."""
+    blueprint = names.blueprint
+    ends: list[str] = []
+    begins: list[str] = []
+    for name in blueprint.roots:
+        branch = blueprint[name]
+        for state, found in ((branch.activating, ends), (branch.initial, begins)):
+            note = branch.state_note(state)
+            if note is not None and note.title:
+                found.append(note.title)
+    title = listed(ends) if len(ends) == len(blueprint.roots) else ""
+    if not title or len(begins) < len(ends):
+        return title, "What happens, who does it, and how one knows that it is done."
+    return title, f"From “{listed(begins)}” to “{title}”: what happens, who does it, and how one "\
+                  "knows that it is done."  # fmt: skip
