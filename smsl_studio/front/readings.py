@@ -47,7 +47,7 @@ def reading(
     >>> step.heading, step.who
     ('Fix the head', 'The nurse')
     """
-    from smsl_studio.inspection.reading.written_reading import written_reading
+    from smsl_studio.inspection.reading.reading_author import written_reading
 
     if reader not in READERS:
         raise UsageError(f"{reader!r} is no reader", advice=did_you_mean(reader, READERS))

@@ -12,7 +12,7 @@ from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
 from smsl_studio.inspection.reading.step_words import StepWords
 
 
-def beginning(words: StepWords, grounds: ReadingGrounds, bare: Untitled) -> ReadingSection:
+def preparation(words: StepWords, grounds: ReadingGrounds, bare: Untitled) -> ReadingSection:
     """Return the section. A missing title is an open point, because its step cannot be read."""
     lines = [*_start(words, grounds), *_needs(words), *_end(words, grounds), *_bare(bare)]
     return ReadingSection("start", "Before you start", tuple(lines))

@@ -6,10 +6,10 @@ from pathlib import PurePath
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.reading.beginning import beginning
 from smsl_studio.inspection.reading.controls import controls
 from smsl_studio.inspection.reading.duties import duties, watched
 from smsl_studio.inspection.reading.plain_names import PlainNames, listed, untitled
+from smsl_studio.inspection.reading.preparation import preparation
 from smsl_studio.inspection.reading.procedure import Procedure
 from smsl_studio.inspection.reading.reading import BlueprintReading
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
@@ -32,7 +32,7 @@ def written_reading(
     procedure = Procedure(words, grounds)
     steps = procedure.section()
     sections = [
-        beginning(words, grounds, bare),
+        preparation(words, grounds, bare),
         steps,
         procedure.others(),
         troubles(words, grounds),
