@@ -46,6 +46,7 @@ BENCHES = (
     "oracle",
     "bombs",
     "sequences",
+    "undo",
     "walks",
     "layouts",
     "mental_map",

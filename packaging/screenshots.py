@@ -10,7 +10,8 @@ real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are
 file that does not read, of the offer to recover, and of a file that another program has changed.
 ``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
-``panels`` are all panels beside the drawing, each brought to the front.
+``panels`` are all panels beside the drawing, each brought to the front; ``--sample`` says of which
+sample.
 ``replay`` is a recorded run at the moment in which an operation was shut out. ``dense`` is a
 procedure of 129 operations whose drawing is collapsed, with a state selected.
 """
@@ -110,7 +111,7 @@ def main() -> int:
         if asked.mode in (None, "replay"):
             studio.take_replay(Path(folder))
         if asked.mode in (None, "panels"):
-            studio.take_panels()
+            studio.take_panels(asked.sample or "hanoi")
         if asked.mode in (None, "dense"):
             studio.take_dense(Path(folder))
         studio.finish()
@@ -176,14 +177,15 @@ class Studio:
         offer.reject()
         window.close()
 
-    def take_panels(self) -> None:
-        """Every panel beside the drawing, in front, with the findings of the printed Hanoi."""
+    def take_panels(self, sample: str) -> None:
+        """Every panel beside the drawing, in front. The printed Hanoi has findings to show."""
         window = make_window(self._windows)
-        window.files.open_copy(ROOT / "samples" / "hanoi.json")
+        window.files.open_copy(ROOT / "samples" / f"{sample}.json")
         self._until(partial(self._knows, window))
         for panel in window.docks.panels:
             window.show_tab(panel.name)
-            self._take_dressed(window, f"panel-{panel.name.lower()}")
+            named = panel.name.lower() if sample == "hanoi" else f"{panel.name.lower()}-{sample}"
+            self._take_dressed(window, f"panel-{named}")
         window.close()
 
     def take_dense(self, folder: Path) -> None:

@@ -51,6 +51,8 @@ class Sequence:
         yield from self._told(())
         for _ in range(self.length):
             yield from self._told(self._act())
+        self.acts.append("undo all")
+        yield from self._told(self._undo_all())
 
     def _told(self, own: Any) -> Iterator[str]:
         for finding in (*own, *disagreements(self.seat.window, self.seat.path)):
@@ -333,6 +335,15 @@ class Sequence:
 
     def _undo(self) -> list[str]:
         return self._go(-1)
+
+    def _undo_all(self) -> list[str]:
+        """Undo every step since the file was opened: its bytes are as they were then."""
+        self.seat.act("mode_draw")
+        wrong: list[str] = []
+        while self.session.history.index() and not wrong:
+            wrong = self._undo()
+        same = dict(self.session.texts) == self.steps[0][0]
+        return wrong if same else [*wrong, "all is undone, and the text is not as it was opened"]
 
     def _redo(self) -> list[str]:
         return self._go(1)

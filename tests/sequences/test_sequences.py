@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.studio.document import afterwards
 from tests.sequences.shares import findings
 
-SHARE, LENGTH = 10, 10
+SHARE, LENGTH = 8, 10
 
 
 @pytest.mark.parametrize("share", range(4))

@@ -10,6 +10,23 @@ from PySide6.QtTest import QTest
 from tests.stories.conftest import Sit
 
 
+def test_the_first_state_is_added_by_keys_alone(sit: Sit) -> None:
+    person = sit(begin=False)
+    person.ctrl(Qt.Key.Key_N)
+    assert person.window.canvas.hasFocus(), "a new drawing takes the keys"
+    assert "Enter" in person.window.canvas.accessibleDescription()
+    person.press(Qt.Key.Key_Return)
+    person.type("Ready")
+    person.press(Qt.Key.Key_Return)
+    assert list(person.blueprint["SB1"].table) == ["Ready"]
+    person.ctrl(Qt.Key.Key_Z)
+    person.window.canvas.setFocus()
+    person.press(Qt.Key.Key_Slash)
+    person.type("Idle")
+    person.press(Qt.Key.Key_Return)
+    assert list(person.blueprint["SB1"].table) == ["Idle"]
+
+
 def test_a_double_click_on_the_words_makes_a_state_there(sit: Sit, tmp_path: Path) -> None:
     file = tmp_path / "empty.json"
     file.write_text('{"SB1": {}}')

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.cli import main
@@ -134,6 +134,33 @@ def test_the_word_for_the_run_has_room_beside_four_modes(sit: Sit, tmp_path: Pat
     assert phase.text() == "●  At goal" or phase.text() == "At goal"
     assert is_whole(supervise.pane.bar.stop)
     assert all(is_whole(button) for button in segments.buttons.values())
+
+
+@pytest.mark.parametrize("size", [(960, 540), LOW, LOWEST])
+def test_world_start_and_goal_are_chosen_in_a_narrow_window(
+    sit: Sit, size: tuple[int, int]
+) -> None:
+    """Where the row has no room for them they were gone, without a way to them."""
+    person = at(sit, HFSM, size)
+    person.ctrl(Key.Key_2)
+    transport = person.window.features.run.pane.transport
+    person.until(lambda: transport.isVisible() and transport.world.count() > 0)
+    more = transport.more
+    person.until(lambda: is_whole(more) or is_whole(transport.goal))
+    if not more.isVisible():
+        return
+    more.menu().aboutToShow.emit()
+    titles = [entry.text() for entry in more.menu().actions()]
+    assert [title.split(":")[0] for title in titles[:4]] == ["World", "Start", "Goal", "Speed"]
+    world, start = (entry.menu() for entry in more.menu().actions()[:2])
+    assert isinstance(world, QMenu)
+    assert isinstance(start, QMenu)
+    entry = next(one for one in world.actions() if one.text() == "table")
+    entry.trigger()
+    assert transport.world.currentText() == "table"
+    start.actions()[-1].trigger()
+    assert transport.start.currentIndex() == transport.start.count() - 1
+    assert is_whole(transport.stop)
 
 
 @pytest.mark.parametrize("size", [LOW, LOWEST])

@@ -225,7 +225,7 @@ class Canvas(BranchView):
         """Tell assistive tools which SB is shown and what is selected."""
         sheet = self.sheet
         if sheet is None or not len(sheet.picture):
-            self.setAccessibleDescription("Empty. Double-click to add the first state.")
+            self.setAccessibleDescription("Empty. Enter or a double click adds the first state.")
             return
         drawn = self.drawn.chosen
         if drawn is not None and drawn in sheet.drawn.listed():

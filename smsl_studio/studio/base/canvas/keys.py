@@ -99,6 +99,8 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
     selection = canvas.marks.selection
     if key == Key.Key_Escape:
         canvas.selection_wanted.emit(())
+    elif key in ENTER and canvas.editing and not canvas.positions:
+        canvas.quick_add_wanted.emit()
     elif key in ENTER:
         return enter_sub(canvas)
     elif key == Key.Key_Backspace:

@@ -103,7 +103,7 @@ class EmptyHint(QWidget):
         """``below`` is the drawing, which gets what the mouse does beside the button."""
         super().__init__(parent)
         self.tokens, self._below = tokens, below
-        self._label = Label("Double-click to add the first state", self)
+        self._label = Label("Double-click or press Enter to add the first state", self)
         self._label.setFont(text_font(14))
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         # A double click on the words must reach the canvas below, see ``event``.

@@ -15,6 +15,7 @@ from smsl_studio.studio.base.key_button import KeyButton, command_button
 from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.run.more_choices import MoreChoices
 from smsl_studio.studio.running.phase_badge import PhaseBadge
 from smsl_studio.studio.running.runner import FASTEST
 
@@ -59,6 +60,8 @@ class Transport(QWidget):
         across.addWidget(self.phase)
         self.by_hand = self._by_hand()
         self.speed = self._speed()
+        choices = self.world, self.start, self.goal, self.speed
+        self.more = MoreChoices(self.seed, self.by_hand, *choices)
         self.step = command_button("step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
@@ -71,11 +74,12 @@ class Transport(QWidget):
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
         line = rule(vertical=True, length=24)
-        for part in (self.by_hand, self.speed, self.step, self.play, line, self.stop):
+        for part in (self.more, self.by_hand, self.speed, self.step, self.play, line, self.stop):
             across.addWidget(part)
         self._precedence = Precedence(
-            self, self._choices, line, self.speed, self.by_hand, self.step, self.phase, self.play
-        )
+            self, self._choices, line, self.speed, self.by_hand, self.step,
+            self.more, self.phase, self.play,
+        )  # fmt: skip
         self._name_play()
         self.show_phase("", exists=False)
 
@@ -151,7 +155,9 @@ class Transport(QWidget):
         self.phase.set_brief(wide < BARE)
         self.seed.setVisible(wide >= SEEDED)
         self.play.setMinimumWidth(112 if wide >= NARROW else 0)
+        self.more.set_brief(wide < BARE)
         self._precedence.want(self._choices, wide >= NARROWEST)
+        self._precedence.want(self.more, wide < NARROWEST)
         self._precedence.fit()
 
     def _by_hand(self) -> QToolButton:

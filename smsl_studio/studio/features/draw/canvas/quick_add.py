@@ -28,13 +28,16 @@ class QuickAdd:
     def go_on(self) -> None:
         """Add an operation from the selected state, or from the first of two to the second.
 
-        A selected operation stands for its target, so that the key draws a chain.
+        A selected operation stands for its target, so that the key draws a chain. Without any state
+        it adds the first one.
         """
         chosen = self._session.selection
         states = [a for a in chosen if a.state and not a.operation]
         if not states and len(chosen) == 1 and self._target(chosen[0]):
             states = [Address(chosen[0].branch, self._target(chosen[0]))]
-        if not states or len(states) > 2 or states[0].branch != self._session.branch:
+        if not self._canvas.positions:
+            self._canvas.add_state_wanted.emit(QPointF(*free_place(self._canvas)))
+        elif not states or len(states) > 2 or states[0].branch != self._session.branch:
             self._canvas.say("Select the state the operation starts from.")
         elif len(states) == 2:
             places = self._canvas.positions
