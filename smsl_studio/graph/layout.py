@@ -46,8 +46,11 @@ def place_states(
     where they would stand without ``_layout``. So moving one state by hand does not scatter the
     rest.
     """
-    known = {**(former or {}), **branch.notes.layout}
+    known: Mapping[str, Point] = branch.notes.layout
     places = list(map(known.get, branch.table))
+    if None in places:
+        known = {**(former or {}), **known}
+        places = list(map(known.get, branch.table))
     if None not in places:
         return dict(zip(branch.table, cast("list[Point]", places), strict=True))
     fixed = {name: at for name, at in known.items() if name in branch.table}

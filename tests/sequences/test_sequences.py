@@ -18,5 +18,5 @@ SHARE, LENGTH = 8, 10
 def test_after_each_act_all_that_is_shown_agrees(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch, share: int
 ) -> None:
-    monkeypatch.setattr(afterwards, "MOMENT", 40)
+    monkeypatch.setattr(afterwards, "MOMENT", 60)
     assert not list(findings(share * SHARE, (share + 1) * SHARE, LENGTH))

@@ -18,6 +18,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.document import afterwards
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.facts.view import FactView
 from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
 from smsl_studio.studio.features.draw.panels.library_list import LibraryList
@@ -35,7 +36,7 @@ STATE, OPERATION = "SB1/State_0_0_0", "Op_1a"
 PARTS = (
     (StateForm, "show_states"), (HeaderForm, "show_header"), (FileForm, "show_file"),
     (OutlineTree, "show_blueprint"), (LibraryList, "show_rows"), (StatusLine, "show_blueprint"),
-    (Actions, "refresh"),
+    (Actions, "refresh"), (FactView, "show_lines"), (StatusLine, "show_place"),
 )  # fmt: skip
 
 Change = Callable[[Blueprint], Blueprint]
@@ -56,8 +57,12 @@ def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often each part was shown, by its name."""
     counted: Counter[str] = Counter()
     for kind, name in PARTS:
-        monkeypatch.setattr(kind, name, counting(getattr(kind, name), kind.__name__, counted))
+        monkeypatch.setattr(kind, name, counting(getattr(kind, name), named(kind, name), counted))
     return counted
+
+
+def named(kind: type, method: str) -> str:
+    return f"{kind.__name__}.{method}"
 
 
 def counting(show: Callable[..., object], part: str, counts: Counter[str]) -> Callable[..., object]:
@@ -135,8 +140,8 @@ def test_the_drawing_follows_an_edit_and_each_other_part_once_when_somebody_asks
 
 def once(counts: Counter[str], words: str, session: Session) -> None:
     """Each part was shown once; that of a state only if one is selected."""
-    shown = [kind for kind, _ in PARTS if kind is not StateForm or session.selection]
-    assert counts == {kind.__name__: 1 for kind in shown}, words
+    shown = [one for one in PARTS if one[0] is not StateForm or session.selection]
+    assert counts == {named(*one): 1 for one in shown}, words
     counts.clear()
 
 
@@ -235,3 +240,18 @@ def test_a_window_closed_right_after_an_edit_calls_nothing_later(
     counts.clear()
     QTest.qWait(10)
     assert not counts
+
+
+def test_the_cells_of_a_fact_are_new_right_after_one_was_typed(waits: Person) -> None:
+    panel = waits.window.facts
+    view = panel.view
+    waits.until(lambda: not view.rect_of(0, "name").isEmpty())
+    view.edit_cell(0, "name")
+    waits.type("Peg")
+    QTest.keyPress(view.field, Qt.Key.Key_Tab)
+    assert view.looks.edited is not None
+    assert "Peg" in view.facts.lines[0].words
+    QTest.keyClick(view.field, Qt.Key.Key_Escape)
+    panel.propose_addition()
+    QTest.mouseClick(panel.card.agree, Qt.MouseButton.LeftButton)
+    assert view.looks.edited == (3, ("name", ""))

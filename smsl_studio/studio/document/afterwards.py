@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 
-MOMENT = 40
+MOMENT = 60
 """Milliseconds from an edit until forms and lists follow the drawing; 0 for at once."""
 
 KIND = QEvent.Type

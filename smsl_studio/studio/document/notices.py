@@ -20,9 +20,10 @@ def values_given(before: Blueprint, after: Blueprint) -> str:
         old = before.branches.get(name)
         if before.file != after.file or old is None or old is branch or not old.table:
             continue
-        given = [shape.width == 0 and not shape.opaque for shape in (old.shape, branch.shape)]
+        if not all(one.width == 0 and not one.opaque for one in (old.shape, branch.shape)):
+            continue
         new = [state for state in branch.table if state not in old.table]
-        if not all(given) or not new or any(state not in branch.table for state in old.table):
+        if not new or any(state not in branch.table for state in old.table):
             continue
         facts, values = branch.facts(new[0]), " ".join(branch.facts(new[0]))
         same = [state for state in branch.table if state != new[0] and branch.facts(state) == facts]

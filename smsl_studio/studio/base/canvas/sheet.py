@@ -24,6 +24,7 @@ from smsl_studio.picture.levels import (
     DOT_SIZE,
     FULL_SIZE,
     Level,
+    Spacing,
     level_at,
     spacing_of,
     unit_at,
@@ -77,6 +78,8 @@ class Sheet:
         self.version = 0
         """Increased whenever lines or labels change their place."""
         self._measure()
+        self.spacing, self.spaced = self._spacing(former)
+        """``spaced`` are the places for which the spacing was computed."""
         self._geometry: dict[LineKey, Geometry] = {}
         self._former = former.routings if former is not None else {}
         self._reaches = EdgeReaches(picture)
@@ -97,7 +100,18 @@ class Sheet:
         else:
             compact = with_room(self.at, full, compact, faces)
         self.full_widths, self.compact_widths = full, compact
-        self.spacing = spacing_of(self.at, full, compact)
+
+    def _spacing(self, former: Sheet | None) -> tuple[Spacing, Floats]:
+        """The spacing and the places for which it is computed.
+
+        They are those of ``former`` if its nodes have the same places and widths.
+        """
+        pairs = () if former is None else (
+            (former.spaced, self.at), (former.full_widths, self.full_widths),
+            (former.compact_widths, self.compact_widths))  # fmt: skip
+        if former is not None and all(np.array_equal(*pair) for pair in pairs):
+            return former.spacing, former.spaced
+        return spacing_of(self.at, self.full_widths, self.compact_widths), self.at.copy()
 
     def is_of(self, branch: str) -> bool:
         """Whether this sheet shows the SB of this name."""
@@ -181,7 +195,7 @@ class Sheet:
     def settle(self) -> None:
         """Route and label again, after states were moved."""
         self._route_anew()
-        self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
+        self.spacing, self.spaced = self._spacing(None)
         self.set_zoom(self.zoom)
 
     def change_marks(self, marks: Marks) -> tuple[set[int], set[int]]:

@@ -18,6 +18,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import is_grid
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.paint.ink import Type
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
@@ -47,6 +48,7 @@ class Breadcrumb(QWidget):
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
         self.tokens = tokens
+        self._plain, self._bold = Type(text_font(13)), Type(text_font(13, 600))
         self._file = ""
         self._chain: tuple[str, ...] = ()
         self._note = ""
@@ -105,9 +107,10 @@ class Breadcrumb(QWidget):
 
     def _widths(self) -> list[float]:
         """The width of each name (pixels). In a narrow view names are shortened, the file first."""
-        widths = [_width(text, i == len(self._chain) and i > 0)
+        last = len(self._chain)
+        widths = [(self._bold if i == last > 0 else self._plain).width(text)
                   for i, text in enumerate(self.words)]  # fmt: skip
-        beside = 22.0 * len(widths) + 20 + _width(self.note, False)
+        beside = 22.0 * len(widths) + 20 + self._plain.width(self.note)
         parent = self.parentWidget()
         room = (parent.width() if parent is not None else 0) - 2 * EDGE - beside
         for i, width in enumerate(widths):
@@ -119,7 +122,7 @@ class Breadcrumb(QWidget):
     def sizeHint(self) -> QSize:
         """Wide enough for the whole path and the note behind it."""
         last = self._places()[-1].right()
-        return QSize(int(last + 12 + _width(self.note, False) + 8), 26)
+        return QSize(int(last + 12 + self._plain.width(self.note) + 8), 26)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Underline the part under the pointer, if it can be clicked."""
@@ -184,7 +187,3 @@ class Breadcrumb(QWidget):
             base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
             painter.drawText(QPointF(places[-1].right() + 12.0, base), plain_text(self.note))
         painter.end()
-
-
-def _width(text: str, bold: bool) -> float:
-    return QFontMetricsF(text_font(13, 600 if bold else 400)).horizontalAdvance(text)

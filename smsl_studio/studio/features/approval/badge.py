@@ -31,6 +31,8 @@ class ApprovalBadge(Badge):
 
     def show_words(self, said: ApprovalWords) -> None:
         """Show the words for another state of the approval."""
+        if said == self.said and self.text() == said.words:
+            return
         self.said = said
         self.setText(said.words)
         self.setAccessibleName(plain_text(said.words))

@@ -36,17 +36,17 @@ class Captions(QObject):
         self.other: Callable[[], str] = lambda: ""
         """Returns the file that is shown instead of the drawing; empty for none."""
         session.afterwards.follow(self._show_blueprint, session.blueprint_changed)
-        session.selection_changed.connect(lambda *_: self._show_place())
-        session.branch_changed.connect(lambda *_: self._show_place())
+        chosen = session.selection_changed, session.branch_changed
+        session.afterwards.follow(self._show_place, session.blueprint_changed, *chosen)
         for signal in (session.edited_changed, session.blueprint_changed, session.broken_changed,
                        files.changed):  # fmt: skip
             signal.connect(lambda *_: self.show_title())
         self._show_blueprint()
+        self._show_place()
         self.show_title()
 
     def _show_blueprint(self) -> None:
         self._line.show_blueprint(self._session.blueprint)
-        self._show_place()
 
     def _show_place(self) -> None:
         session = self._session

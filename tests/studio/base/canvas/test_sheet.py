@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing import rename
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.levels import Level, readable_zoom
 from smsl_studio.picture.marks import Marks
@@ -107,3 +109,34 @@ def test_a_far_picture_fills_its_frame(
     assert max(shares) <= 1.0
     assert max(shares) > 0.6 or zoom > 0.3
     assert whole.contains(middle)
+
+
+@pytest.mark.parametrize("changed", ["nothing", "a name", "a place", "a drag before"])
+def test_the_spacing_after_an_edit_is_that_of_a_sheet_made_anew(
+    qapp: QApplication, changed: str
+) -> None:
+    former, blueprint = sheet(), sample("hanoi.json")
+    places = place_states(blueprint["SB1"])
+    name = former.picture.names[4]
+    if changed == "a name":
+        longer = f"{name}_longer_than_all_others"
+        blueprint = rename(blueprint, Address("SB1", name), longer)
+        places[longer] = places.pop(name)
+    elif changed == "a place":
+        places[name] = (places[name][0] + 300.0, places[name][1])
+    elif changed == "a drag before":
+        places = {one: (0.2 * x, 0.2 * y) for one, (x, y) in places.items()}
+        former.move({state: places[one] for one, state in former.picture.index.items()})
+    given = Picture(blueprint, "SB1"), places, Ink(LIGHT), Marks()
+    assert Sheet(*given, former).spacing == Sheet(*given).spacing
+
+
+def test_the_spacing_is_computed_once_for_the_same_nodes(
+    qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    former, blueprint = sheet(), sample("hanoi.json")
+    state, operations = next(iter(blueprint["SB1"].table.items()))
+    after = rename(blueprint, Address("SB1", state, next(iter(operations))), "Op_9z")
+    given = Picture(after, "SB1"), place_states(after["SB1"]), Ink(LIGHT), Marks()
+    monkeypatch.delattr("smsl_studio.studio.base.canvas.sheet.spacing_of")
+    assert Sheet(*given, former).spacing == former.spacing

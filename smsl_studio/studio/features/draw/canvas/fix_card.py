@@ -112,8 +112,8 @@ class FixCard(Card):
         branch = self._session.branch
         if branch in before.branches and branch in after.branches:
             old, new = before[branch].table.keys(), after[branch].table.keys()
-            added = new - old if old <= new else set()
-            self._fresh = Address(branch, added.pop()) if len(added) == 1 else None
+            one_more = len(new) == len(old) + 1 and old <= new
+            self._fresh = Address(branch, (new - old).pop()) if one_more else None
 
     def _selected(self) -> None:
         if self._session.selection != (self._fresh,):

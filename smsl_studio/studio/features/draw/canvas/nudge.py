@@ -55,10 +55,10 @@ class Nudge(QObject):
         """Carry out the presses that wait. Edits and commands call it first."""
         self._timer.stop()
         way, self._way = self._way, None
-        positions = self._canvas.positions
         if way is None or way[0][0] != self._session.branch:
             return
         (branch, names), dx, dy = way
+        positions = self._canvas.positions
         places = {n: (positions[n][0] + dx, positions[n][1] + dy) for n in names if n in positions}
         if way[0] != self._moved or self.clock() - self._last >= PAUSE:
             self._run += 1

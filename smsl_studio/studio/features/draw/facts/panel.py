@@ -124,9 +124,9 @@ class Facts(Panel):
         self.card.shown.connect(self._make_room)
         self.card.closed.connect(self.view.setFocus)
         session.settling.connect(self.view.settle)
-        session.blueprint_changed.connect(lambda *_: self._show())
-        session.branch_changed.connect(lambda _: self._show())
-        session.selection_changed.connect(lambda _: self._mark())
+        changed = session.blueprint_changed, session.branch_changed
+        session.afterwards.follow(self._show, *changed)
+        session.afterwards.follow(self._mark, session.selection_changed)
         self._show()
 
     @property
@@ -249,6 +249,8 @@ class Facts(Panel):
             self._write(digit, {"sensors": names or None}, f"Set the sensors of {what}")
         elif kind == "age":
             self._write(digit, {"max_age": _seconds(text)}, f"Set the maximum age of {what}")
+        # The next cell is looked for among the new ones.
+        self._session.afterwards.catch_up()
 
     def _write(self, digit: int, words: Mapping[str, Any], step: str) -> None:
         if self._shown is None:
@@ -361,6 +363,7 @@ class Facts(Panel):
     def _carry_out(self, proposal: FactChange) -> None:
         before = len(self.view.facts.lines)
         done = self._session.edit(proposal.step, proposal.change)
+        self._session.afterwards.catch_up()
         self.view.setFocus(Qt.FocusReason.OtherFocusReason)
         if done and proposal.verb == "Move fact":
             self.view.setCurrentIndex(self.view.facts.index(self._next_row))
