@@ -1,6 +1,5 @@
-"""Checks the evidence in this folder. 0: it is consistent. 1: it is not, each line says why.
-Names: s the story so far, e its next event, sb a State Branch, b its name, n one of its facts."""
-import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types
+"""Checks the evidence in this folder. 0: it is consistent. 1: it is not, each line says why."""
+import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types  # names: README.txt
 NOT_CHECKED = "reception over MQTT", "routes", "words that move nothing", "code", "imported records"
 class Wrong(Exception): "Why it is not believed."
 class Story(types.SimpleNamespace): names = vetoed = plan = told = (); __getattr__ = lambda s, n: 0
@@ -13,7 +12,15 @@ def plain(value): return json.dumps(value, separators=(",", ":")).encode()
 def escape(name): return name.replace("~", "~0").replace("/", "~1")
 def parts(text): return tuple(p.replace("~1", "/").replace("~0", "~") for p in text.split("/"))
 def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.isdecimal() else -1
-PARTS, raw_of = ("brought", "behaviour", "meaning", "closure"), base64.b64decode
+TYPES = {list: "candidates details facts faults goals met misses operations options reasons "
+	"refusals sensed sensors subs unknown", dict: "answers candidate configuration costs facts "
+	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
+	"cost deadline t"}; PARTS = "brought behaviour meaning closure".split()
+def fits(name, v):  # text, where TYPES says nothing else; a list or map holds what its singular is
+	if type(v) is str: return name not in " ".join(TYPES.values()).split()
+	if name in TYPES[float].split(): no(abs(v) >= 2**53)
+	inner = v.values() if type(v) is dict else v if type(v) is list else ()
+	return name in TYPES.get(type(v), "").split() and all(fits(name[:-1], one) for one in inner)
 def content(texts):  # 1 THE BLUEPRINT, from the texts that its digests are made of
 	brought, own, meaning, closure = map(read, texts); hexes = [sha(text) for text in texts]
 	theirs, notes, hazards, *levels = closure["imported"]; known = dict(own + brought)
@@ -44,10 +51,9 @@ def lines(raw):  # 2 THE LOG: each line, and the head, has the SHA-256 of all by
 		digest.update(line[:-66]); link = b',"chain":"%s"}' % digest.hexdigest().encode()
 		no(line[-76:] != link, f"line {number}: the chain breaks: it, or a line before it, was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
-	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; signed = read(head).get("signed")
-	wanted = {"head": sums, "signed": signed} if signed else {"head": sums}
-	no(end or head != plain(wanted), "its head does not fit")
-	return found[0] | {"head": plain(sums), "signed": signed}, found[1:]
+	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; seal = read(head).get("signed")
+	no(end or head != plain({"head": sums} | ({"signed": seal} if seal else {})), "its head is wrong")
+	return found[0] | {"head": plain(sums), "signed": seal}, found[1:]
 def end_step(s): s.begun, s.moved, s.acting, s.failing = [], set(), 0, 0
 def here(s): return s.conf | {b: at for op in s.begun if op.done for b, at in op.new.items()}
 def holds(s, key, value, at, way=()):  # whether a fact has a value. None: unknown, ...: on its way
@@ -85,28 +91,27 @@ def locate(s, at): s.conf, s.vetoed = at, s.vetoed if at == s.conf else ()
 IDLE = "left_out subs_bypassed operation_refused disturbed fault_injected costs_changed".split()
 CAUSES = dict(resumed="resume", operation_pruned="prune", operation_restored="restore",
 	reset="reset", taken_over="take_over", given_back="accept", stopped="stop", disturbed="disturb",
-	fault_injected="inject", task_answered="answer")  # event: its command
+	fault_injected="inject", task_answered="answer"); raw_of = base64.b64decode
 def take(s, e):  # 3 THE STORY is told again, event by event: when it may not come, what it changes
+	no(not all(fits(k, v) for k, v in e.items() if (k, v) != ("value", None)), "of another type")
 	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
 	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.by_hand or not s.began
 	no(s.over or s.start and kind not in ("left_out", "fact_changed", "state_checked") or
-		not s.t <= e.t < 2**53 or e.t > s.t and not (waits or {*s.goals.values()} & {*s.conf.items()}))
+		e.t < s.t or e.t > s.t and not (waits or {*s.goals.values()} & {*s.conf.items()}))
 	own = vars(c) | vars(e) if kind in CAUSES else {}  # as its command says, where it says it
 	no(own and ((c.t, c.command, c.by, c.address) != (e.t, CAUSES[kind], own["by"], own["address"]) or
 		c.refused and kind != "task_answered" and "the world is gone" not in c.refused))
 	s.t = e.t; kind in IDLE or globals()["on_" + kind](s, e); s.last, c.t = e, -1 if own else c.t
 	if kind != "state_checked": s.checked = {}
 	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
-def on_run_started(s, e):
+def on_run_started(s, e):  # bases decide where their sub-SBs stand
 	given, asked = dict(map(parts, s.h["start"])), dict(map(parts, s.h["goals"]))
-	roots = {b: sb.goal for b, sb in s.sbs.items() if not s.bases[b]}
+	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met")
 	s.goals, s.sensed = {goal: parts(goal) for goal in e.goals}, {*map(fact, e.sensed)}
 	no(s.began or (e.behaviour, e.world, e.seed) != (s.whole, s.h["world"], s.h["seed"]) or
 		dict(s.goals.values()) != (asked or roots) or s.facts and not s.names)
-	for b, state in e.start.items():  # bases decide where their sub-SBs stand
-		sb = s.sbs[b]; usual = sb.goal if s.bases[b] and state == sb.goal else sb.initial
-		no(state != s.conf.get(b, given.get(b, usual)))
-	s.conf, s.start, s.began = {**e.start}, {**e.start}, 1
+	usual = {b: x if s.bases[b] and x == s.ends[b] else s.sbs[b].initial for b, x in e.start.items()}
+	no(e.start != usual | given | s.conf); s.conf, s.start, s.began = {**e.start}, {**e.start}, 1
 	no(s.conf.keys() != s.sbs.keys() or broken(s, s.conf) or hazards(s, s.conf))
 def on_fact_changed(s, e):  # a source or a person tells it
 	key = b, n = e.branch, e.digit; sb, name, v = s.sbs[b], f"{escape(b)}/{n}", e.value
@@ -123,23 +128,21 @@ def on_state_checked(s, e):
 		or way(s) - {key for op in s.begun for key in op.along}); s.failing = e.result != "true"
 	if not s.failing: safe(s, here(s)); s.checked[b] = state
 	for op in s.begun: op.done |= not s.failing and op.b == b and op.target == state
-def on_route_planned(s, e):
-	no(s.last.event == e.event); s.plan, s.chosen, s.asked = [*e.operations], 0, 0
-def on_operation_started(s, e):  # from where its SB is, on the route or asked for, not shut out
+def on_route_planned(s, e): no(s.last.event == e.event); s.free = s.ask = 0; *s.plan, = e.operations
+def on_operation_started(s, e):  # from where its SB is
 	a, op, now, others = e.address, edge(s, e.address), here(s), s.begun; op.function = e.function
-	s.chosen, on, seen = s.chosen or s.asked == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
+	s.free, on, seen = s.free or s.ask == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
 	no(op.target != e.target or now[op.b] != op.source or a in s.shut or s.failing or s.tasks or
-		not s.chosen and (not on or s.paused or a in s.vetoed) or False in seen or s.latch or
+		not s.free and (not on or s.paused or a in s.vetoed) or False in seen or s.latch or
 		None in seen and not others or s.acting and s.last.event != e.event or
 		any((o.outcome == "returned" or o.b == op.b) and not o.done for o in others))
 	yes, go = (s.said.pop((kind, a), "  ")[1] for kind in ("confirm", "supervise")); safe(s, now)
-	no(op.needs and bool(e.function) == (op.level == "human") or
-		(op.note.get("confirm") or op.level == "shared") and yes != "confirm" or go != "go_on" and
-		not (others or s.chosen or s.bases[op.b]) and level(s, "supervision") == "human")
-	for key, value in [(fact(text), value) for text, value in op.note.get("requires", {}).items()]:
-		no(key[0] not in s.moved and not holds(s, key, value, now))
-	s.begun, s.plan, s.acting, s.held, s.asked = [*others, op], s.plan[on:], 1, 0, 0
-def on_operation_ended(s, e):  # once, later, or said by a person
+	no(op.needs and bool(e.function) == (op.level == "human") or go != "go_on" and
+		not (others or s.free or s.bases[op.b]) and level(s, "supervision") == "human")
+	no(yes != "confirm" and (op.level == "shared" or op.note.get("confirm")) or not all(fact(key)[0] in
+		s.moved or holds(s, fact(key), v, now) for key, v in op.note.get("requires", {}).items()))
+	s.begun, s.plan, s.acting, s.held, s.ask = [*others, op], s.plan[on:], 1, 0, 0
+def on_operation_ended(s, e):
 	op, how = running(s, e.address)[-1], e.outcome; bad, s.acting = how != "returned", 0
 	no(op.outcome or s.failing or how != "cancelled" and not (op.function or op.answer) or not bad and
 		op.answer != "done" and (op.answer != 0 or e.t <= op.t)); op.outcome, s.failing = how, bad
@@ -150,13 +153,13 @@ def on_committed(s, e):  # all have ended well, and were checked just before
 		any(op.outcome != ("returned" if op.function or op.answer else 0) for op in ops) or
 		not new.items() <= s.checked.items())
 	locate(s, at); safe(s, here(s)); s.moved, s.count = s.moved | {*new}, s.count + len(ops)
-	if not (s.begun or any(s.bases[b] or s.sbs[b].subs for b in new)): s.chosen, s.moved = 0, set()
+	if not (s.begun or any(s.bases[b] or s.sbs[b].subs for b in new)): s.free, s.moved = 0, set()
 def on_operation_risky(s, e):
 	no(s.last.event != e.event and not (s.failing and running(s, e.address))); s.begun = []
 def on_operation_pruned(s, e): s.shut = {*s.shut, e.address}
 def on_operation_restored(s, e): s.shut, s.vetoed = {*s.shut} - {e.address}, ()
 def on_mismatch(s, e): no(not e.facts or type(e.facts) is dict); end_step(s); s.only = e.candidates
-def on_relocalised(s, e):  # there, adopted, accepted, or one sub-SB
+def on_relocalised(s, e):
 	there, c, last, adopts = e.configuration, s.cause, s.last, s.h["on_mismatch"] == "adopt"
 	moved = [b for b in there if there[b] != s.conf.get(b)]
 	accepted = last.event == "given_back" and last.configuration == there
@@ -166,24 +169,22 @@ def on_relocalised(s, e):  # there, adopted, accepted, or one sub-SB
 	no(s.conf and moved and not may or s.acting or last.event == e.event or broken(s, there) or
 		there.keys() != s.sbs.keys() or not all(all(terms(s, there, b)) for b in there))
 	locate(s, there); end_step(s); s.held, s.only = 0, 0
-def arrived(s):  # nothing goes on, and the goals that were told still hold
-	no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(False in terms(s, s.conf, b)
-		for b in s.conf) or {s.goals[goal] for goal in s.told} - {*s.conf.items()})
+def arrived(s): no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(
+	False in terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
 def on_goal_reached(s, e):
 	s.told = [*s.told, e.goal]; arrived(s); safe(s, s.conf); b = s.goals[e.goal][0]
 	no([*s.goals][:len(s.told)] != s.told or not all(terms(s, s.conf, b)))
-def on_hazard_met(s, e):
-	facts, s.met = {fact(key): value for key, value in e.facts.items()}, s.met | {e.name}
-	no(facts != dict(s.hazards[e.name]) or e.name not in hazards(s, here(s)))
+def on_hazard_met(s, e): no({fact(k): v for k, v in e.facts.items()} != dict(s.hazards[e.name]) or
+	e.name not in hazards(s, here(s))); s.met = s.met | {e.name}
 def on_held(s, e): end_step(s); s.held, s.paused = (e.kind, e.reason), 0
 def on_commanded(s, e):
 	no(not e.by or e.value is None); s.cause, word = e, "" if e.refused else e.command
 	if word in ("resume", "step"): s.paused, s.vetoed = 0, () if s.held else s.vetoed
 	if word == "veto" and not s.begun: s.vetoed = *s.vetoed, e.address
-	if word == "ask": s.asked = e.address
+	if word == "ask": s.ask = e.address
 	if word in ("ask", "step", "stop", "set_automatic", "set_cost"): s.by_hand = 1
 def on_paused(s, e): s.paused, s.held = e.event == "paused", 0
-def on_stopped(s, e): end_step(s); s.latch, s.by, s.held, s.asked, s.tasks = e.event, e.by, 0, 0, {}
+def on_stopped(s, e): end_step(s); s.latch, s.by, s.held, s.ask, s.tasks = e.event, e.by, 0, 0, {}
 def on_reset(s, e): no(not s.latch); s.latch, s.paused = 0, e.event == "reset"
 on_taken_over, on_given_back, on_resumed = on_stopped, on_reset, on_paused
 def on_task_opened(s, e):  # it asks those whom the blueprint names
@@ -222,10 +223,10 @@ def on_run_finished(s, e):
 	elif r == "stopped": no(not cut and (s.latch != r or not why.startswith(f"Stopped by {s.by}.")))
 	else: no(r != "failed" or not last.event == kind == "held" or (last.t, held) != (e.t, why))
 def tell(contents, raw, files=()):
-	h, events = lines(raw); h["met"] = [text for e in events for text in e.get("met", ())]
-	said = h["digests"]; sums = {said["file"], *said.get("imported", {}).values()}
-	known = [one for one in contents if one and one["hexes"][1:] == [said[part] for part in PARTS[1:]]]
-	right = (h["log"], h["version"]) == ("smsl-run", 3) and known and (not files or sums <= files)
+	h, events = lines(raw); said = h["digests"]; hexes = [said[part] for part in PARTS[1:]]
+	known = [one for one in contents if one and one["hexes"][1:] == hexes]
+	sums, log = {said["file"], *said.get("imported", {}).values()}, b'{"log":"smsl-run","version":3,'
+	right = known and raw.startswith(log) and (not files or sums <= files)
 	no(not right, "its blueprint is not here"); s = Story(**known[0], h=h, by_hand=h["by_hand"])
 	s.conf, s.facts, s.said, s.tasks, s.goals, s.met, s.shut = {}, {}, {}, {}, {}, set(), h["avoid"]
 	s.last, s.cause = Story(), Story(); end_step(s)
@@ -240,7 +241,7 @@ def trusted():  # 4 THE RECORDS: the policy, and whose keys count
 	if own: listed = opened(read(listed), mine, "smsl-studio.register")[0]
 	keys = [one | {"key": raw_of(key)} for one in read(listed)["persons"] for key in one["keys"]]
 	return policy, {"sha256:" + sha(one["key"]): one for one in keys}
-def opened(envelope, keys, kind="in-toto"):  # what is signed, and by whom
+def opened(envelope, keys, kind="in-toto"):
 	from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey as Key
 	(one,), kind = envelope["signatures"], f"application/vnd.{kind}+json"; name = one["keyid"]
 	body, sig = raw = raw_of(envelope["payload"]), raw_of(one["sig"]); key = keys[name]
@@ -260,24 +261,23 @@ def judge(known, log):
 	(policy, keys), last, ask, met, before = trusted(), {}, [], [], when("1999-01-01")
 	told = [opened(one, keys) for f in files("records/*") for one in read(f.read_bytes())["records"]]
 	day = when(log.get("wall_time") or told and read(told[-1][0])["predicate"]["time"])
-	mine, days = [c["hexes"][1:] for c in known if c], policy.get("valid_days", 1e5)
-	for body, key in told:  # in order of signing; the last word of each person counts
+	own, days = [c["hexes"][1:] for c in known if c], datetime.timedelta(policy.get("valid_days", 1e5))
+	for body, key in told:  # the last word of each person counts
 		said, sums = read(body)["predicate"], read(body)["subject"][0]["digest"]
 		at, who, may = when(said["time"]), same(key["person"]), {*map(same, key["roles"])}
-		no(at <= before, "out of order"); before = at
-		if at > day + datetime.timedelta(minutes=5): continue  # it says nothing about this run
-		good = [sums[n] for n in PARTS[1:]] in mine and sums.items() <= log.get("digests", sums).items()
-		good = good and not void(key, at, policy, sha(body), *sums.values())
-		no(good and said["verdict"] == "rejected", "rejected")
-		good = good and day <= min(at + datetime.timedelta(days), when(said["expires"] or "9999-12-30"))
+		no(at <= before, "order"); before, bad = at, void(key, at, policy, sha(body), *sums.values())
+		if at > day + datetime.timedelta(minutes=5): continue
+		good = [sums[n] for n in PARTS[1:]] in own and sums.items() <= log.get("digests", sums).items()
+		no(good and not bad and said["verdict"] == "rejected", "rejected")
+		good = good and not bad and day <= min(at + days, when(said["expires"] or "9999-12-30"))
 		ask = [one for one in ask if one[0] != who or said["met"]]
 		met += [(t, may) for t in said["met"] if good]; ask += [(who, t, may) for t in said["conditions"]]
 		last[who] = good and not may & {"automatic", "recorder"} and may
 	seats = [same(role) for role, n in policy.get("roles", {}).items() for _ in range(min(n, 99))]
 	ok = [may for may in last.values() if may]; few = len(ok) < policy.get("persons", len(seats) or 1)
 	no(few or not each(seats, ok, lambda seat, may: seat in may), "too few sign")
-	for who, text, may in ask:  # a person of the same role, or the run, has met it
-		done = text in log.get("met", ()) or any(text == one and may & theirs for one, theirs in met)
+	for who, text, may in ask:
+		done = text in (log.get("met") or ()) or any(text == one and may & theirs for one, theirs in met)
 		no(last[who] and not done, "a condition is open: " + text)
 def files(way): return sorted(pathlib.Path(".").glob(way))
 def load(name): return b"".join(one.read_bytes() for one in files(name))

@@ -1,7 +1,8 @@
 """Runs the checks of ``verify.py``, the program that every bundle of evidence has.
 
 The program is in ``resources``. A bundle gets a copy of its bytes, and Studio runs the same file.
-So Studio and plain Python always agree about a log.
+So Studio and plain Python agree about the story of a log. Studio reads the log with its own reader
+before, which also refuses members that no event has.
 """
 
 from __future__ import annotations

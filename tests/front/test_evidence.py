@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import ast
 import io
+import re
 import subprocess
 import sys
 import zipfile
 from collections import Counter
+from collections.abc import Iterable, Iterator
+from copy import deepcopy
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -18,6 +22,7 @@ from smsl_studio.blueprint.digests import digests
 from smsl_studio.front.bundles import bundled
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.verifier import content_texts, told_again, verifier_file
+from smsl_studio.runlog.decoder import event_of
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import samples_dir
 from tests.front.forged_runs import FORGERIES, Forgery, forged
@@ -25,6 +30,7 @@ from tests.front.plain_judge import why_impossible
 from tests.front.told_runs import ToldRun, told_runs
 from tests.runlog.impossible import OPERATORS, Story, impossible
 
+Json = Any
 TRUE = range(48)
 """Of 10,000, which ``benches/forged.py`` has."""
 EACH = 20
@@ -73,14 +79,14 @@ def test_the_checks_are_short_and_need_no_other_package() -> None:
 
 
 def test_the_checks_can_be_read_aloud() -> None:
-    """A function fits a screen, and a statement begins its line wherever it needs a second one."""
+    """A function fits a screen. A statement that needs a second line begins its own."""
     text = verifier_file().read_text("utf-8")
     lines, tree = text.splitlines(), list(ast.walk(ast.parse(text)))
     functions = [node for node in tree if isinstance(node, ast.FunctionDef)]
     assert max(node.end_lineno - node.lineno for node in functions if node.end_lineno) < 24
     plain = [node for node in tree if isinstance(node, ast.Assign | ast.Expr | ast.Return)]
     long = [node for node in plain if node.end_lineno != node.lineno]
-    assert [node.lineno for node in long if lines[node.lineno - 1][: node.col_offset].strip()] == []
+    assert [node.lineno for node in long if ";" in lines[node.lineno - 1][: node.col_offset]] == []
     dense = [node.lineno for node in plain if sum(1 for _ in ast.walk(node)) > 100]
     assert len(dense) <= 1, f"too much is said at once in lines {dense}"
 
@@ -133,6 +139,77 @@ def test_a_list_that_is_no_list_is_refused_by_both(
     assert verify_stream(io.BytesIO(raw), "log", run.blueprint).doubt is not None
 
 
+ANYTHING: tuple[Json, ...] = (
+    5, 0, 1.5, -1, None, True, False, "x", "", [], {}, [1], [None], ["x"], [[]], [{}], {"a": 1},
+    {"a": "b"}, {"a": None}, 2**60, -(2**70), 1e300, 3.0,
+)  # fmt: skip
+
+
+def _places(value: Json, path: tuple[Json, ...] = ()) -> Iterator[tuple[Json, ...]]:
+    """The places of all values inside of a value."""
+    inside: Iterable[tuple[Json, Json]] = ()
+    if isinstance(value, dict):
+        inside = value.items()
+    elif isinstance(value, list):
+        inside = enumerate(value)
+    for key, one in inside:
+        yield (*path, key)
+        yield from _places(one, (*path, key))
+
+
+def _with_anything(told: Json, random: Random) -> Json:
+    """An event or a header, in which one value is another one of any type."""
+    changed = deepcopy(told)
+    *way, last = random.choice(list(_places(changed)))
+    around = changed
+    for key in way:
+        around = around[key]
+    around[last] = deepcopy(random.choice(ANYTHING))
+    return changed
+
+
+def test_any_type_in_any_place_is_judged_alike_and_refused_where_it_is_wrong(
+    runs: list[ToldRun],
+) -> None:
+    wrong = 0
+    for number in range(240):
+        random, run = Random(f"any type {number}"), runs[number % len(runs)]
+        story = Story.of(run.raw)
+        at = random.randrange(-1, len(story.events)) if number % 4 == 0 else -2
+        if at == -1:
+            story.header = _with_anything(story.header, random)
+        else:
+            at = random.randrange(len(story.events))
+            story.events[at] = _with_anything(story.events[at], random)
+        raw = story.raw()
+        why = told_again(raw, run.blueprint)
+        verdict = verify_stream(io.BytesIO(raw), "log", run.blueprint)
+        assert (verdict.doubt is None) == (not why), (number, why, verdict.doubt)
+        if at >= 0 and not _is_event(story.events[at]):
+            wrong += 1
+            assert why.startswith(f"line {at + 2}: "), (number, why)
+            assert verdict.doubt is not None
+            assert verdict.doubt.place.line == at + 2, (number, verdict.doubt)
+    assert wrong > 60
+
+
+@pytest.mark.parametrize("version", [3.0, True, "3", [3], None, 4])
+def test_only_one_version_is_believed(version: Json, runs: list[ToldRun]) -> None:
+    """A version of another type is another version, for both."""
+    story, run = Story.of(runs[0].raw), runs[0]
+    story.header["version"] = version
+    assert told_again(story.raw(), run.blueprint)
+    assert verify_stream(io.BytesIO(story.raw()), "log", run.blueprint).doubt is not None
+
+
+def _is_event(values: Json) -> bool:
+    try:
+        event_of(values)
+    except ValueError:
+        return False
+    return True
+
+
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda one: one.__name__)
 def test_an_impossible_story_is_refused_here_too(operator: object, runs: list[ToldRun]) -> None:
     name = getattr(operator, "__name__", "")
@@ -181,6 +258,7 @@ def test_a_bundle_is_checked_by_a_bare_python(tmp_path: Path) -> None:
     assert (folder / "logs/run.jsonl").read_bytes() == (tmp_path / "run.jsonl").read_bytes()
     assert (folder / "verify.py").read_bytes() == verifier_file().read_bytes()
     assert "report.html" in (folder / "README.txt").read_text()
+    _every_function_is_explained((folder / "README.txt").read_text())
     status, said = _checked(folder)
     assert status == 0
     assert "No record: nobody has approved this blueprint." in said
@@ -188,6 +266,13 @@ def test_a_bundle_is_checked_by_a_bare_python(tmp_path: Path) -> None:
     status, said = _checked(folder)
     assert status == 1
     assert "logs/run.jsonl: its blueprint is not here" in said
+
+
+def _every_function_is_explained(readme: str) -> None:
+    tree = ast.parse(verifier_file().read_text("utf-8"))
+    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    told = {name for name in names if not name.startswith("on_")}
+    assert {name for name in told if not re.search(rf"\b{name}\b", readme)} == set()
 
 
 def test_a_bundle_without_a_log_says_so(tmp_path: Path) -> None:
