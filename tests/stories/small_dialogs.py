@@ -12,9 +12,16 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-from PySide6.QtCore import QRect, QTimer
+from PySide6.QtCore import QRect, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractScrollArea, QDialog, QFileDialog, QPushButton
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QDialog,
+    QFileDialog,
+    QLabel,
+    QPushButton,
+    QWidget,
+)
 
 from smsl_studio.blueprint import editing
 from smsl_studio.front.revisions import Revision
@@ -84,8 +91,21 @@ def buttons_of(dialog: QDialog) -> dict[str, Box]:
     return found
 
 
-def _scrolls(button: QPushButton, dialog: QDialog) -> bool:
-    above = button.parentWidget()
+def cut_texts(dialog: QDialog) -> list[str]:
+    """The texts that have less height than their lines need, or lie below another part."""
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    parts = [one for one in dialog.findChildren(QWidget, options=direct) if one.isVisible()]
+    texts = [one for one in parts if isinstance(one, QLabel) and one.wordWrap()]
+    return [
+        words.text()
+        for words in texts
+        if words.height() < words.heightForWidth(words.width())
+        or any(words.geometry().intersects(one.geometry()) for one in parts if one is not words)
+    ]
+
+
+def _scrolls(part: QWidget, dialog: QDialog) -> bool:
+    above = part.parentWidget()
     while above is not None and above is not dialog:
         if isinstance(above, QAbstractScrollArea):
             return True
@@ -101,7 +121,7 @@ def file_dialog(window: Window) -> dict[str, Any]:
     def look() -> None:
         dialog = window.findChild(QFileDialog)
         assert dialog is not None
-        told.update(frame=box(dialog.frameGeometry()), buttons=buttons_of(dialog))
+        told.update(frame=box(dialog.frameGeometry()), buttons=buttons_of(dialog), cut=[])
         dialog.reject()
 
     QTimer.singleShot(300, look)
@@ -122,7 +142,8 @@ def main(file: str) -> dict[str, Any]:
     for name, dialog in (*by_action(windows, window), *by_themselves(windows, window)):
         dialog.show()
         QTest.qWait(50)
-        told[name] = {"frame": box(dialog.frameGeometry()), "buttons": buttons_of(dialog)}
+        told[name] = {"frame": box(dialog.frameGeometry()), "buttons": buttons_of(dialog),
+                      "cut": cut_texts(dialog)}  # fmt: skip
         dialog.close()
     return told
 

@@ -21,6 +21,7 @@ from tests.stories.at_tasks import SURGEON, AtTasks
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 from tests.stories.test_inspection_page import answered, page
+from tests.stories.test_merge_page import at_page, merged_file
 from tests.stories.test_run_small import paused
 
 Key = Qt.Key
@@ -317,3 +318,25 @@ def test_the_drawing_of_a_recording_is_in_view(
         return all(one is not None and seen.contains(view.screen_rect(one)) for one in nodes)
 
     person.until(drawn)
+
+
+def test_a_conflict_is_read_and_chosen_in_the_lowest_window(sit: Sit, tmp_path: Path) -> None:
+    person = at(sit, merged_file(tmp_path), LOWEST)
+    merging = at_page(person)
+    mine = merging.list.cards[0].buttons["ours"]
+    person.until(lambda: is_whole(mine))
+    person.click(mine)
+    assert mine.isChecked()
+
+
+def test_the_library_leaves_out_its_hint_where_it_would_be_cut(sit: Sit) -> None:
+    person = sit(HFSM, LARGE)
+    library = person.window.library
+    person.window.show_tab("Library")
+    person.until(lambda: is_whole(library.hint))
+    shrink(person, LOWEST)
+    person.window.show_tab("Library")
+    person.until(library.list.isVisible)
+    assert not library.hint.isVisible()
+    person.window.resize(*LARGE)
+    person.until(lambda: is_whole(library.hint))

@@ -73,5 +73,6 @@ def test_every_dialog_is_whole_on_a_screen_of_1280_by_720(scale: str, tmp_path: 
     assert len(told) == 15
     for name, dialog in told.items():
         assert inside(dialog["frame"], screen), (name, dialog, screen)
+        assert dialog["cut"] == [], name
         for words, button in dialog["buttons"].items():
             assert inside(button, dialog["frame"]), (name, words, button, dialog)

@@ -12,6 +12,9 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import key_words
 from smsl_studio.studio.base.tips import tip_text
 
+TOOL = (28, 28)
+"""Least width and height of a button that has an icon alone (pixels)."""
+
 
 def panel(*parts: QWidget) -> QWidget:
     """A panel with parts one below another. Those that scroll share the free room."""
@@ -38,6 +41,8 @@ def keyed_tool(window: QWidget, words: str, keys: str, call: Callable[[], object
     made = QToolButton()
     made.setToolTip(tip_text(f"{words} ({key_words(keys)})"))
     made.setAccessibleName(plain_text(words))
+    made.setProperty("role", "small")
+    made.setMinimumSize(*TOOL)
     made.clicked.connect(lambda: call())
     QShortcut(QKeySequence(keys), window).activated.connect(lambda: call())
     return made

@@ -23,6 +23,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
@@ -161,6 +162,7 @@ class RowsView(QListView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
+        FocusLine(self)
 
     def keyboardSearch(self, search: str, /) -> None:
         """Do nothing: letters are keys of the window."""

@@ -68,6 +68,8 @@ class PluginQuestion(QDialog):
         whole.addWidget(_facts_of(found, self.width(), min(TALLEST, most.height() - BESIDES)))
         whole.addWidget(why)
         whole.addLayout(row(self.forbid, None, self.later, self.allow))
+        high = whole.totalHeightForWidth(self.width())
+        self.setMinimumHeight(min(high, most.height()))
         self.later.setFocus()
 
     def _decide(self, what: str) -> None:

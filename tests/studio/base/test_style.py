@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 
 import pytest
+from PySide6.QtWidgets import QRadioButton
+from pytestqt.qtbot import QtBot
 
+from smsl_studio.picture.contrast import MARK, contrast
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.base.style import style_sheet
-from smsl_studio.studio.base.theme import DARK, LIGHT, Tokens
+from smsl_studio.studio.base.theme import CONTRAST, DARK, LIGHT, Tokens
 
 
 @pytest.mark.parametrize("tokens", [LIGHT, DARK], ids=lambda tokens: tokens.name)
@@ -30,3 +33,15 @@ def test_the_keyboard_focus_is_visible_on_a_filled_button_too(tokens: Tokens) ->
     (ring,) = (body for names, body in rules if 'QPushButton[role="primary"]:focus' in names)
     assert tokens.acc.name() not in ring
     assert f"2px solid {tokens.tx.name()}" in ring
+
+
+@pytest.mark.parametrize("tokens", [LIGHT, DARK, CONTRAST], ids=lambda tokens: tokens.name)
+def test_the_ring_of_a_choice_that_is_not_chosen_is_seen(tokens: Tokens, qtbot: QtBot) -> None:
+    """Without it nobody sees that there is something to choose."""
+    button = QRadioButton("")
+    qtbot.addWidget(button)
+    button.setStyleSheet(style_sheet(tokens))
+    drawn = button.grab().toImage()
+    middle = drawn.height() // 2
+    colours = [drawn.pixelColor(at, middle).name() for at in range(9)]
+    assert max(contrast(colours[-1], one) for one in colours) >= MARK

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem
 
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.help.pages import GROUPS, HelpPlace, page
@@ -22,6 +23,7 @@ class HelpIndex(QTreeWidget):
         super().__init__()
         self.setObjectName("help_index")
         self.setAccessibleName("Index")
+        FocusLine(self)
         self.setHeaderHidden(True)
         self.setIndentation(16)
         self.setUniformRowHeights(True)

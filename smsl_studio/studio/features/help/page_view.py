@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage, QResizeEvent, QTextCursor, QTextDocument
 from PySide6.QtWidgets import QTextBrowser, QTextEdit
 
 from smsl_studio.shipped import docs_dir
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.help.look import blocks, dress, fit_pictures
 from smsl_studio.studio.features.help.pages import HelpPlace, file_of, names, page
@@ -36,6 +37,7 @@ class PageView(QTextBrowser):
         self._arrived = 0
         self.setObjectName("help_page")
         self.setAccessibleName("Help page")
+        FocusLine(self)
         self.setFrameShape(QTextBrowser.Shape.NoFrame)
         self.setOpenLinks(False)
         # The bar does not come and go, because each time the text would be broken anew.

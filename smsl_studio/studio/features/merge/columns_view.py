@@ -22,6 +22,8 @@ from smsl_studio.studio.features.merge.open_merge import WORDS
 from smsl_studio.studio.features.merge.side_button import LETTERS
 
 LINE, HEAD = 18, 28
+LEAST = 3
+"""So many lines are in view in the lowest window; its page scrolls."""
 AROUND, FOLDED = 3, 3
 """So many lines around a difference are shown; so many others and more are folded."""
 WAITING = "Choose a conflict: its lines in all versions stand here."
@@ -42,6 +44,7 @@ class ColumnsView(QWidget):
         scroll.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         scroll.setAccessibleName("Source of the versions")
         scroll.setWidget(self.columns)
+        scroll.setMinimumHeight(HEAD + LEAST * LINE)
         self._scroll = scroll
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -263,6 +263,8 @@ class ConflictList(QWidget):
         for card in self.cards:
             card.show_choice(self._merge.is_open(card.conflict), self._merge.side_of(card.conflict))
             card.show_current(card.conflict == self._current)
+        # One card is whole in the lowest window, too; the page scrolls there.
+        self._scroll.setMinimumHeight(self.cards[0].sizeHint().height() if self.cards else 0)
         rest = len(every) - len(wanted)
         self._more.setText(f"{rest:,} more follow when these are chosen" if rest else "")
         self._more.setVisible(bool(rest))

@@ -15,6 +15,7 @@ from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.monitor_rows import estimate_words, moved, short
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.base.controls import Label, label
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import Tokens
 
 SIGNS = {True: "✓", False: "✗", None: "?"}
@@ -95,6 +96,7 @@ class Checks(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("State checks")
+        FocusLine(self)
         inside = QWidget()
         inside.setProperty("role", "panel")
         self._column = QVBoxLayout(inside)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from smsl_studio.studio.base.controls import NameDelegate, name_parts
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import BLANK
 from smsl_studio.studio.features.people.level_rows import LevelRow
@@ -115,6 +116,7 @@ class LevelTable(QTableView):
         self.setProperty("role", "table")
         self.setItemDelegate(NameDelegate(self))
         self.setAccessibleName("Levels")
+        FocusLine(self)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setShowGrid(False)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.feature import KeyList
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import text_font
 from smsl_studio.studio.base.tips import tip_text
 
@@ -22,6 +23,7 @@ class KeyTable(QTableWidget):
         super().__init__(sum(len(lines) + 1 for _, lines in sections), len(COLUMNS))
         self.setProperty("role", "table")
         self.setAccessibleName("Keyboard shortcuts")
+        FocusLine(self)
         self.setHorizontalHeaderLabels(COLUMNS)
         self.verticalHeader().hide()
         self.setShowGrid(False)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import chain
 
 from PySide6.QtCore import QMimeData, QModelIndex, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address, note_key
@@ -27,6 +28,8 @@ from smsl_studio.studio.features.draw.panels.library_list import LibraryList
 
 MOST = 2_000
 """At most this many operations of the blueprint have a row; the filter finds the others."""
+LOW = 200
+"""A panel that is lower (pixels) has no room for the hint."""
 NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
 
 
@@ -155,7 +158,15 @@ class Library(Panel):
         self.list.show_rows(rows)
         hint = self._hint(bool(used), bool(rows))
         self.hint.setText(hint)
-        self.hint.setVisible(bool(hint))
+        self._place_hint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In a low panel the operations have the room of the hint."""
+        super().resizeEvent(event)
+        self._place_hint()
+
+    def _place_hint(self) -> None:
+        self.hint.setVisible(bool(self.hint.text()) and self.height() >= LOW)
 
     def _row(self, name: str, count: int, notes: Mapping[str, OperationNote]) -> ListRow:
         note = notes.get(note_key(name), PLAIN)
