@@ -2,8 +2,9 @@
 
 A row of a file is the CPU time of the whole command, start and reading included. Beside it stands
 the plan alone, in this process. With ``--all`` the walk over joint configurations, which the quick
-paths replace, plans them too; if it gives up, its figure is the time until then, and 12,000 random
-questions are asked instead of 1,200. A route is equal if all its steps are.
+paths replace, plans them too; if it gives up, its figure is the time until then, and more than
+12,000 random questions are asked (seeds 0 to 5399) instead of 1,200. A route is equal if all its
+steps are. ``--seeds=A:B`` asks those of a part of the seeds, and runs no files.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from pathlib import Path
 from subprocess import DEVNULL, run
 
 from benches.row import Row, process_ms
+from benches.seeds import chosen, is_part
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.terms import Terms
@@ -25,21 +27,24 @@ from tests.dispatch.large import LARGE
 from tests.dispatch.planned import Question, answer, decomposed, lines, questions, walked
 from tests.dispatch.runs import blueprint
 
-QUESTIONS = 12_000
-SHARE = 1_200
+SEEDS, SHARE = 5_400, 540
+EACH = 3
+"""The largest number of questions that a seed gives."""
 PROMISES = (10, 2, 2, 2)
 
 
 def rows() -> Iterator[Row]:
     """The files, and a share of the questions."""
-    yield from _files(everything=False)
+    if not is_part():
+        yield from _files(everything=False)
     yield from _equal(SHARE)
 
 
 def all_rows() -> Iterator[Row]:
     """The same with the walk beside it, and all questions."""
-    yield from _files(everything=True)
-    yield from _equal(QUESTIONS)
+    if not is_part():
+        yield from _files(everything=True)
+    yield from _equal(SEEDS)
 
 
 def _files(everything: bool) -> Iterator[Row]:
@@ -79,11 +84,11 @@ def _seconds(question: Question, walk: bool) -> float:
     return time.process_time() - began
 
 
-def _equal(most: int) -> Iterator[Row]:
+def _equal(seeds: int) -> Iterator[Row]:
     seen: Counter[str] = Counter()
-    spent, seed = {"quick": 0.0, "walk": 0.0}, 0
-    while seen["all"] < most:
-        for question in questions(seed, 3):
+    spent = {"quick": 0.0, "walk": 0.0}
+    for seed in chosen("plans", 0, seeds):
+        for question in questions(seed, EACH):
             began = time.process_time()
             found = answer(question)
             middle = time.process_time()
@@ -96,7 +101,6 @@ def _equal(most: int) -> Iterator[Row]:
             seen["different"] += found != oracle
             if found != oracle:
                 print(seed, *lines(found), *lines(oracle), sep="\n", file=sys.stderr, flush=True)
-        seed += 1
     words = f"{seen['all']:,} random questions, {seen['routes']:,} with a route, "
     words += f"{seen['short']:,} decomposed: other routes than by the walk"
     yield Row(words, seen["different"], "", (), "0")

@@ -3,7 +3,8 @@
 2,000 random sets of states are cut out and put back (``tests/generate/cut_cases.py``), 2,000 random
 hierarchies are made flat, and 5,000 pairs of blueprints are compared: equal by other names of
 states, by flatten, with other costs, with an operation less or another target. Without ``--all`` it
-runs a tenth. A finding is printed with its number.
+runs a tenth. A finding is printed with its number. ``--seeds=A:B`` judges a part, such as 0:500:
+the cuts, hierarchies and pairs with these numbers.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from collections.abc import Callable, Iterator
 from time import process_time
 
 from benches.row import Row
+from benches.seeds import chosen
 from tests.generate.cut_cases import cut_case
 from tests.generate.judged_cut import judged_cut
 from tests.inspection.equivalence.pairs import judged_flat, judged_pair
@@ -44,8 +46,9 @@ def _rows(share: int) -> Iterator[Row]:
     ]
     for words, count, judge in kinds:
         ends: Counter[str] = Counter()
-        findings, begin = 0, process_time()
-        for number in range(count // share):
+        findings, begin, done = 0, process_time(), 0
+        for number in chosen(words, 0, count // share):
+            done += 1
             end, wrong = judge(number)
             ends[end] += 1
             if wrong:
@@ -53,5 +56,5 @@ def _rows(share: int) -> Iterator[Row]:
                 print(f"{words}, {number}: {wrong}", file=sys.stderr)
         spent = process_time() - begin
         told = ", ".join(f"{times:,} {end}" for end, times in ends.most_common())
-        yield Row(f"{count // share:,} {words} ({told}): findings", findings, "", bound="0")
-        yield Row(f"{words}: one with its judgement", spent * share / count * 1000)
+        yield Row(f"{done:,} {words} ({told}): findings", findings, "", bound="0")
+        yield Row(f"{words}: one with its judgement", spent / done * 1000)

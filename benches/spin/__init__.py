@@ -10,6 +10,7 @@ equal. Needs ``spin`` and ``gcc`` (Debian packages). Without ``--all`` only the 
 from __future__ import annotations
 
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator
 from itertools import groupby
@@ -44,6 +45,8 @@ def _rows(sizes: int) -> Iterator[Row]:
 def _model(model: SpinModel) -> Iterator[Row]:
     count = 0
     for fails in (False, True):
+        what = "a run that fails" if fails else "all of it"
+        print(f"spin: {model.words}, {what}", file=sys.stderr, flush=True)
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             own = ours(model, fails, folder)
