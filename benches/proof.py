@@ -4,8 +4,9 @@ A case is a random blueprint of one to three levels with twelve properties of th
 configurations (``tests/inspection/proof/test_proof.py``). Each is answered by brute force, which
 shares no code with the program, and in three ways by the program: one by one, one by one in the
 cone of influence, and as one set. With ``--all`` there are 20,000 cases, seeds 100000 to 119999;
-``--seeds=A:B`` runs a part of them, and nothing else. The whole command is measured for the large spaces. For the
-samples, all rules and all properties are measured in this process, so without its start.
+``--seeds=A:B`` runs a part of them, and nothing else. The whole command is measured for the large
+spaces. For the samples, all rules and all properties are measured in this process, so without its
+start.
 """
 
 from __future__ import annotations

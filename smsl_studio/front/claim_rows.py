@@ -12,8 +12,10 @@ from smsl_studio.blueprint.properties.follow import terms_of
 from smsl_studio.blueprint.properties.formula import FactTerm
 from smsl_studio.blueprint.properties.meaning import fact_of
 from smsl_studio.blueprint.properties.words import hazard_words, property_words
-from smsl_studio.front.proof import Proof, prove
+from smsl_studio.front.proof import Proof, proof_in
 from smsl_studio.inspection.proof.claims import Claim, claims_of
+from smsl_studio.inspection.proof.exploration import Tell, nobody
+from smsl_studio.inspection.proof.prove import Scope
 from smsl_studio.inspection.proof.verdict import (
     FAILS,
     HAZARD,
@@ -74,11 +76,24 @@ class ClaimAnswers:
     rows: tuple[ClaimRow, ...] = ()
 
 
-def answered(blueprint: Blueprint, limit: int) -> ClaimAnswers:
-    """Answer all hazards and properties. It can be called off."""
+def has_claims(blueprint: Blueprint) -> bool:
+    """Return whether a hazard or a property is written, whether or not it can be read."""
+    return any(one.values.get(key) for one in blueprint.documents for key in CLAIMS)
+
+
+def unanswered(blueprint: Blueprint) -> tuple[ClaimRow, ...]:
+    """Return a row for each hazard and property, as written, before anything was shown."""
+    return tuple(_row(blueprint, claim, None) for claim in claims_of(blueprint))
+
+
+def answered(blueprint: Blueprint, limit: int, tell: Tell = nobody) -> ClaimAnswers:
+    """Answer all hazards and properties. It can be called off.
+
+    ``tell`` hears now and then how many configurations were found so far.
+    """
     if not any(key in one.values for one in blueprint.documents for key in CLAIMS):
         return ClaimAnswers(Proof((), ()))
-    proof = prove(blueprint, limit)
+    proof = proof_in(blueprint, Scope(limit, tell=tell))
     rows = [
         _row(blueprint, claim, verdict)
         for claim, verdict in zip(claims_of(blueprint), proof.verdicts, strict=True)
@@ -86,20 +101,21 @@ def answered(blueprint: Blueprint, limit: int) -> ClaimAnswers:
     return ClaimAnswers(proof, tuple(sorted(rows, key=lambda row: ORDER[row.verdict])))
 
 
-def _row(blueprint: Blueprint, claim: Claim, verdict: PropertyVerdict) -> ClaimRow:
+def _row(blueprint: Blueprint, claim: Claim, verdict: PropertyVerdict | None) -> ClaimRow:
+    run = verdict.counterexample if verdict else None
     return ClaimRow(
-        verdict.address,
-        verdict.kind,
-        verdict.severity,
+        Address(claim.path[0], claim.name),
+        claim.kind,
+        claim.severity,
         _sentence(blueprint, claim),
         claim.written.why if claim.written else "",
         claim.document.file,
         int(claim.path[1]),
-        verdict.verdict,
-        looked_at(verdict),
-        verdict.engine,
-        verdict.counterexample,
-        frozenset(_met(blueprint, claim, verdict.counterexample)),
+        verdict.verdict if verdict else UNKNOWN,
+        looked_at(verdict) if verdict else "not answered yet",
+        verdict.engine if verdict else "",
+        run,
+        frozenset(_met(blueprint, claim, run)),
     )
 
 

@@ -63,6 +63,12 @@ def prove(
     >>> prove(read("hanoi-corrected.json")).verdicts
     ()
     """
+    bounds = EffortBounds(seconds, megabytes)
+    return proof_in(blueprint, Scope(limit, with_failures, bounds=bounds))
+
+
+def proof_in(blueprint: Blueprint, scope: Scope) -> Proof:
+    """Return the same within the limits of ``scope``, which may also hear how far the work is."""
     claims = {(one.path[0], one.name): one for one in claims_of(blueprint)}
     if not claims:
         return Proof((), ())
@@ -73,7 +79,6 @@ def prove(
             for one in claims.values()
         )
     else:
-        scope = Scope(limit, with_failures, bounds=EffortBounds(seconds, megabytes))
         verdicts = proved(blueprint, _Routes(blueprint).planned, scope)
     by_claim = [(claims[one.address.path[0], one.name], one) for one in verdicts]
     return Proof(verdicts, tuple(listed(blueprint, _remarks(blueprint, by_claim))))

@@ -14,7 +14,7 @@ def test_the_parts_of_a_count_are_the_whole(
 ) -> None:
     monkeypatch.setattr(sys, "argv", ["bench"])
     whole = list(seeds.chosen("count", 10, 5))
-    parts = []
+    parts: list[int] = []
     for part in ("10:12", "12:15"):
         monkeypatch.setattr(sys, "argv", ["bench", f"--seeds={part}"])
         parts += seeds.chosen("count", 10, 5)

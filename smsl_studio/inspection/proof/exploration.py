@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from operator import and_, or_
 
@@ -14,6 +14,14 @@ from smsl_studio.inspection.proof.space import Key, Space, Test
 from smsl_studio.inspection.proof.verdict import Counterexample
 from smsl_studio.inspection.proof.way import way_to
 from smsl_studio.stop import BoundMet, heed
+
+Tell = Callable[[int], object]
+"""Hears how many configurations were found so far. It is called in the thread of the work."""
+
+
+def nobody(count: int) -> None:
+    """Hear nothing."""
+
 
 NOWHERE = -1
 MOST_STEPS = 6_000_000
@@ -27,13 +35,20 @@ class Exploration:
 
     ``bound`` says in words why some are missing; it is empty if there are all. ``starts`` are
     those that the search begins with, the start of a run if none are given. ``watched`` are
-    conditions for which the first passed configurations that meet each are kept.
+    conditions for which the first passed configurations that meet each are kept. ``tell`` gets the
+    number of configurations that were found so far, again and again.
     """
 
     def __init__(
-        self, space: Space, limit: int, watched: Sequence[Test] = (), starts: Sequence[Key] = ()
+        self,
+        space: Space,
+        limit: int,
+        watched: Sequence[Test] = (),
+        starts: Sequence[Key] = (),
+        tell: Tell = nobody,
     ) -> None:
         self.space = space
+        self._tell = tell
         self.keys: list[Key] = []
         self.bound = ""
         self._limit, self._limit_words = space.storable(limit)
@@ -142,6 +157,7 @@ class Exploration:
         while node < len(self.keys) and not self.bound:
             try:
                 heed()
+                self._tell(len(self.keys))
                 steps = self.space.steps(self.keys[node])
             except PlanningError as error:
                 self.bound = error.sentence

@@ -48,6 +48,7 @@ class LoneExploration(Exploration):
         for node, state in enumerate(here):
             try:
                 heed()
+                self._tell(len(self.keys))
             except BoundMet as error:
                 self.bound = str(error)
                 return

@@ -25,7 +25,7 @@ from smsl_studio.inspection.proof.claim_cones import ROUTED, WATCHED, ClaimCones
 from smsl_studio.inspection.proof.claims import Claim, claims_of
 from smsl_studio.inspection.proof.cone import Cone
 from smsl_studio.inspection.proof.engines import ENGINES, Engines
-from smsl_studio.inspection.proof.exploration import Exploration
+from smsl_studio.inspection.proof.exploration import Exploration, Tell, nobody
 from smsl_studio.inspection.proof.failed_starts import failed_starts
 from smsl_studio.inspection.proof.kinds import Answer
 from smsl_studio.inspection.proof.lone import LoneExploration, is_lone
@@ -61,7 +61,8 @@ class Scope(NamedTuple):
 
     ``engines`` names those that may hold all configurations together. Without them configurations
     are only explored one by one. If the product of the state counts of the cone is at most
-    ``near``, the shortest run is searched one by one. ``bounds`` limit time and memory.
+    ``near``, the shortest run is searched one by one. ``bounds`` limit time and memory. ``tell``
+    hears how many configurations were found so far, where they are explored one by one.
     """
 
     limit: int = LIMIT
@@ -70,6 +71,7 @@ class Scope(NamedTuple):
     engines: Collection[str] = ENGINES
     near: int = NEAR
     bounds: EffortBounds = UNBOUNDED
+    tell: Tell = nobody
 
 
 class PlannedRoute(NamedTuple):
@@ -248,10 +250,11 @@ class _Prover:
             tests = [space.test(one.meanings[0]) for one in mates if one.meanings]
             limit, watched = self._scope.limit, () if routed else tests
             explored = LoneExploration if self._is_lone(cone) else Exploration
-            found = explored(space, limit, watched)
+            tell = self._scope.tell
+            found = explored(space, limit, watched, tell=tell)
             if self._scope.failures and not found.bound:
                 starts = (space.start(), *failed_starts(space, found.keys))
-                found = explored(space, limit, watched, starts)
+                found = explored(space, limit, watched, starts, tell)
             self._explored[routed, cone] = found
         self._looked_at = len(found)
         return found

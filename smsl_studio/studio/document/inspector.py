@@ -10,6 +10,7 @@ kept, because an undo shows the same blueprint again.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -48,6 +49,16 @@ class _Known:
     answered: ClaimAnswers | None = None
 
 
+class _Tally:
+    """The number of configurations that were found so far. The worker thread counts."""
+
+    count = 0
+
+    def tell(self, count: int) -> None:
+        """Hear the number."""
+        self.count = count
+
+
 class Inspector(QObject):
     """Keeps the findings and the verdicts of the session's blueprint up to date."""
 
@@ -56,6 +67,8 @@ class Inspector(QObject):
     the properties take longer than the rules."""
     started = Signal()
     """The blueprint changed, so the former findings and verdicts may no longer hold."""
+    listed = Signal()
+    """``unanswered`` is there: what another file says must hold, before it is answered."""
     proved = Signal()
     """``answered`` is there: the verdicts about the blueprint that is shown now."""
 
@@ -77,6 +90,10 @@ class Inspector(QObject):
         """Whether ``findings`` belong to the blueprint that is shown."""
         self.answered: ClaimAnswers | None = None
         """The verdicts about the blueprint that is shown; None as long as they are not known."""
+        self.unanswered: tuple[ClaimRow, ...] = ()
+        """The hazards and properties of a file that was just opened, without verdicts."""
+        self._unlisted = True
+        self._tally = _Tally()
         self.stopped = False
         """Whether a person has stopped the search for verdicts about this blueprint."""
         self.world = ""
@@ -105,6 +122,11 @@ class Inspector(QObject):
     def proving(self) -> bool:
         """Whether ``findings`` do not have those of hazards and properties yet."""
         return self.current and self.proof is None
+
+    @property
+    def looked_at(self) -> int:
+        """The number of configurations that were found so far. 0 where they are not counted."""
+        return self._tally.count
 
     def stop(self) -> None:
         """End all work, because the window closes."""
@@ -135,6 +157,7 @@ class Inspector(QObject):
     def _forget(self) -> None:
         self._known.clear()
         self.world, self._loaded = "", None
+        self._unlisted, self.unanswered = True, ()
 
     def _changed(self, wait: int = WAIT) -> None:
         self.current, self.answered, self.stopped = False, None, False
@@ -165,7 +188,16 @@ class Inspector(QObject):
             self._answered(blueprint, known.answered)
             return
         self._patience.start(PATIENCE)
-        self._beside.do(partial(_answer, blueprint), partial(self._answered, blueprint))
+        self._tally = tally = _Tally()
+        if self._unlisted:
+            self._beside.do(partial(_listed, blueprint), partial(self._list, blueprint))
+        answer = partial(_answer, blueprint, tally.tell)
+        self._beside.do(answer, partial(self._answered, blueprint))
+
+    def _list(self, blueprint: Blueprint, rows: tuple[ClaimRow, ...]) -> None:
+        if self._is_wanted(blueprint):
+            self._unlisted, self.unanswered = False, rows
+            self.listed.emit()
 
     def _answered(self, blueprint: Blueprint, came: ClaimAnswers) -> None:
         if not self._is_wanted(blueprint):
@@ -207,8 +239,15 @@ def _inspected(blueprint: Blueprint, world: str, loaded: Loaded | None) -> tuple
     return in_order(blueprint, (*found, *more))
 
 
-def _answer(blueprint: Blueprint) -> ClaimAnswers:
+def _listed(blueprint: Blueprint) -> tuple[ClaimRow, ...]:
+    """List the hazards and properties of a blueprint. It is called in the worker thread."""
+    from smsl_studio.front.claim_rows import has_claims, unanswered
+
+    return unanswered(blueprint) if has_claims(blueprint) else ()
+
+
+def _answer(blueprint: Blueprint, tell: Callable[[int], object]) -> ClaimAnswers:
     """Answer the hazards and properties of a blueprint. It is called in the worker thread."""
     from smsl_studio.front.claim_rows import answered
 
-    return answered(blueprint, LIMIT)
+    return answered(blueprint, LIMIT, tell)

@@ -4,7 +4,7 @@ count."""
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from threading import Event
@@ -189,7 +189,7 @@ class Slow:
     def __init__(self) -> None:
         self.begun, self.ends, self.called_off = Event(), Event(), Event()
 
-    def __call__(self, blueprint: Blueprint) -> ClaimAnswers:
+    def __call__(self, blueprint: Blueprint, tell: Callable[[int], object]) -> ClaimAnswers:
         self.begun.set()
         try:
             while not self.ends.wait(0.01):
@@ -198,6 +198,23 @@ class Slow:
             self.called_off.set()
             raise
         return answered(blueprint, 1000)
+
+
+def test_what_must_hold_is_listed_before_it_is_answered(
+    session: Session, inspector: Inspector, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = Slow()
+    monkeypatch.setattr(room, "_answer", slow)
+    with qtbot.waitSignal(inspector.listed):
+        session.open(guarded())
+    assert [(one.name, one.verdict) for one in inspector.unanswered] == [("Blind cut", "unknown")]
+    slow.ends.set()
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    listed: list[object] = []
+    inspector.listed.connect(lambda: listed.append(inspector.unanswered))
+    session.edit("Delete skip", without_skip)
+    qtbot.waitUntil(lambda: inspector.proof is not None)
+    assert listed == [], "after an edit the rows stay where they are"
 
 
 def test_the_rules_do_not_wait_for_slow_properties(

@@ -28,7 +28,7 @@ VERDICT, NAME, KIND, SENTENCE, LOOKED_AT, SEVERITY = range(len(HEADS))
 WORDS = {FAILS: "Fails", UNKNOWN: "Unknown", HOLDS: "Holds"}
 PICTURES = {FAILS: "error", UNKNOWN: "unknown", HOLDS: "check"}
 SEVERITIES = {"E": "error", "W": "warning"}
-CHANGED, STOPPED = "Changed since checked", "Stopped looking"
+CHANGED, STOPPED, NEW = "Changed since checked", "Stopped looking", "Not answered yet"
 HIGH = 27
 
 

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.front.claim_rows import ClaimRow
-from smsl_studio.inspection.proof.verdict import FAILS, HOLDS, UNKNOWN
+from smsl_studio.front.claim_rows import ClaimRow, has_claims
+from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.inspection.claim_form import ClaimForm
-from smsl_studio.studio.features.inspection.claim_model import CHANGED, STOPPED
+from smsl_studio.studio.features.inspection.claim_model import CHANGED, NEW, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.configuration_page import ConfigurationPage
@@ -33,6 +32,7 @@ from smsl_studio.studio.features.inspection.tab_line import (
     VERDICTS,
     TabLine,
 )
+from smsl_studio.studio.features.inspection.words_below import words_below
 from smsl_studio.studio.running.frames import split
 
 ANY = 16_777_215
@@ -52,6 +52,8 @@ CLOSE = 420
 """In a panel narrower than this the tools are hidden, because the tabs need the space (pixels)."""
 LEAST, LOWER = 60, 216
 """The least height of the page, and that of the run below the table (pixels)."""
+PACE = 250
+"""Milliseconds between two looks at how far a search for verdicts is."""
 HIGH = 300
 """From this height on the sentence about all verdicts may have a line of its own (pixels)."""
 
@@ -68,6 +70,8 @@ class InspectionPanel(QWidget):
     def __init__(self, session: Session, inspector: Inspector, lit: LitRun, tokens: Tokens) -> None:
         super().__init__()
         self._session, self._inspector = session, inspector
+        self._pace = QTimer(self)
+        self._pace.setInterval(PACE)
         self._wanted: Address | None = None
         """The row that is chosen when it is answered."""
         self.setObjectName("inspection")
@@ -130,7 +134,9 @@ class InspectionPanel(QWidget):
     def _connect(self) -> None:
         inspector = self._inspector
         inspector.started.connect(self._changed)
+        inspector.listed.connect(self._listed)
         inspector.proved.connect(self._proved)
+        self._pace.timeout.connect(self._show_looking)
         inspector.found.connect(lambda _: self._show_tools())
         self._session.opened.connect(self._opened)
         self._session.broken_changed.connect(self._changed)
@@ -218,11 +224,32 @@ class InspectionPanel(QWidget):
     def _opened(self) -> None:
         self.writing.drop()
         self.table.show_rows(())
-        self._show_page(False)
+        self._show_page(has_claims(self._session.blueprint))
+
+    def _listed(self) -> None:
+        """Show what must hold in a file that was just opened. Nothing is answered yet."""
+        rows = self._inspector.unanswered
+        if rows and not self.table.claims.rows and self._session.broken is None:
+            self.table.show_rows(rows)
+            self._wait(NEW)
+            self._show_page(True)
 
     def _changed(self) -> None:
         """Show every verdict as unknown until it is answered for what is drawn now."""
-        self.table.claims.wait(CHANGED)
+        self._wait(CHANGED if self.table.claims.rows else NEW)
+        self._pace.start()
+
+    def _show_looking(self) -> None:
+        """Say how far the search for verdicts is."""
+        if self._inspector.proof is not None or self._inspector.stopped:
+            self._pace.stop()
+        elif self._inspector.proving and self.isVisible():
+            count = self._inspector.looked_at
+            self._wait(f"Looking, {count:,} so far" if count else "Looking")
+
+    def _wait(self, why: str) -> None:
+        """Show every verdict as unknown, and why."""
+        self.table.claims.wait(why)
         self._show_row(self.table.chosen)
         self._show_tools()
 
@@ -337,8 +364,7 @@ class InspectionPanel(QWidget):
     def _again(self) -> None:
         if self._inspector.proof is None and not self._inspector.stopped:
             self._inspector.stop_looking()
-            self.table.claims.wait(STOPPED)
-            self._show_row(self.table.chosen)
+            self._wait(STOPPED)
         else:
             self._inspector.look_again()
         self._show_tools()
@@ -361,22 +387,8 @@ class InspectionPanel(QWidget):
             return
         if claim is None or waiting or claim.run is None or not self.isVisible():
             self.run.clear()
-            self.said.setText(_said(claim, waiting))
+            self.said.setText(words_below(claim, waiting))
             self.below.setCurrentWidget(self.said)
             return
         self.run.show_run(self._session.blueprint, claim)
         self.below.setCurrentWidget(self.run)
-
-
-def _said(claim: ClaimRow | None, waiting: str) -> str:
-    """What stands below the table if there is no run to show."""
-    if claim is None:
-        return "Choose a row. If it fails, its shortest run stands here, and on the drawing."
-    verdict = f"{waiting}." if waiting else _verdict(claim)
-    return "\n".join(filter(None, (capital(claim.sentence), claim.why, verdict)))
-
-
-def _verdict(claim: ClaimRow) -> str:
-    engine = f" Engine: {claim.engine}." if claim.engine else ""
-    words = {FAILS: "It fails", UNKNOWN: "It is unknown", HOLDS: "It holds"}
-    return f"{words[claim.verdict]}: {claim.looked_at}.{engine}"
