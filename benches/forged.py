@@ -5,18 +5,23 @@ to three levels (``tests/front/told_runs.py``). Their stories are changed in ten
 is made anew (``tests/front/forged_runs.py``). ``tests/front/plain_judge.py`` was written apart. It
 says which changed stories are impossible for sure. ``apart`` counts stories about which the two
 programs disagree. The share that is still believed is told by kind.
+
+All of them, by two processes, so that a stopped count goes on where it was::
+
+    python -m benches.forged --keep forged.jsonl
 """
 
 from __future__ import annotations
 
 import io
 import tempfile
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 
 from benches.row import Row
+from benches.shares import asked, counted, shares_of
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.verifier import told_again
 from tests.front.forged_runs import FORGERIES, forged
@@ -24,81 +29,79 @@ from tests.front.plain_judge import why_impossible
 from tests.front.told_runs import ToldRun, told_runs
 from tests.runlog.impossible import Story
 
-TRUE, FORGED = 200, 2_000
-ALL_TRUE, ALL_FORGED = 10_000, 100_000
+TRUE, ALL_TRUE = 200, 10_000
+EACH = 10
+"""So many forged runs are made for a true one."""
 AT_ONCE = 250
-"""So many runs are kept in memory."""
+"""So many true runs are kept in memory: a share."""
+TRUE_RUNS = "true runs"
 
 
 def rows() -> Iterator[Row]:
-    """A fiftieth of all."""
-    return _rows(TRUE, FORGED)
+    """A fiftieth of all, by this process."""
+    parts = shares_of([TRUE_RUNS], 0, TRUE, AT_ONCE)
+    yield from _rows(counted(believed, parts)[TRUE_RUNS])
 
 
 def all_rows() -> Iterator[Row]:
-    """All true and all forged runs."""
-    return _rows(ALL_TRUE, ALL_FORGED)
+    """All true and all forged runs, by two processes."""
+    parts = shares_of([TRUE_RUNS], 0, ALL_TRUE, AT_ONCE)
+    yield from _rows(counted(believed, parts, workers=2)[TRUE_RUNS])
 
 
-class _Counts:
-    """What was believed of the runs so far."""
-
-    def __init__(self) -> None:
-        self.true, self.believed, self.apart = 0, 0, 0
-        self.ends = Counter[str]()
-        self.seen: dict[str, Counter[str]] = defaultdict(Counter)
-
-    def take_true(self, run: ToldRun) -> None:
-        self.true += 1
-        self.believed += not told_again(*run)
-        self.apart += self._differs(run, told_again(*run))
-        self.ends[Story.of(run.raw).end["reason"]] += 1
-
-    def take_forged(self, kind: str, run: ToldRun, story: Story) -> None:
-        refusal = told_again(*run)
-        self.apart += self._differs(run, refusal)
-        if refusal:
-            self.seen[kind]["refused"] += 1
-        else:
-            wrong = bool(why_impossible(story, run.blueprint))
-            self.seen[kind]["impossible" if wrong else "possible"] += 1
-
-    def _differs(self, run: ToldRun, refusal: str) -> bool:
-        verdict = verify_stream(io.BytesIO(run.raw), "log", run.blueprint)
-        return (verdict.doubt is None) == bool(refusal)
-
-
-def _rows(true: int, many: int) -> Iterator[Row]:
-    counts = _Counts()
-    for first in range(0, true, AT_ONCE):
-        with tempfile.TemporaryDirectory() as name:
-            runs = told_runs(range(first, min(first + AT_ONCE, true)), Path(name))
-        _take(counts, runs, many * len(runs) // true, first)
-    words = ", ".join(f"{count:,} {reason}" for reason, count in sorted(counts.ends.items()))
-    yield Row(f"{counts.true:,} true runs ({words})", counts.believed, "believed",
-              bound=str(counts.true))  # fmt: skip
-    total = sum(seen.total() for seen in counts.seen.values())
-    wrong = sum(seen["impossible"] for seen in counts.seen.values())
-    shares = ", ".join(
-        f"{kind.replace('_', ' ')} {seen['possible'] / seen.total():.0%} of {seen.total():,}"
-        for kind, seen in counts.seen.items()
-    )
-    yield Row(f"{total:,} forged runs; still possible: {shares}", wrong,
-              "impossible ones believed", bound="0")  # fmt: skip
-    yield Row("the two programs", counts.apart, "stories apart", bound="0")
-
-
-def _take(counts: _Counts, runs: list[ToldRun], many: int, seed: int) -> None:
-    """Take true runs, and so many that are made of them, of all kinds alike."""
+def believed(kind: str, first: int, behind: int) -> dict[str, int]:
+    """Count what is believed of the true runs of these seeds, and of what is made of them."""
+    with tempfile.TemporaryDirectory() as name:
+        runs = told_runs(range(first, behind), Path(name))
+    counts = Counter({"true": 0, "believed": 0, "apart": 0, "impossible believed": 0})
     for run in runs:
-        counts.take_true(run)
-    random = Random(f"forged {seed}")
-    made = 0
-    while made < many:
+        refusal = told_again(*run)
+        counts.update(["true", f"end {Story.of(run.raw).end['reason']}"])
+        counts.update({"believed": not refusal, "apart": _differs(run, refusal)})
+    random = Random(f"forged {first}")
+    while counts["forged"] < EACH * len(runs):
         run = random.choice(runs)
         story = Story.of(run.raw)
         for forgery in FORGERIES:
             changed = forged(story, forgery, random)
             if changed is not None:
-                counts.take_forged(forgery.__name__, ToldRun(changed.raw(), run.blueprint), changed)
-                made += 1
+                _take(counts, forgery.__name__, ToldRun(changed.raw(), run.blueprint), changed)
+    return dict(counts)
+
+
+def _take(counts: Counter[str], kind: str, run: ToldRun, story: Story) -> None:
+    refusal = told_again(*run)
+    counts.update(["forged", f"made {kind}"])
+    counts["apart"] += _differs(run, refusal)
+    if not refusal and why_impossible(story, run.blueprint):
+        counts["impossible believed"] += 1
+    elif not refusal:
+        counts[f"possible {kind}"] += 1
+
+
+def _differs(run: ToldRun, refusal: str) -> bool:
+    verdict = verify_stream(io.BytesIO(run.raw), "log", run.blueprint)
+    return (verdict.doubt is None) == bool(refusal)
+
+
+def _rows(counts: Counter[str]) -> Iterator[Row]:
+    ends = sorted(name for name in counts if name.startswith("end "))
+    words = ", ".join(f"{counts[name]:,} {name.removeprefix('end ')}" for name in ends)
+    yield Row(f"{counts['true']:,} true runs ({words})", counts["believed"], "believed",
+              bound=str(counts["true"]))  # fmt: skip
+    kinds = [forgery.__name__ for forgery in FORGERIES if counts[f"made {forgery.__name__}"]]
+    shares = ", ".join(
+        f"{kind.replace('_', ' ')} {counts[f'possible {kind}'] / counts[f'made {kind}']:.0%} "
+        f"of {counts[f'made {kind}']:,}"
+        for kind in kinds
+    )
+    yield Row(f"{counts['forged']:,} forged runs; still possible: {shares}",
+              counts["impossible believed"], "impossible ones believed", bound="0")  # fmt: skip
+    yield Row("the two programs", counts["apart"], "stories apart", bound="0")
+
+
+if __name__ == "__main__":
+    told = asked("Count forged runs that are believed.", ALL_TRUE)
+    parts = shares_of([TRUE_RUNS], told.first, told.behind, AT_ONCE)
+    for row in _rows(counted(believed, parts, told.workers, told.keep)[TRUE_RUNS]):
+        print(f"{row.work}: {row.ours:g} {row.unit}", flush=True)

@@ -1,4 +1,4 @@
-"""Every refusal code, with the shortest way to get it by the command line and from Python."""
+"""Every refusal code: the shortest way by the command line, from Python and in the window."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import smsl_studio as smsl
+from smsl_studio.front.approval_badge import approval_words
 from smsl_studio.inspection.approval import rule_code
 from smsl_studio.inspection.approval.refusal import CODES
 from tests.approval import ADA, DOOR, EVE, entry, register_of, written_policy
@@ -209,10 +210,40 @@ IN_RUNS = (
     "file_changed",
 )
 """Those that only a run can give; tests/front/test_trusted_runs.py has their ways."""
+BADGES = {
+    "digest_differs": "Changed since signed",
+    "no_record": "Uninspected",
+    "policy_unmet": "Not approved",
+    "key_unknown": "Unknown key",
+    "key_revoked": "Revoked",
+    "signature_invalid": "Signature invalid",
+    "rolled_back": "Older record",
+    "verdict_not_approved": "Rejected",
+    "condition_unmet": "Approved with conditions",
+    "open_finding": "Open error",
+    "sub_not_covered": "Part not approved",
+}
+"""What the badge of the window says. It asks no policy and no world, so it has no other code."""
+NOT_IN_WINDOW = {
+    "key_expired", "too_few_persons", "role_missing", "record_expired", "record_revoked",
+    "rules_changed", "code_missing", "code_changed", "policy_invalid", "register_invalid", *IN_RUNS,
+}  # fmt: skip
+"""Their shortest ways need a policy or a world, which nobody can name in the window yet."""
 
 
 def test_every_code_has_its_way() -> None:
     assert {way.__name__ for way in WAYS} | set(IN_RUNS) == set(CODES)
+    assert set(BADGES) | NOT_IN_WINDOW == set(CODES)
+    assert not set(BADGES) & NOT_IN_WINDOW
+
+
+def test_the_page_says_how_each_code_is_had() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "approval.md").read_text("utf-8")
+    rows = [line.split("|") for line in page.splitlines() if line.startswith("| `")]
+    found = {row[1].strip(" `"): row for row in rows if len(row) == 6}
+    assert set(found) == set(CODES)
+    for code, row in found.items():
+        assert row[4].strip() == BADGES.get(code, "not yet"), f"| `{code}` | ... | not yet |"
 
 
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
@@ -227,6 +258,11 @@ def test_a_code_by_the_command_line_and_from_python(
         smsl.read(desk.file), policy=given.get("--policy"), world=given.get("--world")
     )
     assert code in [one.code for one in found.refusals]
+    if not words:
+        said = approval_words(smsl.read(desk.file))
+        assert said.words == BADGES[code]
+        sentences = {one.sentence for one in found.refusals if one.code == code}
+        assert code == "no_record" or sentences & set(said.reasons)
     text = desk("verify", desk.file, *words)
     assert text.status == 1
     assert f" {code}: " in text.out

@@ -13,6 +13,7 @@ import smsl_studio as smsl
 from smsl_studio.inspection.approval import rule_code
 from tests.approval import DOOR, written_policy
 from tests.cli.people import Desk
+from tests.cli.test_refusals import code_changed
 
 Values = dict[str, Any]
 
@@ -138,10 +139,20 @@ def test_other_rules_void_it_where_the_policy_says_so(
     assert "rules_changed" in approved.codes("--policy", strict)
 
 
+def test_other_library_code_voids_it_in_the_worlds_whose_code_was_signed(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = code_changed(desk, monkeypatch)
+    assert "code_changed" in desk.codes(*words)
+    assert desk.codes() == []
+
+
 def test_the_page_has_the_same_table() -> None:
     page = (Path(__file__).parents[2] / "docs" / "approval.md").read_text("utf-8")
     rows = [line for line in page.splitlines() if line.startswith("| ")]
     for what in VOIDS:
         assert any(row.startswith(f"| {what} | yes") for row in rows), what
+    for what in ("library code", "rule code"):
+        assert any(row.startswith(f"| {what} | yes, ") for row in rows), what
     for what in KEEPS:
         assert what == "nothing" or any(row.startswith(f"| {what} | no") for row in rows), what
