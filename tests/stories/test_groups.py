@@ -285,3 +285,24 @@ def test_a_group_that_is_dragged_with_all_its_states_stays_one(person: Person) -
     person.drag(person.place(f"{SB}/State110"), inside)
     assert groups(person)[key].states == PAIR
     assert groups(person)[other].states == ("State111",)
+
+
+def test_copies_of_several_states_stand_beside_them(sit: Sit) -> None:
+    """They stood 32 pixels aside, on top of the states they were copied from."""
+    person = sit(SAMPLES / "hfsm.json")
+    canvas = person.window.canvas
+    # A drag writes all places, so that the copies have some, too.
+    start = person.place("SB1/State000")
+    person.drag(start, start + QPoint(-40, 30))
+    before = dict(canvas.positions)
+    person.select("SB1/State110", "SB1/State111")
+    canvas.setFocus()
+    person.ctrl(Key.Key_D)
+    copies = [name for name in canvas.positions if name not in before]
+    assert len(copies) == 2
+    for name in copies:
+        x, y = canvas.positions[name]
+        away = [(abs(x - a), abs(y - b)) for n, (a, b) in canvas.positions.items() if n != name]
+        assert all(dx >= 108 or dy >= 54 for dx, dy in away), name
+    person.ctrl(Key.Key_Z)
+    assert canvas.positions == before

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QEnterEvent, QHelpEvent
@@ -10,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from smsl_studio.blueprint import editing
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
+from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -140,6 +144,54 @@ def test_the_zoom_control_covers_no_state_wherever_one_looks(sit: Sit) -> None:
     canvas.fit(smooth=False)
     assert zoom.pos() == home
     assert zoom.isVisible()
+
+
+def test_the_drawing_shows_through_a_map_that_lies_on_states(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    canvas, map_ = person.window.canvas, person.window.canvas.overlays.map
+    canvas.camera.motion = False
+    canvas.zoom_to(1.0)
+    person.until(map_.isVisible)
+    seen = set()
+    for dx in range(-400, 401, 80):
+        canvas.fit(smooth=False)
+        canvas.zoom_to(1.0)
+        canvas.camera.pan(dx, -dx / 2)
+        places = [node(person, f"SB1/{name}") for name in canvas.positions]
+        covers = any(place.intersects(map_.geometry()) for place in places)
+        assert map_.faint or not covers
+        seen.add(map_.faint)
+        if map_.faint:
+            at = QPointF(map_.rect().center())
+            QApplication.sendEvent(map_, QEnterEvent(at, at, QPointF(map_.mapToGlobal(at))))
+            assert not map_.faint, "with the pointer on it, it is seen whole"
+            QApplication.sendEvent(map_, QEvent(QEvent.Type.Leave))
+    assert seen == {True, False}
+
+
+def test_a_state_with_an_error_is_red_on_the_map_and_a_selected_one_blue(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = tmp_path / "wrong.json"
+    text = HFSM.read_text("utf-8").replace('"State110": {', '"State110": {"Op": "Nowhere", ')
+    path.write_text(text)
+    person = sit(path, (1440, 900))
+    canvas, map_ = person.window.canvas, person.window.canvas.overlays.map
+    person.until_inspected()
+    state = person.blueprint.resolve("SB1/State110")
+    person.until(lambda: state in canvas.marks.findings or bool(canvas.marks.findings))
+    canvas.set_marks(replace(canvas.marks, findings={state: "E"}))
+
+    def colours() -> set[str]:
+        image = map_.grab().toImage()
+        spots = ((x, y) for x in range(image.width()) for y in range(image.height()))
+        return {image.pixelColor(x, y).name() for x, y in spots}
+
+    person.until(map_.isVisible)
+    person.window.session.select(())
+    assert LIGHT.bad.name() in colours()
+    person.window.session.select((state,))
+    assert LIGHT.bad.name() not in colours()
 
 
 def test_the_legend_of_a_run_leaves_the_running_operation_free(

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize
-from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize
+from PySide6.QtGui import QEnterEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 
+from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.overlays.card import Card
 from smsl_studio.studio.base.paint import batch
@@ -16,13 +17,44 @@ MARGIN = 8.0
 MANY, MANY_LINES = 400, 2000
 
 
+FAINT = 0.5
+"""How strongly the map is painted where it lies on states and the pointer is elsewhere."""
+
+
 class MiniMap(Card):
-    """A small map at the bottom right of the canvas."""
+    """A small map at the bottom right of the canvas.
+
+    Where it lies on states it has no ground and is pale, until the pointer is on it.
+    """
 
     def __init__(self, canvas: Stage, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
         self._canvas = canvas
+        self._covers = self._held = False
         self.setAccessibleName("Map of the State Branch")
+
+    @property
+    def faint(self) -> bool:
+        """Whether the drawing shows through."""
+        return self._covers and not self._held
+
+    def show_over(self, states: bool) -> None:
+        """Tell whether it lies on states."""
+        if states != self._covers:
+            self._covers = states
+            self.update()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        """Be seen whole while the pointer is on it."""
+        super().enterEvent(event)
+        self._held = True
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Let the drawing show through again."""
+        super().leaveEvent(event)
+        self._held = False
+        self.update()
 
     def sizeHint(self) -> QSize:
         """148 by 92 pixels."""
@@ -51,13 +83,15 @@ class MiniMap(Card):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint all states in one batch, and a frame around the visible part."""
-        super().paintEvent(event)
+        if not self.faint:
+            super().paintEvent(event)
         frame, sheet = self._frame(), self._canvas.sheet
         if frame is None or sheet is None:
             return
         scale, middle = frame
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setOpacity(FAINT if self.faint else 1.0)
         centre = np.array([self.width() / 2, self.height() / 2])
         at = (sheet.at - (middle.x(), middle.y())) * scale + centre
         size = np.maximum(sheet.halves() * 2 * scale, (3.0, 2.0))
@@ -71,9 +105,8 @@ class MiniMap(Card):
         painter.setPen(NO_PEN)
         painter.setBrush(self.tokens.slate)
         batch.draw_rects(painter, np.hstack([at - size / 2, size]))
-        lit = [s for s in sheet.looks.lit_states if s < len(at)]
-        if lit:
-            painter.setBrush(self.tokens.acc)
+        for colour, lit in self._lit(sheet, len(at)).items():
+            painter.setBrush(getattr(self.tokens, colour))
             batch.draw_rects(painter, np.hstack([at[lit] - size[lit] / 2, size[lit]]))
         view = self._view()
         painter.setPen(QPen(self.tokens.acc, 1.5))
@@ -83,6 +116,19 @@ class MiniMap(Card):
             QRectF(corner.x(), corner.y(), view.width() * scale, view.height() * scale), 2, 2
         )
         painter.end()
+
+    @staticmethod
+    def _lit(sheet: Sheet, count: int) -> dict[str, list[int]]:
+        """The highlighted states by the name of their colour: a state with a finding has that of
+        the finding, unless it is selected or active."""
+        found: dict[str, list[int]] = {}
+        for state in sheet.looks.lit_states:
+            look = sheet.node_look(state) if state < count else None
+            if look is not None:
+                finding = "" if look.selected or look.active else look.finding
+                colour = {"E": "bad", "W": "risk"}.get(finding, "tx3" if finding else "acc")
+                found.setdefault(colour, []).append(state)
+        return found
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Move the view to the point under the pointer."""

@@ -359,8 +359,8 @@ class Overlays:
         shown = canvas.editing and several and roomy and not on_fitted(canvas, at, map_.size())
         map_.move(at)
         map_.setVisible(shown)
-        if shown:
-            right = at.x() - 12
+        map_.show_over(on_states(canvas, at, map_.size()))
+        right = at.x() - 12 if shown else right
         home, size = QPoint(right - zoom.width(), bottom - zoom.height()), zoom.size()
         # If it would cover the picture, it goes below the breadcrumb, or at the right of it.
         beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)

@@ -23,7 +23,7 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.words import counted, series
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.canvas.free_places import on_grid
+from smsl_studio.studio.features.draw.canvas.free_places import beside_all, on_grid
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.table_card import TableCard, TablePaste, table_paste
 
@@ -216,7 +216,11 @@ class ClipboardVerbs:
             self._beside.drop()
 
     def _duplicate(self, chosen: Sequence[Address]) -> None:
-        self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
+        offset = beside_all(self._canvas, [one.state for one in chosen if not one.operation])
+        if offset is None:
+            self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
+        else:
+            self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen, offset))
 
     def _put_in(self, verb: str, change: Callable[[Blueprint], Put]) -> None:
         """Make the edit as one step, then show and select the elements that were put in."""

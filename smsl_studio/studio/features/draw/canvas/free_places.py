@@ -80,6 +80,24 @@ def free_place(
     )
 
 
+def beside_all(canvas: BranchView, states: Sequence[str]) -> Position | None:
+    """How far the copies of several states move (scene units), so that they stand beside all of
+    them and near no other state. None for one state, and if there is no such place."""
+    places = canvas.positions
+    own = [places[state] for state in states if state in places]
+    if len(own) < 2:
+        return None
+    across, down = (max(axis) - min(axis) for axis in zip(*own, strict=True))
+    wide, high = on_grid(QPointF(across + STEP[0], down + STEP[1]))
+    ways = ((0.0, high), (wide, 0.0), (0.0, -high), (-wide, 0.0), (wide, high))
+    free = (way for way in ways if all(_is_free(canvas, _moved(at, way)) for at in own))
+    return next(free, None)
+
+
+def _moved(at: Position, way: Position) -> Position:
+    return at[0] + way[0], at[1] + way[1]
+
+
 def _is_free(canvas: BranchView, at: Position) -> bool:
     """Whether no state is too near. The distance grows with the marks when zoomed out."""
     sheet = canvas.sheet
