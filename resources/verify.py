@@ -15,9 +15,9 @@ def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.is
 TYPES = {list: "candidates details facts faults goals met misses operations options reasons "
 	"refusals sensed sensors subs unknown", dict: "answers candidate configuration costs facts "
 	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
-	"cost deadline t"}; PARTS = "brought behaviour meaning closure".split()
+	"cost deadline t"}; raw_of, NAMES = base64.b64decode, " ".join(TYPES.values()).split()
 def fits(name, v):  # text, where TYPES says nothing else; a list or map holds what its singular is
-	if type(v) is str: return name not in " ".join(TYPES.values()).split()
+	if type(v) is str: return name not in NAMES
 	if name in TYPES[float].split(): no(abs(v) >= 2**53)
 	inner = v.values() if type(v) is dict else v if type(v) is list else ()
 	return name in TYPES.get(type(v), "").split() and all(fits(name[:-1], one) for one in inner)
@@ -90,8 +90,8 @@ def running(s, address): return [op for op in s.begun if op.address == address]
 def locate(s, at): s.conf, s.vetoed = at, s.vetoed if at == s.conf else ()
 IDLE = "left_out subs_bypassed operation_refused disturbed fault_injected costs_changed".split()
 CAUSES = dict(resumed="resume", operation_pruned="prune", operation_restored="restore",
-	reset="reset", taken_over="take_over", given_back="accept", stopped="stop", disturbed="disturb",
-	fault_injected="inject", task_answered="answer"); raw_of = base64.b64decode
+	reset="reset", taken_over="take_over", given_back="accept", stopped="stop", task_answered="answer",
+	fault_injected="inject", disturbed="disturb"); PARTS = "brought behaviour meaning closure".split()
 def take(s, e):  # 3 THE STORY is told again, event by event: when it may not come, what it changes
 	no(not all(fits(k, v) for k, v in e.items() if (k, v) != ("value", None)), "of another type")
 	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
