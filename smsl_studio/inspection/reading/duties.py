@@ -8,7 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.inspection.reading.plain_names import listed, opened, people
+from smsl_studio.inspection.reading.plain_names import duration, listed, opened, people
 from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection, bounded
 from smsl_studio.inspection.reading.step_words import SYSTEM, StepWords
 
@@ -122,7 +122,7 @@ def _source(
     if len(sensors) > 1:
         yield _agreement(note, len(sensors))
     if note.max_age is not None:
-        yield f"A reading that is older than {note.max_age:g} seconds counts as unknown."
+        yield f"A reading that is older than {duration(note.max_age)} counts as unknown."
     if note.critical:
         yield (
             "Critical: if it is not as it should be while a step runs, or not known, the step is "

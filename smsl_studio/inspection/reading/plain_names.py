@@ -116,6 +116,13 @@ def counted(many: int, noun: str) -> str:
     return f"{many:,} {noun}{'' if many == 1 else 's'}"
 
 
+def duration(seconds: float) -> str:
+    """Return a time in words: seconds, or minutes if there are two or more."""
+    if seconds >= 120 and seconds % 60 == 0:
+        return f"{seconds / 60:,.0f} minutes"
+    return "1 second" if seconds == 1 else f"{seconds:,g} seconds"
+
+
 def people(roles: Sequence[str]) -> str:
     """Return the persons that a task asks, within a sentence. An empty role is anybody."""
     count = Counter(role or "person" for role in roles or NOBODY)

@@ -69,7 +69,7 @@ def _needs(words: StepWords) -> Iterator[ReadingLine]:
     if who:
         yield ReadingLine("People who take part", (f"{opened(listed(who))}.",))
     if sensors:
-        yield ReadingLine("Sensors that must report", (f"{opened(listed(list(sensors)))}.",))
+        yield ReadingLine("Sensors that must report", (f"{listed(list(sensors))}.",))
 
 
 def _end(words: StepWords, grounds: ReadingGrounds) -> Iterator[ReadingLine]:

@@ -8,7 +8,7 @@ from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.reading.controls import controls
 from smsl_studio.inspection.reading.duties import duties, watched
-from smsl_studio.inspection.reading.plain_names import PlainNames, listed, untitled
+from smsl_studio.inspection.reading.plain_names import PlainNames, untitled
 from smsl_studio.inspection.reading.preparation import preparation
 from smsl_studio.inspection.reading.procedure import Procedure
 from smsl_studio.inspection.reading.reading import BlueprintReading
@@ -42,25 +42,34 @@ def written_reading(
     ]
     if grounds.difference is not None:
         sections.insert(0, since(names, grounds.difference, grounds.former))
-    title, purpose = _purpose(names)
+    title, purpose = _purpose(blueprint)
     kept = tuple(one for one in sections if one.lines or one.lead)
     file = PurePath(blueprint.file).name
     return BlueprintReading(title or file, purpose, file, digests(blueprint).closure, kept, bare)
 
 
-def _purpose(names: PlainNames) -> tuple[str, str]:
-    """Return the title, which is that of the situation at the end, and one sentence about it."""
-    blueprint = names.blueprint
-    ends: list[str] = []
-    begins: list[str] = []
-    for name in blueprint.roots:
-        branch = blueprint[name]
-        for state, found in ((branch.activating, ends), (branch.initial, begins)):
-            note = branch.state_note(state)
-            if note is not None and note.title:
-                found.append(note.title)
-    title = listed(ends) if len(ends) == len(blueprint.roots) else ""
-    if not title or len(begins) < len(ends):
-        return title, "What happens, who does it, and how one knows that it is done."
-    return title, f"From “{listed(begins)}” to “{title}”: what happens, who does it, and how one "\
-                  "knows that it is done."  # fmt: skip
+def _purpose(blueprint: Blueprint) -> tuple[str, str]:
+    """Return the title, which is that of the situation at the end, and one sentence about it.
+
+    Of several roots the one with the most states below it gives the title.
+    """
+    plain = "What happens, who does it, and how one knows that it is done."
+    if not blueprint.roots:
+        return "", plain
+    branch = blueprint[max(blueprint.roots, key=lambda name: _weight(blueprint, name))]
+    end, begin = (branch.state_note(state) for state in (branch.activating, branch.initial))
+    title = end.title if end is not None else ""
+    if not title or begin is None or not begin.title:
+        return title, plain
+    return title, f"From “{begin.title}” to “{title}”. {plain}"
+
+
+def _weight(blueprint: Blueprint, root: str) -> int:
+    """Return the number of states of an SB and all its sub-SBs."""
+    found, waiting = {root}, [root]
+    while waiting:
+        for sub in blueprint[waiting.pop()].subs.values():
+            if sub in blueprint.branches and sub not in found:
+                found.add(sub)
+                waiting.append(sub)
+    return sum(len(blueprint[name].table) for name in found)

@@ -9,7 +9,13 @@ from smsl_studio.blueprint.annotations import FactNote, OperationNote
 from smsl_studio.blueprint.continuum import HUMAN, SHARED
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.inspection.reading.plain_names import PlainNames, listed, opened, people
+from smsl_studio.inspection.reading.plain_names import (
+    PlainNames,
+    duration,
+    listed,
+    opened,
+    people,
+)
 
 SYSTEM = "The system"
 _STOPS = {
@@ -49,9 +55,9 @@ class StepWords:
         if note.risk in ("medium", "high"):
             yield f"Its risk is {note.risk}."
         if note.timeout is not None:
-            yield f"It has failed if it takes longer than {note.timeout:g} seconds."
+            yield f"It has failed if it takes longer than {duration(note.timeout)}."
         if note.answer_within is not None and (level in (HUMAN, SHARED) or note.confirm):
-            late = f"The answer must come within {note.answer_within:g} seconds"
+            late = f"The answer must come within {duration(note.answer_within)}"
             also = f"; after half of that time the {note.escalates_to} may answer too"
             yield f"{late}{also if note.escalates_to else ''}. No answer is never a yes."
         if note.stop is not None:
