@@ -4,7 +4,9 @@ can hold, at three sizes of four kinds of spaces.
 Ours is the whole command ``check``. Spin's is ``spin -a``, ``gcc -O2 -DSAFETY -DNOREDUCE`` and
 ``pan``, breadth first (``-DBFS``) for the shortest run. The model for Spin is written from the
 product steps (``benches/spin/promela.py``). Numbers of configurations and lengths of runs must be
-equal. Needs ``spin`` and ``gcc`` (Debian packages). Without ``--all`` only the smallest sizes run.
+equal. Beside them stands what our command takes for two states: its start, which is most of the
+time and of the memory at the smallest sizes. Needs ``spin`` and ``gcc`` (Debian packages). Without
+``--all`` only the smallest sizes run.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from pathlib import Path
 
 from benches.row import Row
 from benches.spin.models import SpinModel, models
-from benches.spin.sides import Work, ours, spins
+from benches.spin.sides import Work, ours, spins, starts
 
 HOLDS, FAILS, SPACE = "at most 0.1x", "at most 0.25x", "at most 0.25x"
 
@@ -37,12 +39,14 @@ def _rows(sizes: int) -> Iterator[Row]:
     for program in ("spin", "gcc"):
         if shutil.which(program) is None:
             raise SystemExit(f"{program} is not installed (apt install spin gcc)")
+    with tempfile.TemporaryDirectory() as name:
+        start = starts(Path(name))
     for _, kind in groupby(models(), key=lambda model: model.kind):
         for model in list(kind)[:sizes]:
-            yield from _model(model)
+            yield from _model(model, start)
 
 
-def _model(model: SpinModel) -> Iterator[Row]:
+def _model(model: SpinModel, start: Work) -> Iterator[Row]:
     count = 0
     for fails in (False, True):
         what = "a run that fails" if fails else "all of it"
@@ -56,10 +60,16 @@ def _model(model: SpinModel) -> Iterator[Row]:
         if wrong:
             raise SystemExit(f"{model.words}: {wrong}")
         what = f"a shortest run of {own.steps:,} operations" if fails else "never"
+        own_start = "our start alone"
+        space = (("pan", other.megabytes), (own_start, start.megabytes))
         work = f"{model.words}, {count:,} configurations: {what}"
-        sides = (("Spin whole", other.seconds), ("pan alone", other.alone))
+        sides = (
+            ("Spin whole", other.seconds),
+            ("pan alone", other.alone),
+            (own_start, start.seconds),
+        )
         yield Row(work, own.seconds, "CPU s", sides, FAILS if fails else HOLDS)
-        yield Row(f"{work}, memory", own.megabytes, "MB", (("pan", other.megabytes),), SPACE)
+        yield Row(f"{work}, memory", own.megabytes, "MB", space, SPACE)
 
 
 def _wrong(own: Work, other: Work, fails: bool) -> str:

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from benches.spin.models import SpinModel
 from benches.spin.promela import promela
@@ -38,18 +38,28 @@ def ours(model: SpinModel, fails: bool, folder: Path) -> Work:
     condition = model.can if fails else model.never
     # The spelling of the property language, from that of the model.
     text = condition.replace("&&", "and").replace("!", "not ").replace("@", " in ")
-    file = folder / "model.json"
-    file.write_text(json.dumps({"_properties": [{"name": "p", "never": text}], **model.values}))
-    command = [sys.executable, "-m", "smsl_studio", "check", str(file), "--rule", "R19"]
-    command += ["--limit", "100000000", "--format", "json"]
-    _run(command, folder)
-    said, seconds, megabytes = _run(command, folder)
+    said, seconds, megabytes = _checked(text, model.values, folder)
     (found,) = json.loads(said)["files"]
     (answer,) = found["properties"]
     told = [one["counterexample"]["path"] for one in found["findings"] if "counterexample" in one]
     assert answer["verdict"] == ("fails" if fails else "holds"), answer
     steps = len(told[0]) if fails else None
     return Work(seconds, megabytes, answer["configurations"] or 0, steps)
+
+
+def starts(folder: Path) -> Work:
+    """Ask about two states: what the command takes before it begins to search."""
+    _, seconds, megabytes = _checked("A in S1", {"A": {"S0": {}, "S1": {}}}, folder)
+    return Work(seconds, megabytes, 1)
+
+
+def _checked(never: str, values: dict[str, Any], folder: Path) -> tuple[str, float, float]:
+    file = folder / "model.json"
+    file.write_text(json.dumps({"_properties": [{"name": "p", "never": never}], **values}))
+    command = [sys.executable, "-m", "smsl_studio", "check", str(file), "--rule", "R19"]
+    command += ["--limit", "100000000", "--format", "json"]
+    _run(command, folder)
+    return _run(command, folder)
 
 
 def spins(model: SpinModel, fails: bool, folder: Path, depth: int) -> Work:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import networkx
 import pytest
@@ -16,6 +17,8 @@ from smsl_studio.errors import UsageError
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
 from tests.stories.person import SAMPLES
+
+XML = "{http://graphml.graphdrawing.org/xmlns}"
 
 
 def blueprint(values: dict[str, Any]) -> Blueprint:
@@ -31,6 +34,31 @@ def test_samples_come_back_equal_through_graphml(sample: Path, tmp_path: Path) -
     again: Any = networkx.read_graphml(tmp_path / "file.graphml", force_multigraph=True)
     assert smsl.from_multidigraph(again) == whole
     assert smsl.digest(smsl.from_multidigraph(again)) == smsl.digest(whole)
+
+
+def test_a_plain_reader_of_graphml_finds_the_same(tmp_path: Path) -> None:
+    whole = smsl.read(SAMPLES / "three-levels.json")
+    networkx.write_graphml(smsl.multidigraph(whole), tmp_path / "file.graphml")
+    root = ElementTree.parse(tmp_path / "file.graphml").getroot()
+    names = {key.get("id"): key.get("attr.name") for key in root.iter(f"{XML}key")}
+
+    def values(element: ElementTree.Element) -> dict[str | None, str | None]:
+        return {names[one.get("key")]: one.text for one in element.iter(f"{XML}data")}
+
+    nodes = {one.get("id"): values(one) for one in root.iter(f"{XML}node")}
+    assert {name: row["facts"] for name, row in nodes.items()} == {
+        f"{branch.name}/{state}": " ".join(branch.facts(state))
+        for branch in whole
+        for state in branch.table
+    }
+    edges = [(one.get("source"), one.get("id"), one.get("target"), values(one)["kind"])
+             for one in root.iter(f"{XML}edge")]  # fmt: skip
+    assert sorted(edge[:3] for edge in edges if edge[3] == "operation") == sorted(
+        (f"{branch.name}/{state}", operation, f"{branch.name}/{target}")
+        for branch in whole
+        for state, table in branch.table.items()
+        for operation, target in table.items()
+    )
 
 
 @pytest.mark.parametrize("seed", range(30))
