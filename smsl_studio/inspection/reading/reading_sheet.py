@@ -31,7 +31,7 @@ _SOURCE = """
 #show heading.where(level: 3): it => block(above: 0pt, below: 5pt, text(size: 11pt, it.body))
 #let entry(one, depth) = {
   let mark = if one.mark == "" { [] } else { text(weight: "bold", one.mark) }
-  block(above: 9pt, below: 4pt, inset: (left: depth * 16pt), width: 100%, breakable: true, {
+  block(above: 14pt, below: 6pt, inset: (left: depth * 16pt), width: 100%, breakable: true, {
     if depth == 0 {
       heading(level: 3, [#mark#if one.mark != "" [ #h(4pt) ]#one.heading#if one.open [ (open)]])
     } else {
@@ -47,7 +47,8 @@ _SOURCE = """
 #par(told.purpose)
 #par(text(size: 9pt, fill: rgb("#465060"))[#told.file, read on #told.date. #told.notice.])
 #par(text(size: 9pt, fill: rgb("#465060"))[Digest: #told.digest])
-#outline(title: [Contents], depth: 2)
+#block(above: 18pt, below: 6pt, text(size: 12pt, weight: "bold")[Contents])
+#outline(title: none, depth: 2)
 #for section in told.sections {
   heading(level: 2, section.heading)
   if section.lead != "" { par(section.lead) }
