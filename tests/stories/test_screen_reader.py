@@ -12,9 +12,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
 from smsl_studio.shipped import samples_dir
+from tests.stories.conftest import Sit
+from tests.stories.screen_reader.busy_window import Busy
 from tests.stories.screen_reader.reading import nameless, session, virtual_screen
+
+ROUND = 38
+"""So many acts make a round of the person who is busy."""
 
 
 @pytest.fixture
@@ -40,3 +47,17 @@ def test_a_screen_reader_finds_every_state_operation_and_control(
         for operation in operations:
             assert (operation, state) in first_words
     assert not nameless(things)
+
+
+def test_the_person_in_the_window_that_is_walked_through_is_busy(
+    sit: Sit, tmp_path: Path, qtbot: QtBot
+) -> None:
+    """A bench walks while somebody draws and runs, so each of these acts must be possible."""
+    told = tmp_path / "acts"
+    busy = Busy(sit(samples_dir() / "hfsm.json").window, told)
+    qtbot.waitUntil(told.exists)
+    busy.stop()
+    for _ in range(ROUND):
+        busy.act()
+        QApplication.processEvents()
+    assert int(told.read_text()) > ROUND

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.canvas.accessible_held import Children, kept
 from smsl_studio.studio.base.canvas.accessible_leaf import MENU, PRESS, Acts, LeafAccessible
 
 OPEN, CLOSE = "Expand", "Collapse"
@@ -38,7 +39,7 @@ class RowsAccessible(QAccessibleWidget):
         self, view: QAbstractItemView, role: QAccessible.Role = QAccessible.Role.List
     ) -> None:
         super().__init__(view, role, "")
-        self._rows: dict[int, RowAccessible] = {}
+        self._rows: Children[int, RowAccessible] = Children()
 
     @property
     def view(self) -> Any:
@@ -79,9 +80,11 @@ class RowsAccessible(QAccessibleWidget):
         if not place.isValid():
             return None
         words = said(place)
-        if index not in self._rows or self._rows[index].said != words:
-            self._rows[index] = RowAccessible(self, index, words)
-        return self._rows[index]
+        make = partial(RowAccessible, self, index, words)
+        found = kept(self._rows, index, make)
+        if found.said != words:
+            found = self._rows[index] = make()
+        return found
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         """The number of a row; -1 for anything else."""

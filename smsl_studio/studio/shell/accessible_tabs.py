@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QAccessibleWidget, QApplication, QLabel, QTabBar
 from shiboken6 import isValid
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.canvas.accessible_held import Children, kept
 from smsl_studio.studio.base.canvas.accessible_leaf import PRESS, Acts, LeafAccessible
 
 
@@ -23,7 +24,7 @@ class TabsAccessible(QAccessibleWidget):
 
     def __init__(self, bar: QTabBar) -> None:
         super().__init__(bar, QAccessible.Role.PageTabList, "")
-        self._tabs: dict[int, TabAccessible] = {}
+        self._tabs: Children[int, TabAccessible] = Children()
 
     @property
     def bar(self) -> QTabBar | None:
@@ -48,9 +49,7 @@ class TabsAccessible(QAccessibleWidget):
         """The tab with this number; None if there is none."""
         if not 0 <= index < self.childCount():
             return None
-        if index not in self._tabs:
-            self._tabs[index] = TabAccessible(self, index)
-        return self._tabs[index]
+        return kept(self._tabs, index, partial(TabAccessible, self, index))
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         """The number of a tab; -1 for anything else."""

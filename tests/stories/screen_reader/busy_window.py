@@ -1,14 +1,18 @@
 """A window in which a person draws and runs all the time, in changing modes.
 
 ``python -m tests.stories.screen_reader.busy_window FILE``: the program that ``walker`` reads.
+Beside FILE it writes how many things the person has done.
 """
 
 from __future__ import annotations
 
+import os
 import sys
+import traceback
 from collections.abc import Callable
 from functools import partial
 from itertools import cycle
+from pathlib import Path
 from random import Random
 
 from PySide6.QtCore import QTimer
@@ -22,13 +26,20 @@ from smsl_studio.studio.shell.window import Window
 
 EVERY = 150
 """Milliseconds between two acts."""
+ACTS = ".acts"
+"""The suffix of the file with the number of what was done."""
 
 
-class Busy:
-    """Does one thing after the other, round and round; which element it is, is drawn anew."""
+class Busy(QTimer):
+    """Does one thing after the other, round and round; which element it is, is drawn anew.
 
-    def __init__(self, window: Window) -> None:
-        self._window, self._chance = window, Random(1)
+    It lives as long as the window: PySide does not hold the object of a method that is connected.
+    """
+
+    def __init__(self, window: Window, told: Path) -> None:
+        super().__init__(window)
+        self._window, self._told, self._chance = window, told, Random(1)
+        self._done = 0
         press = self._press
         self._acts = cycle([
             press("add_state"), self._enter, self._connect, self._enter, self._move, self._select,
@@ -40,10 +51,22 @@ class Busy:
             self._select, self._move, press("mode_run"), press("run_stop"), self._wait,
             window.features.run.pane.run.end, self._wait, press("mode_draw"), self._forget,
         ])  # fmt: skip
+        self.timeout.connect(self._go_on)
+        self.start(EVERY)
 
     def act(self) -> None:
         """The next thing."""
         next(self._acts)()
+        self._done += 1
+        self._told.write_text(str(self._done))
+
+    def _go_on(self) -> None:
+        """The next thing. If it cannot be done, the program ends with an error."""
+        try:
+            self.act()
+        except Exception:
+            traceback.print_exc()
+            os._exit(1)
 
     def _press(self, name: str) -> Callable[[], None]:
         return partial(self._trigger, name)
@@ -84,7 +107,7 @@ class Busy:
 
     def _move(self) -> None:
         at = self._chance.choice(self._states()).state
-        self._window.canvas.moved.emit({at: (self._chance.random() * 900, 400.0)})
+        self._window.canvas.moved.emit({at: (self._chance.random() * 900, 400.0)}, {})
 
     def _close_palette(self) -> None:
         self._window.command_palette.close_palette()
@@ -94,16 +117,13 @@ class Busy:
         self._window.session.history.setIndex(0)
 
 
-def begin() -> None:
+def begin(file: Path) -> None:
     """Once the window is there, begin."""
     window = next(one for one in QApplication.topLevelWidgets() if isinstance(one, Window))
-    busy = Busy(window)
-    clock = QTimer(window)
-    clock.timeout.connect(busy.act)
-    clock.start(EVERY)
+    Busy(window, file.with_suffix(ACTS))
 
 
 if __name__ == "__main__":
     make_application(sys.argv)
-    QTimer.singleShot(0, begin)
+    QTimer.singleShot(0, partial(begin, Path(sys.argv[1])))
     raise SystemExit(open_window(sys.argv[1:]))

@@ -14,12 +14,18 @@ import sys
 import threading
 from typing import Any
 
-import pyatspi
-from gi.repository import GLib
+import gi
+
+gi.require_version("Atspi", "2.0")
+
+import pyatspi  # noqa: E402
+from gi.repository import Atspi, GLib  # noqa: E402
 
 DEEPEST = 60
 PATIENCE = 600
 """How often the program is looked for, every 0.1 s."""
+REPLY = 120_000
+"""Milliseconds in which the program must reply; a busy machine takes as long as it takes."""
 
 Seen = list[tuple[str, str, list[str], bool]]
 UNNAMED: list[tuple[Any, int]] = []
@@ -91,6 +97,7 @@ def unnamed(seen: Seen) -> Seen:
 def main() -> None:
     """Walk round as often as asked for, and write down what the last walk saw."""
     process, walks, out = int(sys.argv[1]), int(sys.argv[2]), pathlib.Path(sys.argv[3])
+    Atspi.set_timeout(REPLY, REPLY)
     top = application(process)
     seen: Seen = []
     nameless: Seen = []

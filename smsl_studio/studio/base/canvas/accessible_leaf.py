@@ -13,6 +13,8 @@ from typing import Any
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from PySide6.QtWidgets import QAccessibleWidget, QWidget
 
+from smsl_studio.studio.base.canvas.accessible_held import HELD
+
 PRESS, MENU = "Press", "ShowMenu"
 """Qt's names of the actions that every assistive tool knows."""
 
@@ -21,9 +23,6 @@ Acts = Mapping[str, tuple[str, Call]]
 """What can be done with a part: by name, what it does in words, and the call."""
 Relation = tuple[QAccessibleInterface, QAccessible.RelationFlag]
 ALL = QAccessible.RelationFlag.AllRelations
-HELD: list[PartAccessible] = []
-"""Every part that a reader has asked for. Qt remembers each until the program ends, so Python must
-not free it: the process would crash when Qt uses it."""
 
 
 class PartAccessible(QAccessibleWidget):
@@ -32,7 +31,7 @@ class PartAccessible(QAccessibleWidget):
     def __init__(self, parent: QAccessibleInterface, widget: QWidget) -> None:
         super().__init__(widget, QAccessible.Role.ListItem, "")
         self._above = parent
-        HELD.append(self)
+        HELD.hold(self)
 
     def object(self) -> Any:
         """None: it is no Qt object."""
@@ -73,7 +72,8 @@ class PartAccessible(QAccessibleWidget):
         """Do it, if it is possible now."""
         found = self.acts().get(name)
         if found is not None:
-            found[1]()
+            with HELD.at_work():
+                found[1]()
 
     def keyBindingsForAction(self, name: str) -> list[str]:
         """None: the keys belong to the canvas."""

@@ -10,6 +10,7 @@ from Qt's interface of a widget instead (``accessible_leaf``), which has actions
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 from weakref import ref
 
@@ -23,6 +24,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.canvas.accessible import state_words, words_for
 from smsl_studio.studio.base.canvas.accessible_acts import operation_acts, state_acts
 from smsl_studio.studio.base.canvas.accessible_drawn import DrawnAccessible
+from smsl_studio.studio.base.canvas.accessible_held import Children, kept
 from smsl_studio.studio.base.canvas.accessible_leaf import (
     ALL,
     Acts,
@@ -49,8 +51,8 @@ class CanvasAccessible(QAccessibleInterface):
     def __init__(self, canvas: Canvas) -> None:
         super().__init__()
         self._held = ref(canvas)
-        self._children: dict[int, StateAccessible] = {}
-        self._drawn: dict[DrawnKey, DrawnAccessible] = {}
+        self._children: Children[int, StateAccessible] = Children()
+        self._drawn: Children[DrawnKey, DrawnAccessible] = Children()
 
     @property
     def canvas(self) -> Canvas:
@@ -120,12 +122,8 @@ class CanvasAccessible(QAccessibleInterface):
             return QAccessible.queryAccessibleInterface(menu)
         if sheet is not None and index >= self.states:
             key = sheet.drawn.listed()[index - self.states]
-            if key not in self._drawn:
-                self._drawn[key] = DrawnAccessible(self, self._held, key)
-            return self._drawn[key]
-        if index not in self._children:
-            self._children[index] = StateAccessible(self, index)
-        return self._children[index]
+            return kept(self._drawn, key, partial(DrawnAccessible, self, self._held, key))
+        return kept(self._children, index, partial(StateAccessible, self, index))
 
     def operation(self, edge: int) -> OperationAccessible | None:
         """The operation with this number in the picture; None if there is none."""
@@ -211,7 +209,7 @@ class StateAccessible(PartAccessible):
     def __init__(self, parent: CanvasAccessible, index: int) -> None:
         super().__init__(parent, parent.canvas)
         self._parent, self.index = parent, index
-        self._children: dict[Address, OperationAccessible] = {}
+        self._children: Children[Address, OperationAccessible] = Children()
 
     @property
     def canvas(self) -> Canvas:
@@ -231,6 +229,15 @@ class StateAccessible(PartAccessible):
         branch, state = sheet.picture.branch, sheet.picture.names[self.index]
         return tuple(Address(branch.name, state, name) for name in branch.table[state])
 
+    def has(self, operation: Address) -> bool:
+        """Whether an operation leaves the state."""
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid():
+            return False
+        here = sheet.address_of_state(self.index)
+        table = sheet.picture.branch.table
+        return operation.parent == here and operation.operation in table[here.state]
+
     def childCount(self) -> int:
         """The number of operations that leave the state."""
         return len(self.operations)
@@ -241,9 +248,7 @@ class StateAccessible(PartAccessible):
         if not 0 <= index < len(operations):
             return None
         address = operations[index]
-        if address not in self._children:
-            self._children[address] = OperationAccessible(self, address)
-        return self._children[address]
+        return kept(self._children, address, partial(OperationAccessible, self, address))
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         """The number of an operation that leaves the state; -1 for anything else."""
@@ -317,7 +322,7 @@ class OperationAccessible(LeafAccessible):
 
     def isValid(self) -> bool:
         """Whether the operation still leaves its state."""
-        return self._state.isValid() and self.address in self._state.operations
+        return self._state.has(self.address)
 
     def text(self, kind: QAccessible.Text) -> str:
         """The name of the operation as it is read out; empty for other kinds of text."""
