@@ -18,6 +18,7 @@ from smsl_studio.front.views.freshness import age_of, age_words, bars
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.chips import paint_chip
 from smsl_studio.studio.base.controls import name_parts
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
@@ -245,6 +246,7 @@ class FactsTable(QTableView):
         self.setMaximumHeight(HEADS)
         self.setAccessibleName("Facts: believed and sensed")
         FocusLine(self)
+        CurrentCell(self)
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
         """Show other rows; the line of a group spans all columns."""

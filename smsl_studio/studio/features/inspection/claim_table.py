@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.inspection.claim_model import (
     KIND,
@@ -37,18 +38,21 @@ class ClaimTable(RowTable):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Hazards and properties", parent)
         self.claims = ClaimModel(tokens, self)
+        # Qt tells of the current row while a table gets its model.
+        self.cell = CurrentCell(self)
         self.setModel(self.claims)
+        self.cell.follow()
         self.doubleClicked.connect(lambda index: self.edit_wanted.emit(index.data(_ROW)))
 
     @property
     def chosen(self) -> ClaimRow | None:
         """The chosen row."""
-        return _row(self.currentIndex())
+        return _row(self.cell.index)
 
     def choose(self, address: Address | None) -> None:
         """Choose a row; None or an unknown address chooses none."""
         at = self.claims.row_of(address) if address is not None else -1
-        self.setCurrentIndex(self.claims.index(at, 0) if at >= 0 else QModelIndex())
+        self.cell.choose(self.claims.index(at, 0) if at >= 0 else QModelIndex())
 
     def show_rows(self, rows: tuple[ClaimRow, ...]) -> None:
         """Show other rows. The chosen one stays chosen."""

@@ -175,7 +175,7 @@ class InspectionPanel(QWidget):
         self.tabs.setCurrentIndex(0)
         self._wanted = address if self.table.claims.row_of(address) < 0 else None
         self.table.choose(address)
-        self.table.scrollTo(self.table.currentIndex())
+        self.table.scrollTo(self.table.cell.index)
         self.table.setFocus()
 
     def minimumSizeHint(self) -> QSize:
@@ -260,7 +260,7 @@ class InspectionPanel(QWidget):
         self.table.show_rows(rows)
         if self._wanted is not None:
             self.table.choose(self._wanted)
-            self.table.scrollTo(self.table.currentIndex())
+            self.table.scrollTo(self.table.cell.index)
             self._wanted = None
         self._choose_first()
         self._show_page(bool(rows) or self.writing.open)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QModelIndex, Signal
 from PySide6.QtGui import QColor, QResizeEvent, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -33,12 +34,15 @@ class RecoveryTable(RowTable):
         self._tokens = tokens
         self.rows: tuple[RecoveryRow, ...] = ()
         self._model = QStandardItemModel(self)
+        # Qt tells of the current row while a table gets its model.
+        self.cell = CurrentCell(self)
         self.setModel(self._model)
+        self.cell.follow()
 
     @property
     def chosen(self) -> RecoveryRow | None:
         """The chosen row."""
-        at = self.currentIndex().row()
+        at = self.cell.index.row()
         return self.rows[at] if 0 <= at < len(self.rows) else None
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -58,7 +62,7 @@ class RecoveryTable(RowTable):
         for row in rows:
             self._model.appendRow(self._items(row))
         kept = [at for at, row in enumerate(rows) if before and row.state == before.state]
-        self.setCurrentIndex(self._model.index(kept[0], 0) if kept else QModelIndex())
+        self.cell.choose(self._model.index(kept[0], 0) if kept else QModelIndex())
         self.blockSignals(blocked)
         self._share()
         self.row_chosen.emit(self.chosen)
@@ -66,7 +70,7 @@ class RecoveryTable(RowTable):
     def choose_first(self) -> None:
         """If no row is selected, select the first one."""
         if self.chosen is None and self.rows:
-            self.setCurrentIndex(self._model.index(0, 0))
+            self.cell.choose(self._model.index(0, 0))
 
     def currentChanged(self, current: Index, previous: Index) -> None:
         """Tell the chosen row."""

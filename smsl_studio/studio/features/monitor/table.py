@@ -36,6 +36,7 @@ from smsl_studio.front.views.monitor_rows import (
 )
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import name_parts
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
@@ -218,6 +219,7 @@ class MonitorTable(QTableView):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._asked)
         self.activated.connect(lambda index: self._ask(self.visualRect(index).bottomLeft()))
+        self.cell = CurrentCell(self)
         self.selectionModel().currentRowChanged.connect(self._chosen)
         name_parts(self)
         self.verticalHeader().hide()
@@ -236,7 +238,7 @@ class MonitorTable(QTableView):
     @property
     def chosen(self) -> MonitorRow | None:
         """The selected row, or None."""
-        at = self.currentIndex().row()
+        at = self.cell.index.row()
         rows = self.model_of_rows.rows
         return rows[at] if 0 <= at < len(rows) else None
 
@@ -253,7 +255,7 @@ class MonitorTable(QTableView):
             elif not any(row.cells[FIGURES.start :]):
                 self.setSpan(at, QUALITY, 1, len(COLUMNS) - QUALITY)
             if kept is not None and row.key == kept.key:
-                self.setCurrentIndex(self.model_of_rows.index(at, 0))
+                self.cell.choose(self.model_of_rows.index(at, 0))
         self._fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -289,7 +291,7 @@ class MonitorTable(QTableView):
     def _asked(self, at: QPoint) -> None:
         index = self.indexAt(at)
         if index.isValid():
-            self.setCurrentIndex(index)
+            self.cell.choose(index)
             self._ask(at)
 
     def _ask(self, at: QPoint) -> None:

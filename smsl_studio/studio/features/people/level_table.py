@@ -8,6 +8,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from smsl_studio.studio.base.controls import NameDelegate, name_parts
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import BLANK
@@ -117,6 +118,7 @@ class LevelTable(QTableView):
         self.setItemDelegate(NameDelegate(self))
         self.setAccessibleName("Levels")
         FocusLine(self)
+        CurrentCell(self)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setShowGrid(False)

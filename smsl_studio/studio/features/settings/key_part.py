@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Action, Actions, key_words
 from smsl_studio.studio.base.controls import NameDelegate, label, name_parts, row
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.own_keys import FIXED, objection
@@ -59,6 +60,7 @@ class KeyPart(QWidget):
         table.setProperty("role", "table")
         table.setAccessibleName("Keys")
         FocusLine(table)
+        CurrentCell(table)
         table.setItemDelegate(NameDelegate(table))
         table.setHorizontalHeaderLabels(["Action", "Menu", "Key"])
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

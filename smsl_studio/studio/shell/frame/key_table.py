@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.current_cell import CurrentCell
 from smsl_studio.studio.base.feature import KeyList
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import text_font
@@ -24,6 +25,7 @@ class KeyTable(QTableWidget):
         self.setProperty("role", "table")
         self.setAccessibleName("Keyboard shortcuts")
         FocusLine(self)
+        CurrentCell(self)
         self.setHorizontalHeaderLabels(COLUMNS)
         self.verticalHeader().hide()
         self.setShowGrid(False)
