@@ -17,8 +17,10 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.document import afterwards
 
-# Before anything imports Qt.
-os.environ["QT_QPA_PLATFORM"] = "offscreen"
+# Before anything imports Qt. The screen has a usual size: on that of Qt, which has 800 x 800, every
+# window would begin narrow and be laid out again.
+SCREEN = Path(__file__).with_name("screen.json")
+os.environ["QT_QPA_PLATFORM"] = f"offscreen:configfile={SCREEN}"
 
 # Plugins are loaded from folders only that others may not write, whoever runs the tests.
 os.umask(0o022)
