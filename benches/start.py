@@ -12,10 +12,14 @@ from benches.row import Row, process_ms
 SAMPLE = "samples/hanoi-corrected.json"
 WINDOW = f"""
 import os
+from smsl_studio.__main__ import load_window
+load_window()
 from smsl_studio.studio.shell.application import make_application, make_window
 from smsl_studio.studio.shell.windows import Windows
 from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import prepare, tokens_of
 application = make_application([])
+prepare(application, tokens_of("light", application))
 window = make_window(Windows(application, Settings()), {SAMPLE!r})
 application.processEvents()
 os._exit(0)

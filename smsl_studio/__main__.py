@@ -6,12 +6,14 @@ the command line.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import PurePath
 
 from smsl_studio.legible import one_line
+from smsl_studio.stop import let_garbage_be
 
 SHOWN = (".json", ".smsl", ".yaml", ".yml", ".jsonl")
 """The suffixes of files that the window shows: blueprints, and logs of runs."""
@@ -50,12 +52,25 @@ def _open_window(arguments: list[str]) -> int:
     if missing:
         return _no_window(missing)
     try:
-        from smsl_studio.studio.shell.application import main as window
+        window = load_window()
     except ImportError as error:
         if (error.name or "").startswith("smsl_studio"):
             raise  # a fault of this program, not of this machine
         return _no_window(f"Qt cannot be loaded: {error}")
     return window(arguments)
+
+
+def load_window() -> Callable[[Sequence[str]], int]:
+    """Import the window program and return its ``main``. ImportError if Qt cannot be loaded.
+
+    What is imported stays, so Python's collector is kept away from it, now and later. The windows
+    collect by themselves (``studio/shell/sweeper.py``).
+    """
+    let_garbage_be()
+    from smsl_studio.studio.shell.application import main as window
+
+    gc.freeze()
+    return window
 
 
 def _missing_display() -> str:

@@ -250,9 +250,9 @@ def test_a_file_that_both_branches_added_is_merged(repository: PlanRepository) -
     assert table["A"] == {"go": "B", "one": "A", "two": "A"}
 
 
-@pytest.mark.parametrize("number", [0, 1])
-def test_a_history_of_branches_and_rebases_loses_nothing(number: int, tmp_path: Path) -> None:
-    history = History(tmp_path, number)
+def test_a_history_of_branches_and_rebases_loses_nothing(tmp_path: Path) -> None:
+    """One of the twenty histories of the bench ``histories``."""
+    history = History(tmp_path, 0)
     history.grow()
     assert history.merges > 10
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import smsl_studio as smsl
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog.events import Committed, EdgeSwept, StateChecked, SweepFinished
 from smsl_studio.shipped import samples_dir
 
@@ -31,9 +33,14 @@ def test_two_disks_too() -> None:
 
 
 def test_a_sweep_of_the_papers_file_finds_its_two_misprints() -> None:
-    *edges, last = smsl.sweep(smsl.read(_sample("hanoi")), "hanoi")
+    """A sweep of the misprints and of each tenth operation; the bench ``physics`` sweeps all 78."""
+    whole = smsl.read(_sample("hanoi"))
+    edges = [edge.address for branch in whole for edge in branch.edges()]
+    odd = {Address("SB1", "State_cbb", "Op_1c"), Address("SB1", "State_cbc", "Op_2b")}
+    others = [edge for at, edge in enumerate(edges) if at % 10 and edge not in odd]
+    *edges, last = smsl.sweep(editing.delete(whole, others), "hanoi")
     assert isinstance(last, SweepFinished)
-    assert (last.edges, last.passed) == (78, 76)
+    assert (last.edges, last.passed) == (9, 7)
     assert last.failed == ("SB1/State_cbb/Op_1c", "SB1/State_cbc/Op_2b")
     wrong = [e for e in edges if isinstance(e, EdgeSwept) and not e.passed]
     assert [(e.source, e.target) for e in wrong] == [("true", "false")] * 2

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPen, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPen, QPixmap, QPixmapCache
 
 from smsl_studio.studio.base.icon_drawings import ICONS, Drawing
 from smsl_studio.studio.base.theme import Tokens
@@ -29,14 +29,19 @@ def draw(painter: QPainter, name: str, rect: QRectF, colour: QColor, paper: QCol
 
 
 def pixmap(name: str, colour: QColor, paper: QColor, size: int = 16, ratio: float = 1.0) -> QPixmap:
-    """One icon as a picture of ``size`` device-independent pixels."""
+    """One icon as a picture of ``size`` device-independent pixels. All windows share it."""
     _strokes(name)
+    key = f"{name} {colour.rgba()} {paper.rgba()} {size} {ratio}"
+    picture = QPixmap()
+    if QPixmapCache.find(key, picture):
+        return picture
     picture = QPixmap(QSize(round(size * ratio), round(size * ratio)))
     picture.setDevicePixelRatio(ratio)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     draw(painter, name, QRectF(0, 0, size, size), colour, paper)
     painter.end()
+    QPixmapCache.insert(key, picture)
     return picture
 
 

@@ -117,7 +117,7 @@ def text_font(size: int = 13, weight: int = 400) -> QFont:
 
     ``size`` in pixels.
     """
-    return _font(_family("Inter", "Noto Sans"), size, weight, QFont.StyleHint.SansSerif)
+    return QFont(_font(_family("Inter", "Noto Sans"), size, weight, QFont.StyleHint.SansSerif))
 
 
 def mono_font(size: int = 12, weight: int = 400) -> QFont:
@@ -126,10 +126,12 @@ def mono_font(size: int = 12, weight: int = 400) -> QFont:
     ``size`` in pixels.
     """
     family = _family("JetBrains Mono", "Noto Sans Mono", "DejaVu Sans Mono")
-    return _font(family, size, weight, QFont.StyleHint.Monospace)
+    return QFont(_font(family, size, weight, QFont.StyleHint.Monospace))
 
 
+@cache
 def _font(family: str, size: int, weight: int, hint: QFont.StyleHint) -> QFont:
+    """The pattern that each caller gets a copy of: painting asks for fonts very often."""
     font = QFont(family) if family else QFont()
     font.setStyleHint(hint)
     font.setPixelSize(size)
