@@ -24,7 +24,7 @@ from smsl_studio.studio.features.inspection.look_line import LookLine
 from smsl_studio.studio.features.inspection.run_view import RunView
 from smsl_studio.studio.features.inspection.state_pick import StatePick
 from smsl_studio.studio.features.inspection.step_list import StepList
-from smsl_studio.studio.features.inspection.tab_order import in_order
+from smsl_studio.studio.base.tab_order import in_order
 from smsl_studio.studio.features.inspection.typed_configuration import (
     typed_configuration,
     written_configuration,

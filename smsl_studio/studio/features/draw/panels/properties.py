@@ -11,6 +11,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row, rule
 from smsl_studio.studio.base.focus_line import FocusLine
+from smsl_studio.studio.base.late_part import LatePart
+from smsl_studio.studio.base.tab_order import put_before
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
@@ -28,7 +30,9 @@ from smsl_studio.studio.features.draw.panels.state_form import StateForm
 class Properties(QScrollArea):
     """A form for the selection or a fact, then the branch header, the number of hazards, the file.
 
-    The selection is one state, one operation, or what several elements share.
+    The selection is one state, one operation, or what several elements share. The forms of a fact
+    and of an operation are more than a quarter of the window's widgets; each is made when it is
+    first shown.
     """
 
     ways_wanted = Signal()
@@ -36,16 +40,15 @@ class Properties(QScrollArea):
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
+        self._session, self._tokens, self._loaded = session, tokens, Loaded()
+        self._fact, self._operation = LatePart(self._make_fact), LatePart(self._make_operation)
         self.setAccessibleName("Properties")
         FocusLine(self)
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        inner = Panel("Properties")
-        self.fact = FactForm(session, tokens)
+        self._inner = inner = Panel("Properties")
         self.state = StateForm(session, tokens)
-        self.operation = OperationForm(session, tokens)
         self.line = LineForm()
         self.changed_by = LastChangeForm(session, inner)
         self.several = _Several(session)
@@ -54,7 +57,7 @@ class Properties(QScrollArea):
         self.claims = ClaimsLine(session)
         self.file = FileForm(session, tokens)
         self._rule = rule()
-        above = (self.fact, self.state, self.operation, self.line, self.changed_by, self.several)
+        above = (self.state, self.line, self.changed_by, self.several)
         for widget in (*above, self._rule, self.header, rule(), self.claims, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
@@ -67,18 +70,50 @@ class Properties(QScrollArea):
         session.afterwards.follow(self._show, session.selection_changed, session.branch_changed,
                                   session.blueprint_changed)  # fmt: skip
         self.header.fact_wanted.connect(self.show_fact)
-        self.fact.left.connect(session.leave_fact)
-        self.fact.sub_wanted.connect(session.show_branch)
         self.several.ways.clicked.connect(self.ways_wanted)
+
+    @property
+    def fact(self) -> FactForm:
+        """The form of a fact."""
+        return self._fact()
+
+    @property
+    def operation(self) -> OperationForm:
+        """The form of operations."""
+        return self._operation()
+
+    def _make_fact(self) -> FactForm:
+        form = FactForm(self._session, self._tokens)
+        form.left.connect(self._session.leave_fact)
+        form.sub_wanted.connect(self._session.show_branch)
+        self._insert(form, self.state)
+        return form
+
+    def _make_operation(self) -> OperationForm:
+        form = OperationForm(self._session, self._tokens)
+        form.set_plugins(self._loaded)
+        self._insert(form, self.line)
+        return form
+
+    def _insert(self, form: QWidget, follower: QWidget) -> None:
+        """Put a form, hidden, before another one, for the eye and for the key Tab."""
+        form.hide()
+        column = self._inner.column
+        column.insertWidget(column.indexOf(follower), form)
+        put_before(form, follower)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for form in (self.fact, self.state, self.operation, self.header, self.file):
-            form.set_tokens(tokens)
+        self._tokens = tokens
+        for form in (self.state, self.header, self.file, self._fact.made, self._operation.made):
+            if form is not None:
+                form.set_tokens(tokens)
 
     def set_plugins(self, loaded: Loaded) -> None:
         """Take the functions that operations can be bound to."""
-        self.operation.set_plugins(loaded)
+        self._loaded = loaded
+        if self._operation.made is not None:
+            self._operation.made.set_plugins(loaded)
 
     def stop(self) -> None:
         """End all work, because the window closes."""
@@ -105,10 +140,12 @@ class Properties(QScrollArea):
             self.line.show_operations(blueprint, edges)
         if len(selection) > 1:
             self.several.show_selection(states, edges)
-        self.fact.setVisible(fact is not None)
+        if self._fact.made is not None:
+            self._fact.made.setVisible(fact is not None)
         self.state.setVisible(bool(states) and not edges)
-        for form in (self.operation, self.line):
-            form.setVisible(bool(edges) and not states)
+        for form in (self._operation.made, self.line):
+            if form is not None:
+                form.setVisible(bool(edges) and not states)
         self.changed_by.show_element(selection[0] if len(selection) == 1 else None)
         self.several.setVisible(len(selection) > 1)
         self._rule.setVisible(bool(selection) or fact is not None)
