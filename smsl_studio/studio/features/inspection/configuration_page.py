@@ -12,6 +12,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.views.claim_run import RunStep, steps_of
 from smsl_studio.inspection.proof.verdict import Counterexample
 from smsl_studio.studio.base.controls import Elided, Field, label, row, row_button
+from smsl_studio.studio.base.tab_order import in_order
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.session import Session
@@ -24,7 +25,6 @@ from smsl_studio.studio.features.inspection.look_line import LookLine
 from smsl_studio.studio.features.inspection.run_view import RunView
 from smsl_studio.studio.features.inspection.state_pick import StatePick
 from smsl_studio.studio.features.inspection.step_list import StepList
-from smsl_studio.studio.base.tab_order import in_order
 from smsl_studio.studio.features.inspection.typed_configuration import (
     typed_configuration,
     written_configuration,

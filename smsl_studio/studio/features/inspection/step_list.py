@@ -23,10 +23,10 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, Label, label
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import pixmap
+from smsl_studio.studio.base.tab_order import in_order
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
-from smsl_studio.studio.base.tab_order import in_order
 
 MOST = 100
 """At most this many permitted and this many refused operations are shown."""
