@@ -68,14 +68,15 @@ def home(_homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
 def _garbage_of_windows(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a test of windows leaves is collected in this thread, not in a worker thread of it.
 
-    Qt crashes if a widget is freed in another thread.
+    Qt crashes if a widget is freed in another thread. The window collects while it is open, and
+    what it saw alive then is old for Python, so all objects are looked at.
     """
     if "qapp" not in request.fixturenames:
         yield
         return
     gc.disable()
     yield
-    gc.collect(1)
+    gc.collect()
     gc.enable()
 
 

@@ -35,9 +35,9 @@ def test_two_disks_too() -> None:
 def test_a_sweep_of_the_papers_file_finds_its_two_misprints() -> None:
     """A sweep of the misprints and of each tenth operation; the bench ``physics`` sweeps all 78."""
     whole = smsl.read(_sample("hanoi"))
-    edges = [edge.address for branch in whole for edge in branch.edges()]
+    every = [edge.address for branch in whole for edge in branch.edges()]
     odd = {Address("SB1", "State_cbb", "Op_1c"), Address("SB1", "State_cbc", "Op_2b")}
-    others = [edge for at, edge in enumerate(edges) if at % 10 and edge not in odd]
+    others = [edge for at, edge in enumerate(every) if at % 10 and edge not in odd]
     *edges, last = smsl.sweep(editing.delete(whole, others), "hanoi")
     assert isinstance(last, SweepFinished)
     assert (last.edges, last.passed) == (9, 7)
