@@ -16,6 +16,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.picture.labels import meet
 from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.document.files import dialogs
 from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
 from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
 from tests.git_folder import git_folder
@@ -44,6 +45,22 @@ def press(dialog: CompareDialog, key: Qt.Key, shift: bool = False) -> None:
     held = Qt.KeyboardModifier.ShiftModifier if shift else Qt.KeyboardModifier.NoModifier
     QTest.keyClick(dialog, key, held)
     QApplication.processEvents()
+
+
+def test_the_dialog_says_what_the_file_is_asked_for(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked_for: list[str] = []
+
+    def ask(window: QWidget, title: str, folder: str, kinds: str) -> str:
+        asked_for.append(title)
+        return ""
+
+    monkeypatch.setattr(dialogs, "ask_to_open", ask)
+    person = sit(at(tmp_path, "hanoi-corrected.json"))
+    person.window.actions_table["compare_file"].trigger()
+    person.ctrl(Qt.Key.Key_O)
+    assert asked_for == ["Compare with a blueprint", "Open blueprint"]
 
 
 def test_the_corrected_file_against_the_printed_one(sit: Sit, tmp_path: Path) -> None:

@@ -264,6 +264,21 @@ def test_in_the_lowest_window_the_page_inspection_has_whole_tabs_and_buttons(sit
     person.until(lambda: run.save.text() == "Save script…")
 
 
+@pytest.mark.parametrize("size", [LOW, LOWEST])
+def test_one_row_of_the_page_inspection_is_whole(sit: Sit, size: tuple[int, int]) -> None:
+    person = at(sit, SAMPLES / "registration-drilling.json", size)
+    person.ctrl(Key.Key_I)
+    table = page(person).table
+    person.until(lambda: table.isVisible() and table.claims.rowCount() > 0)
+
+    def whole() -> bool:
+        return table.viewport().rect().contains(table.visualRect(table.currentIndex()))
+
+    person.until(lambda: table.currentIndex().isValid() and whole())
+    shrink(person, LARGE)
+    person.until(lambda: not table.horizontalHeader().isHidden())
+
+
 def test_in_a_low_panel_the_facts_have_the_room(sit: Sit) -> None:
     person = sit(HANOI, LARGE)
     panel = person.window.facts

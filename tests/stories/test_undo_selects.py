@@ -6,11 +6,12 @@ import shutil
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 
+from smsl_studio.blueprint import editing
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from tests.stories.conftest import Sit
-from tests.stories.person import SAMPLES, Person
+from tests.stories.person import SAMPLES, Person, address
 
 Key = Qt.Key
 
@@ -69,3 +70,26 @@ def test_an_undo_in_another_branch_selects_there(person: Person) -> None:
     person.ctrl(Key.Key_Z)
     assert person.window.session.branch == "SB1"
     assert person.selected() == ["SB1/State110"]
+
+
+def test_a_redo_shows_where_its_operation_leads(person: Person) -> None:
+    """The name of the operation was in view, and the state that it leads to was not."""
+    canvas, session = person.window.canvas, person.window.session
+    canvas.camera.motion = False
+    x, y = canvas.positions["State000"]
+    session.edit("Move", lambda bp: editing.set_layout(bp, "SB1", {"State110": (x + 900, y)}))
+    session.edit(
+        "Connect", lambda bp: editing.add_operation(bp, "SB1", "State000", "New", "State110")
+    )
+    person.until(lambda: canvas.rect_of(address("SB1/State000/New")) is not None)
+    label = canvas.rect_of(address("SB1/State000/New"))
+    assert label is not None
+    person.ctrl(Key.Key_Z)
+    canvas.zoom_to(1.0)
+    away = canvas.seen.right() - 40 - label.center().x()
+    canvas.camera.pan(away, canvas.seen.center().y() - label.center().y())
+    target = QPointF(x + 900, y)
+    assert canvas.seen.contains(label.center())
+    assert not canvas.seen.contains(target)
+    person.ctrl(Key.Key_Y)
+    assert canvas.seen.contains(target)

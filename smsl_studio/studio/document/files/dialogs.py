@@ -41,7 +41,18 @@ class Dialogs:
 
     def file_to_open(self, folder: Path) -> Path | None:
         """Ask for a blueprint file; None if the person cancels."""
-        name = ask_to_open(self._window, "Open blueprint", str(folder), OPEN)
+        return self._file("Open blueprint", folder)
+
+    def file_to_import(self, folder: Path) -> Path | None:
+        """Ask for a file whose State Branches are taken in; None if the person cancels."""
+        return self._file("Import a blueprint", folder)
+
+    def file_to_compare(self, folder: Path) -> Path | None:
+        """Ask for the other file of a comparison; None if the person cancels."""
+        return self._file("Compare with a blueprint", folder)
+
+    def _file(self, title: str, folder: Path) -> Path | None:
+        name = ask_to_open(self._window, title, str(folder), OPEN)
         return Path(name) if name else None
 
     def file_to_save(self, suggested: Path) -> Path | None:

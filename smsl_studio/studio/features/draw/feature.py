@@ -122,8 +122,9 @@ class DrawFeature(Feature):
         self.findings = Findings(session, tokens, parts.inspector.rules)
         self.history, self.table = History(session, tokens), BranchTable(session, tokens)
         self.fix_card = FixCard(session, self.canvas, tokens)
-        ask = self.properties.file.ask_file = Dialogs(window).file_to_open
-        self.comparing = Comparison(session, files, ask, tokens, window)
+        dialogs = Dialogs(window)
+        self.properties.file.ask_file = dialogs.file_to_import
+        self.comparing = Comparison(session, files, dialogs.file_to_compare, tokens, window)
         self.shapes = ShapeVerbs(session, self.canvas, window)
         self.comparing.wish = parts.collapse.wish
         self.safety = Safety(parts, self.source, self.comparing.with_version)
@@ -314,10 +315,9 @@ class DrawFeature(Feature):
         self._warned = False
 
     def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
-        sentence, severity = step_notice(before, after)
-        if not self._parts.session.adds_step:
-            # An undo or redo gives nothing that was not there before.
-            sentence, severity = "", ""
+        # An undo or redo gives nothing that was not there before.
+        new = self._parts.session.adds_step
+        sentence, severity = step_notice(before, after) if new else ("", "")
         if sentence and severity:
             # Each new state becomes activating until one is chosen. Once is enough.
             if self._warned:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from smsl_studio.studio.base.controls import NameDelegate, name_parts
@@ -33,6 +34,14 @@ class RowTable(QTableView):
         heads.setHighlightSections(False)
         heads.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         name_parts(self)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In a low table the heads give their room to the rows, so that one row is whole."""
+        super().resizeEvent(event)
+        heads = self.horizontalHeader()
+        room = self.height() - 2 * self.frameWidth() - heads.sizeHint().height()
+        if heads.isHidden() != (room < HIGH):
+            heads.setHidden(room < HIGH)
 
     def keyboardSearch(self, search: str, /) -> None:
         """Do nothing.

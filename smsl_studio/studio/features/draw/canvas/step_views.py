@@ -79,17 +79,34 @@ class StepViews(QObject):
             self._reveal(former[home], now[home])
 
     def _reveal(self, before: StateBranch, after: StateBranch) -> None:
-        """Scroll to the first change, if no change is in view."""
+        """Scroll to the first change, if no change is in view. A change is in view if it is seen
+        whole, with both ends of an operation that is new."""
         canvas, first = self._canvas, None
         for address in changes(before, after):
             rect = canvas.rect_of(address)
             if rect is None:
                 continue
-            if canvas.seen.contains(rect.center()):
+            if canvas.seen.contains(rect.center()) and self._sees_ends(address, before, after):
                 return
             first = first or address
         if first is not None:
             canvas.reveal(first)
+            end = _new_end(first, before, after)
+            if end is not None:
+                canvas.reveal(end)
+
+    def _sees_ends(self, address: Address, before: StateBranch, after: StateBranch) -> bool:
+        """Whether the state that an operation newly leads to is in view."""
+        end = _new_end(address, before, after)
+        rect = self._canvas.rect_of(end) if end is not None else None
+        return rect is None or self._canvas.seen.contains(rect.center())
+
+
+def _new_end(address: Address, before: StateBranch, after: StateBranch) -> Address | None:
+    """The state to which an operation leads since a step; None for none, and for a state."""
+    target = after.table.get(address.state, {}).get(address.operation)
+    former = before.table.get(address.state, {}).get(address.operation)
+    return Address(address.branch, target) if target in after.table and target != former else None
 
 
 def changes(before: StateBranch, after: StateBranch) -> Iterator[Address]:
