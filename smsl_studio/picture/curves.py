@@ -30,7 +30,10 @@ __all__ = [
     "stub",
 ]
 
-OPPOSITE, PARALLEL = 16.0, 18.0
+OPPOSITE, PARALLEL, STEEP = 16.0, 18.0, 36.0
+"""The distance of two opposite lines, of other lines of a pair, and of three and more in a column
+of full nodes: only with so much room inner names stand between their neighbours (pixels
+of a mark). Slanted lines do not get it, because they would cross those of other pairs."""
 MOST_BEND = 14.0
 """The largest bend of a line that has no node in its way (scene units)."""
 MOST_IN_BEND = 3
@@ -136,6 +139,8 @@ def _step(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> 
     """
     step = OPPOSITE if len(pair.there) == len(pair.back) == 1 else PARALLEL
     if not style.compact:
+        if len(pair) > 2 and abs(source.x - target.x) <= 1.0:
+            step = STEEP
         share = 1.0 if in_row(source, target) else NEAR
         room = 2 * _reach(source, target) / share / max(len(pair) - 1, 1)
         step = min(step, max(room, 7.0))
@@ -146,6 +151,8 @@ def _reach(source: NodeBox, target: NodeBox) -> float:
     """Return the largest offset with which a line still begins at both nodes."""
     nx, ny = (max(abs(part), 1e-6) for part in _normal(source, target))
     if in_row(source, target):
+        if abs(source.x - target.x) <= 1.0:
+            return min(source.w, target.w) - 6.0
         return min(source.h, target.h) - 6.0
     return min(min((box.w - 6.0) / nx, (box.h - 6.0) / ny) for box in (source, target))
 

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+import numpy as np
+
 from smsl_studio.picture import bends, labels
 from smsl_studio.picture.edge_lines import EdgeLines
 from smsl_studio.picture.former import FormerLines
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.readable import readable_of
+from smsl_studio.picture.shape import EdgeShape
 
 Size = tuple[float, float]
+STEEP = 0.35
+"""A line is steep if it leads at most this share of its height to the side."""
 LabelSize = Callable[[int], Size]
 """Returns the size of an edge's label in scene units, (0, 0) for none."""
 
@@ -28,6 +33,8 @@ class LabelSeats:
         """The sizes of labels that were asked for."""
         self.former: FormerLines | None = None
         """The labels before an edit, while those that it did not touch are taken over."""
+        self.pieces: labels.LinePieces | None = None
+        """The pieces of all lines of a small picture, once they are drawn."""
         self._places: labels.LabelPlaces | None = None
         self._choice: labels.LabelChoice | None = None
 
@@ -109,4 +116,23 @@ class LabelSeats:
         lines = self._lines
         shapes = {edge: lines.shapes[edge] for edge in edges}
         sizes, careful = list(map(self.size, shapes)), lines.picture.careful
-        return labels.LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
+        found = labels.LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
+        found.beside, found.lines = self._beside, self.pieces
+        return found
+
+    def _beside(self, edge: int) -> list[EdgeShape]:
+        """Return the other lines between the states of an edge, as far as they are drawn.
+
+        Between compact nodes one above the other there are none: names beside such lines would make
+        the drawing so wide that fewer names have room.
+        """
+        lines, picture = self._lines, self._lines.picture
+        a, b = int(picture.source[edge]), int(picture.target[edge])
+        if a == b or b < 0:
+            return []
+        dx, dy = np.abs(lines.boxes[b, :2] - lines.boxes[a, :2]).tolist()
+        if lines.style.compact and dx <= STEEP * dy:
+            return []
+        pair, shapes = lines.pair(a, b), lines.shapes
+        others = (other for other in (*pair.there, *pair.back) if other != edge)
+        return [shapes[other] for other in others if other in shapes]

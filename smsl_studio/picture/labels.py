@@ -3,12 +3,13 @@
 A label slides along its edge to a free place, or stands away from it with a leader. Without a place
 it is hidden until the edge is hovered, selected or lit. It does not evade the lines of other edges:
 it would jump whenever one of them comes or goes, and people find an operation where they last saw
-it. Pure geometry.
+it. Lines between the same two states are the exception: they move together anyway, and nobody could
+tell whose label it is. Pure geometry.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -158,11 +159,32 @@ class LinePieces:
         return hits
 
 
+Beside = Callable[[int], Sequence[EdgeShape]]
+"""Returns the other lines between the two states of an edge."""
+
+
+def tells_apart(rect: Rect, own: EdgeShape, beside: Sequence[EdgeShape]) -> bool:
+    """Return whether a label at this place belongs to its own line at a glance: it covers no line
+    ``beside``, and its middle is nearer to its own.
+    """
+    if any(LinePieces({0: line}).covered(-1, [rect])[0] for line in beside):
+        return False
+    x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
+    away = own.distance(x, y)
+    return all(line.distance(x, y) > away for line in beside)
+
+
 class LabelChoice:
     """The choice of a place for each label of some lines.
 
     ``shapes`` has all lines whose label may be asked for, ``sizes`` the sizes of the labels.
     """
+
+    beside: Beside = staticmethod(lambda _: ())
+    """The lines from which a label must be told apart."""
+    lines: LinePieces | None = None
+    """All lines of a small picture. A label that leaves its line for those beside it covers none of
+    them; else it stays on its line."""
 
     def __init__(
         self,
@@ -191,14 +213,35 @@ class LabelChoice:
 
     def take(self, edge: int) -> Rect | None:
         """Take and return the best free place of one label, or None if there is none."""
-        found: Rect | None = next(filter(self._places.is_untaken, _each(self._found[edge])), None)
+        found = self._best(edge, _each(self._found[edge]))
         if found is None and self._aside:
             if edge not in self._beside:
                 self._look_aside([edge])
-            found = next(filter(self._places.is_untaken, self._beside[edge]), None)
+            found = self._best(edge, self._beside[edge])
         if found is not None:
             self._places.take(found)
         return found
+
+    def _best(self, edge: int, rects: Iterable[Rect]) -> Rect | None:
+        """Return the first free place that tells the line of the label from those beside it, or the
+        first free one.
+        """
+        first: Rect | None = None
+        beside = self.beside(edge)
+        for rect in filter(self._places.is_untaken, rects):
+            if not beside or self._tells(edge, rect, beside):
+                return rect
+            first = first or rect
+        return first
+
+    def _tells(self, edge: int, rect: Rect, beside: Sequence[EdgeShape]) -> bool:
+        own = self._lines[edge][0]
+        if not tells_apart(rect, own, beside):
+            return False
+        x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
+        if self.lines is None or own.distance(x, y) < 0.5 * self._places.unit:
+            return True
+        return not self.lines.covered(edge, [rect])[0]
 
     def _look_aside(self, edges: Sequence[int]) -> None:
         """Find the places of some labels away from their lines that cover no node, the nearest

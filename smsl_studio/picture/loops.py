@@ -12,17 +12,23 @@ from smsl_studio.picture.labels import LabelPlaces, LinePieces, Rect, meet
 from smsl_studio.picture.labels import by_hand as moved
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 
-INNER, STEP = 8.0, 5.0
+STEP, ALONE, LEAST, CLOSER = 5.0, 14.0, 8.0, 2.0
+"""The distance of two loops, the radius of a loop that is alone, the least radius, and by how much
+each further loop makes the innermost one smaller (pixels of a mark). A loop is so large that a
+person sees where it leads, and can grasp it beside its handles."""
 CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom", "right top")
 
 
 @dataclass(frozen=True, slots=True)
 class Corner:
-    """The place of a node's loops: the centre of the arcs, and the side of the labels."""
+    """The place of a node's loops: the centre of the arcs, the radius of the innermost and of the
+    outermost, and the side of the labels.
+    """
 
     name: str
     x: float
     y: float
+    inner: float
     radius: float
     label_x: float
     label_y: float
@@ -32,7 +38,9 @@ class Corner:
 
 def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
     """Return the place of ``count`` loops at a named corner of a node."""
-    radius = (INNER + STEP * (count - 1)) * unit
+    alone = min(ALONE, LEAST + 0.22 * box.h / unit)  # a compact node has smaller ones
+    inner = max(alone - CLOSER * (count - 1), LEAST) * unit
+    radius = inner + STEP * (count - 1) * unit
     first, second = name.split()
     if first == "right":
         y = box.y + (box.h - radius - 3 * unit) * (1 if second == "bottom" else -1) * 0.35
@@ -40,6 +48,7 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
             name,
             box.x + box.w + 4 * unit,
             y,
+            inner,
             radius,
             box.x + box.w + radius + 9 * unit,
             y,
@@ -50,7 +59,8 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
     x = box.x + (box.w - radius - 4 * unit) * (-1 if left else 1)
     y = box.y + (box.h + 5 * unit) * (-1 if up else 1)
     label_x = x + (radius + 7 * unit) * (-1 if left else 1)
-    return Corner(name, x, y, radius, label_x, y + 8 * unit * (-1 if up else 1), left, up)
+    label_y = y + 8 * unit * (-1 if up else 1)
+    return Corner(name, x, y, inner, radius, label_x, label_y, left, up)
 
 
 def best_corner(
@@ -112,7 +122,7 @@ def placed(
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:
     """Return the arc number ``rank`` at a corner, from border to border. 0 is the innermost."""
-    radius = (INNER + STEP * rank) * unit
+    radius = corner.inner + STEP * rank * unit
     if corner.name.startswith("right"):
         gap = corner.x - (box.x + box.w)
         angles = np.linspace(-_half(gap, radius), _half(gap - 2.0 * unit, radius), 22)

@@ -127,6 +127,7 @@ class WholeRouting:
     def _place_labels(self) -> None:
         """Place all labels that have no place yet, in the order of their ranks."""
         seats, shapes, former = self._seats, self._lines.shapes, self._former
+        seats.pieces = self.pieces
         ranks = {edge: labels.rank_of(edge, shape) for edge, shape in shapes.items()}
         order = [edge for edge in sorted(ranks, key=ranks.__getitem__) if edge not in seats.rects]
         kept = frozenset[int]()
