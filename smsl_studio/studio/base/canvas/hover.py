@@ -63,6 +63,8 @@ class Hover:
             canvas.viewport().setToolTip(tip_text(sheet.drawn.tip(drawn)))
         if taken:
             canvas.viewport().setToolTip("Drag to draw an operation from here")
+        # At the tail of the selected line no line need be hovered: a state may lie there.
+        edge = edge if edge >= 0 else self._line.edge
         if at_end and self._is_at_tip(sheet, edge, point, GRIP):
             canvas.viewport().setToolTip("Drag to let it lead to another state")
         elif at_end and self.is_at_tail(edge, point):
