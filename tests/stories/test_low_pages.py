@@ -17,7 +17,7 @@ from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.run.low_page import TIMELINE, WORLD
 from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.at_supervise import AtSupervise
-from tests.stories.at_tasks import SURGEON, AtTasks
+from tests.stories.at_tasks import NURSE, AtTasks
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 from tests.stories.test_inspection_page import answered, page
@@ -108,8 +108,8 @@ def test_what_decides_is_in_view_without_scrolling(sit: Sit, size: tuple[int, in
     room.start()
     person.until(lambda: room.card.card is not None)
     person.until(lambda: is_whole(room.card.answer.enter))
-    room.person.windows.persons.put(SURGEON)
-    room.answer_as(SURGEON)
+    room.person.windows.persons.put(NURSE)
+    room.answer_as(NURSE)
     first = room.card.options[0]
     person.until(lambda: is_whole(room.card.answer.who.choice) and is_whole(first))
     button = room.card.answer.button
