@@ -159,6 +159,9 @@ class LinePieces:
         return hits
 
 
+MOST_BESIDE = 8
+"""Of more lines between two states no label can be told apart at a glance. Then they are not
+compared, because that takes the square of their number."""
 Beside = Callable[[int], Sequence[EdgeShape]]
 """Returns the other lines between the two states of an edge."""
 
@@ -228,6 +231,8 @@ class LabelChoice:
         """
         first: Rect | None = None
         beside = self.beside(edge)
+        if len(beside) > MOST_BESIDE:
+            beside = ()
         for rect in filter(self._places.is_untaken, rects):
             if not beside or self._tells(edge, rect, beside):
                 return rect
