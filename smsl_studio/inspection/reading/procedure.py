@@ -44,8 +44,9 @@ class Procedure:
         self._steps = grounds.steps or ()
         self._grounds = grounds
         self._blueprint = words.blueprint
-        self.on_route: set[Address] = set()
+        self._told = {edge.address for step in self._steps for edge in step.edges}
         """The operations that a step, a sub-procedure or another way tells."""
+        self._ways: dict[int, list[OtherWay]] = {}
         if grounds.start is None:
             return
         hazards = guard_hazards(self._blueprint)
@@ -53,6 +54,8 @@ class Procedure:
         self._before = [dict(grounds.start)]
         for step in self._steps:
             self._before.append({**self._before[-1], **step.after})
+        self._ways = self._instead(len(self._steps[:MOST_STEPS]))
+        self._told.update(edge.address for some in self._ways.values() for _, _, edge in some)
 
     def section(self) -> ReadingSection:
         """Return the section. Without a route it says so, and the point is open."""
@@ -66,43 +69,50 @@ class Procedure:
             )
             return ReadingSection("procedure", "The procedure", (line,))
         shown = self._steps[:MOST_STEPS]
-        instead = self._instead(len(shown))
-        many = len(shown) + sum(map(len, instead.values())) + (len(self._steps) > len(shown))
-        lines = bounded(self._lines(shown, instead), many, "step")
+        many = len(shown) + sum(map(len, self._ways.values())) + (len(self._steps) > len(shown))
+        lines = bounded(self._lines(shown), many, "step")
         lead = "The cheapest way from the start to the end, step by step."
         if not lines:
             lead = "The procedure is at its end when it starts: nothing has to be done."
         return ReadingSection("procedure", "The procedure", lines, lead)
 
     def others(self) -> ReadingSection:
-        """Return the section with the operations that the steps do not tell."""
-        told = {(edge.branch, edge.operation) for edge in self.on_route}
-        others: list[tuple[StateBranch, str, list[str]]] = []
-        for branch in self._blueprint:
-            places: dict[str, list[str]] = {}
-            for state, edges in branch.table.items():
-                for name, target in edges.items():
-                    if target in branch.table:
-                        places.setdefault(name, []).append(state)
-            others += [
-                (branch, name, states)
-                for name, states in places.items()
-                if (branch.name, name) not in told
-            ]
+        """Return the section with the operations that the steps do not tell, or only in some
+        situations.
+        """
+        others = [
+            edges
+            for branch in self._blueprint
+            for edges in self._alike(branch)
+            if not self._told.issuperset(edges)
+        ]
         return ReadingSection(
             "others",
             "What else may be done",
-            bounded((self._other(*one) for one in others), len(others), "kind of step"),
-            "Steps that the procedure does not need, but permits." if others else "",
+            bounded(map(self._other, others), len(others), "kind of step"),
+            "Steps that the procedure permits, and does not need in these situations."
+            if others
+            else "",
         )
 
-    def _lines(
-        self, shown: Sequence[JointStep], instead: Mapping[int, Sequence[OtherWay]]
-    ) -> Iterator[ReadingLine]:
+    def _alike(self, branch: StateBranch) -> Iterator[list[Address]]:
+        """Yield the operations of an SB in groups of one name, one title and one who."""
+        noted = "_operations" in branch.fields or self._words.levels.people_do(branch.name)
+        found: dict[tuple[str, ...], list[Address]] = {}
+        for state, edges in branch.table.items():
+            for name, target in edges.items():
+                if target not in branch.table:
+                    continue
+                edge = Address(branch.name, state, name)
+                key = (self._names.operation(edge), self._words.who(edge)) if noted else ()
+                found.setdefault((name, *key), []).append(edge)
+        yield from found.values()
+
+    def _lines(self, shown: Sequence[JointStep]) -> Iterator[ReadingLine]:
         orders = self._orders() if len(self._steps) <= MOST_ORDERED else {}
         for at, step in enumerate(shown):
             yield self._line(at, step, orders.get(at, ""))
-            yield from map(self._or, instead.get(at, ()))
+            yield from map(self._or, self._ways.get(at, ()))
         if len(self._steps) > len(shown):
             more = len(self._steps) - len(shown)
             yield ReadingLine(
@@ -113,7 +123,6 @@ class Procedure:
 
     def _line(self, at: int, step: JointStep, order: str) -> ReadingLine:
         asked = step.asked
-        self.on_route.update(edge.address for edge in step.edges)
         inner = [
             self._inner(f"{at + 1}{_letter(place)}", edge)
             for place, edge in enumerate(self._below(step))
@@ -167,7 +176,6 @@ class Procedure:
                 end = place.get(self._key({**self._before[at], **step.after}), -1)
                 if end <= at or end > many:
                     continue
-                self.on_route.add(edge.address)
                 found.setdefault(end - 1, []).append((at, end, edge))
         return found
 
@@ -228,8 +236,8 @@ class Procedure:
     def _key(self, configuration: Mapping[str, str]) -> Standing:
         return self._stepper.key(configuration)
 
-    def _other(self, branch: StateBranch, name: str, states: Sequence[str]) -> ReadingLine:
-        edges = [Address(branch.name, state, name) for state in states]
+    def _other(self, edges: Sequence[Address]) -> ReadingLine:
+        branch = self._blueprint[edges[0].branch]
         effects: Effects = {}
         for edge in edges:
             target = branch.table[edge.state][edge.operation]

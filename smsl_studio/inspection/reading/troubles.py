@@ -88,10 +88,15 @@ def _failure(
     return ReadingLine(
         opened(words.names.fact_is(branch, digit, value)),
         tuple(text),
-        open_point=not ways or any(not way.path and way.path != () for way in ways),
+        open_point=not ways or any(_is_open(grounds, way) for way in ways),
         about=tuple(way.state for way in ways),
         inner=inner,
     )
+
+
+def _is_open(grounds: ReadingGrounds, way: WayOut) -> bool:
+    """Return whether no way leads out of a failure, or none from there to the end."""
+    return way.path is None or (bool(way.path) and grounds.costs.get(way.state) is None)
 
 
 def _way(words: StepWords, grounds: ReadingGrounds, way: WayOut) -> ReadingLine:
@@ -110,7 +115,8 @@ def _way(words: StepWords, grounds: ReadingGrounds, way: WayOut) -> ReadingLine:
     return ReadingLine(
         heading,
         (f"The way out: {words.names.path(way.path)}.", onward),
-        who=f"{opened(_deciders(words, way.path))}",
+        who=opened(_deciders(words, way.path)),
+        open_point=_is_open(grounds, way),
         about=(way.state,),
     )
 

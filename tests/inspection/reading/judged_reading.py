@@ -79,9 +79,10 @@ def judge(number: int) -> dict[str, int]:
         return {"refused": 1}
     plain = {name: own for name, own in values.items() if name != "_hazards"}
     brute = Brute(plain, start)
+    _judge_all_told(plain, told)
     route = list(_route(brute, sections["procedure"]))
     found = {
-        "steps": _judge_end(brute, told, sections, route),
+        "steps": _judge_end(brute, sections, route),
         "instead": _judge_instead(brute, sections["procedure"], route),
         "orders": _judge_orders(brute, sections["procedure"], route),
         "others": _judge_others(plain, sections.get("others", ())),
@@ -108,14 +109,12 @@ def _carried(brute: Brute, here: Config, edge: Address) -> Config:
 
 def _judge_end(
     brute: Brute,
-    told: BlueprintReading,
     sections: dict[str, tuple[ReadingLine, ...]],
     route: list[tuple[Address, Config]],
 ) -> int:
     if any(line.heading.startswith("There is no way") for line in sections["procedure"]):
-        if "_hazards" not in told.purpose and all(
-            line.heading == "No hazard is written down" for line in sections["hazards"]
-        ):
+        # A hazard may bar the way, and plain steps know none.
+        if sections["hazards"][0].heading == "No hazard is written down":
             assert brute.reached(brute.goal) is None
         return 1
     end = route[-1][1] if route else brute.start
@@ -165,6 +164,15 @@ def _judge_order(brute: Brute, route: list[tuple[Address, Config]], at: int, pla
         moved = Address(edge.branch, here[edge.branch], edge.operation)
         here = _carried(brute, here, moved)
     assert brute.key(here) == brute.key(route[-1][1])
+
+
+def _judge_all_told(plain: dict[str, Any], told: BlueprintReading) -> None:
+    """No operation is left out of the reading."""
+    about = {edge for _, line in told.lines() for one in (line, *line.inner) for edge in one.about}
+    for sb, own in plain.items():
+        for state in own:
+            for op in own[state] if state[0] == "S" else ():
+                assert Address(sb, state, op) in about, f"{sb}/{state}/{op} is not told"
 
 
 def _judge_others(plain: dict[str, Any], lines: tuple[ReadingLine, ...]) -> int:
