@@ -10,18 +10,14 @@ sequence again.
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 
+from benches.pooled import judged
 from benches.row import Row
 
 ALL, SOME = 10_000, 1_000
 SHARE = 50
 """The number of sequences in one window before another window is opened."""
-PROCESSES = 2
 
 
 def rows() -> Iterator[Row]:
@@ -35,18 +31,10 @@ def all_rows() -> Iterator[Row]:
 
 
 def _rows(count: int) -> Iterator[Row]:
-    found, spent = 0, 0.0
-    with ProcessPoolExecutor(PROCESSES, get_context("spawn"), _begin) as pool:
-        for findings, seconds in pool.map(_share, range(0, count, SHARE)):
-            found, spent = found + len(findings), spent + seconds
-            print(*findings, sep="\n", end="\n" * bool(findings), file=sys.stderr, flush=True)
+    found, spent = judged(_share, count, SHARE)
     yield Row(f"{count:,} random sequences at a window, something does not agree in", found,
               "sequences", bound="0")  # fmt: skip
     yield Row("one sequence and what is compared", spent * 1000 / count)
-
-
-def _begin() -> None:
-    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 
 def _share(first: int) -> tuple[list[str], float]:

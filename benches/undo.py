@@ -7,16 +7,12 @@ real window, with the pointer and keys.
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 
+from benches.pooled import judged
 from benches.row import Row
 
 ALL, SOME, PART = 10_000, 1_000, 100
-PROCESSES = 2
 
 
 def rows() -> Iterator[Row]:
@@ -30,18 +26,10 @@ def all_rows() -> Iterator[Row]:
 
 
 def _rows(count: int) -> Iterator[Row]:
-    found, spent = 0, 0.0
-    with ProcessPoolExecutor(PROCESSES, get_context("spawn"), _begin) as pool:
-        for findings, seconds in pool.map(_share, range(0, count, PART)):
-            found, spent = found + len(findings), spent + seconds
-            print(*findings, sep="\n", end="\n" * bool(findings), file=sys.stderr, flush=True)
+    found, spent = judged(_share, count, PART)
     yield Row(f"{count:,} random sequences in a session, not undone to the same bytes", found,
               "sequences", bound="0")  # fmt: skip
     yield Row("one sequence, undone and redone", spent * 1000 / count)
-
-
-def _begin() -> None:
-    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 
 def _share(first: int) -> tuple[list[str], float]:

@@ -87,9 +87,9 @@ def unanswered(blueprint: Blueprint) -> tuple[ClaimRow, ...]:
 
 
 def answered(blueprint: Blueprint, limit: int, tell: Tell = nobody) -> ClaimAnswers:
-    """Answer all hazards and properties. It can be called off.
+    """Return a row with a verdict for each hazard and property. The work can be called off.
 
-    ``tell`` hears now and then how many configurations were found so far.
+    ``tell`` is called now and then with the number of configurations found so far.
     """
     if not any(key in one.values for one in blueprint.documents for key in CLAIMS):
         return ClaimAnswers(Proof((), ()))

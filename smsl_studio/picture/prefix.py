@@ -1,4 +1,4 @@
-"""The prefix of the names of an SB's operations that a drawing leaves out."""
+"""The prefix that most operations of an SB share. A drawing leaves it out of their names."""
 
 from __future__ import annotations
 

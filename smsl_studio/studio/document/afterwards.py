@@ -1,4 +1,8 @@
-"""Afterwards: what a window shows a moment after an edit, once, and sooner if somebody asks."""
+"""Shows an edit in the forms and lists of a window.
+
+The drawing shows an edit at once. The other parts show it once, a moment later. They show it sooner
+if the person presses a key or the mouse.
+"""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ class Dialogs:
         return self._file("Open blueprint", folder)
 
     def file_to_import(self, folder: Path) -> Path | None:
-        """Ask for a file whose State Branches are taken in; None if the person cancels."""
+        """Ask for a file to import State Branches from. Return None if the person cancels."""
         return self._file("Import a blueprint", folder)
 
     def file_to_compare(self, folder: Path) -> Path | None:

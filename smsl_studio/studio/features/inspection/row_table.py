@@ -36,7 +36,7 @@ class RowTable(QTableView):
         name_parts(self)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """In a low table the heads give their room to the rows, so that one row is whole."""
+        """Hide the headings of a low table, so that one row is fully visible."""
         super().resizeEvent(event)
         heads = self.horizontalHeader()
         room = self.height() - 2 * self.frameWidth() - heads.sizeHint().height()

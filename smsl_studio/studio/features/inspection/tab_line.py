@@ -68,7 +68,8 @@ class TabLine(QWidget):
         self._grid.addWidget(self.limit, int(below), 2)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the sentence whole: below the tabs if need be, and without the limit.
+        """Show the whole sentence, below the tabs if it has no room beside them. Hide the note
+        about the limit if it has no room.
 
         In a very narrow page the tabs can be scrolled. Else the last one would be cut off.
         """

@@ -9,7 +9,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Field, label, row
 
 MOST = 300
-"""A menu lists at most so many entries of a choice; the wide row has them all."""
+"""The largest number of entries that the menu lists for one choice. A wide window lists all."""
 
 
 class MoreChoices(QToolButton):
