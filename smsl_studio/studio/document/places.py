@@ -75,6 +75,10 @@ class Places:
             bent = _is_bent(former, branch)
             if not missing:
                 continue
+            if former is not None and (held := self._held(former, branch)):
+                after = editing.set_layout(after, name, held)
+                self._follow_names(branch)
+                continue
             if former is not None and not bent and _laid_out_alike(former, branch):
                 self._follow_names(branch)
                 continue
@@ -100,6 +104,24 @@ class Places:
             self._follow_rename(branch, self._placed[branch.name])
             self._order[branch.name] = tuple(branch.table)
 
+    def _held(self, before: StateBranch, after: StateBranch) -> dict[str, Position]:
+        """The places to write, so that a renamed state stays where it stands.
+
+        Its new name may be remembered at another place, which a deleted state comes back to. Then
+        the places of all states without a written one are returned, else none.
+        """
+        remembered = self._placed.get(before.name, {})
+        old, new = tuple(before.table), tuple(after.table)
+        were, are = _renamed(old, new)
+        if len(old) != len(new) or remembered.keys().isdisjoint(are):
+            return {}
+        places = self.of(before)
+        if all(remembered.get(now, places[was]) == places[was] for was, now in were.items()):
+            return {}
+        layout = after.notes.layout
+        stand = {were.get(state, state): place for state, place in places.items()}
+        return {state: place for state, place in stand.items() if state not in layout}
+
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
         """Keep the places of states that were renamed, one or many."""
         before, now = self._order[branch.name], tuple(branch.table)
@@ -108,7 +130,7 @@ class Places:
         were, are = _renamed(before, now)
         for old, new in were.items():
             if old not in are and new not in were and old in former:
-                former[new] = former[old]
+                former.setdefault(new, former[old])
 
     def rename_branch(self, before: str, after: str) -> None:
         """Keep the places of an SB that was renamed."""

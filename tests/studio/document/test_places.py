@@ -10,7 +10,7 @@ from typing import cast
 import pytest
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import rename
+from smsl_studio.blueprint.editing import delete, rename
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import values_of
@@ -33,13 +33,6 @@ def test_states_that_are_renamed_all_at_once_keep_their_places() -> None:
     assert places.of(branch("A", "B", "C", "D")) == before
     swapped = places.of(branch("A", "C", "B", "D"))
     assert swapped == before
-
-
-def test_a_state_that_takes_the_name_of_one_long_gone_keeps_its_own_place() -> None:
-    places = Places()
-    before = places.of(branch("A", "B", "C"))
-    places.of(branch("A", "C"))
-    assert places.of(branch("A", "B"))["B"] == before["C"]
 
 
 def opened_anew(blueprint: Blueprint) -> dict[str, dict[str, Position]]:
@@ -195,3 +188,18 @@ def test_a_state_that_is_moved_by_hand_moves_no_other(seed: int) -> None:
         assert after == {**before, moved: to}
         assert opened_anew(edited)["SB"] == after, "and none in the file that is saved"
         blueprint, before = edited, after
+
+
+def test_a_state_that_takes_the_name_of_a_deleted_one_leaves_that_one_its_place() -> None:
+    """Undo brings the deleted state back to where it stood."""
+    table = {"A": {"b": "B"}, "B": {"c": "C"}, "C": {"a": "A"}}
+    blueprint = read_blueprint(parse_json(json.dumps({"SB": table}), "x.json"))
+    places = Places()
+    before = places.of(blueprint["SB"])
+    fewer = places.completed(blueprint, delete(blueprint, [Address("SB", "C")]))
+    stood = places.of(fewer["SB"])["B"]
+    renamed = places.completed(fewer, rename(fewer, Address("SB", "B"), "C"))
+    assert places.of(renamed["SB"])["C"] == stood
+    assert agree(places, renamed)
+    assert places.of(fewer["SB"])["B"] == stood
+    assert places.of(blueprint["SB"]) == before
