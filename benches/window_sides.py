@@ -109,8 +109,8 @@ class Seat:
         self._turn(notches, Qt.KeyboardModifier.NoModifier)
 
     def pan(self, notches: int) -> None:
-        """Turn it with Ctrl, which moves the picture up or down."""
-        self._turn(notches, Qt.KeyboardModifier.ControlModifier)
+        """Turn it with Alt, which moves the picture up or down."""
+        self._turn(notches, Qt.KeyboardModifier.AltModifier)
 
     def _turn(self, notches: int, modifiers: Qt.KeyboardModifier) -> None:
         view = self.window.canvas.viewport()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from PySide6.QtCore import (
@@ -48,6 +50,8 @@ class Camera(QObject):
     zoom_changed = Signal(float)
     arrived = Signal()
     """A movement, or a jump without movement, has ended."""
+    moved = Signal()
+    """One step has ended, after ``moving`` was true."""
     rested = Signal()
     """The zoom is at rest, after ``turning`` was true."""
 
@@ -59,6 +63,8 @@ class Camera(QObject):
         self.keeps = ""
         self.turning = False
         """Whether another zoom follows at once: the wheel turns, or a movement goes on."""
+        self.moving = False
+        """Whether one step is being made, of which the view scrolls and zooms one after another."""
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST)
@@ -122,8 +128,9 @@ class Camera(QObject):
         self._animation.stop()
         self.keep("")
         bars = self._view.horizontalScrollBar(), self._view.verticalScrollBar()
-        bars[0].setValue(bars[0].value() - round(dx))
-        bars[1].setValue(bars[1].value() - round(dy))
+        with self._one_step():
+            bars[0].setValue(bars[0].value() - round(dx))
+            bars[1].setValue(bars[1].value() - round(dy))
 
     def go(self, centre: QPointF, zoom: float, smooth: bool = True) -> None:
         """Show a scene point in the middle at this zoom.
@@ -155,16 +162,27 @@ class Camera(QObject):
         if abs(zoom - 1.0) < 0.004:
             zoom = 1.0
         view = self._view
-        if zoom != self.zoom:
-            self.turning = turning
-            view.setTransform(QTransform.fromScale(zoom, zoom))
-            self.zoom_changed.emit(zoom)
-            self.turning = False
-            if turning:
-                self._rest.start()
-            else:
-                self._rest.stop()
-        view.centerOn(centre)
+        with self._one_step():
+            if zoom != self.zoom:
+                self.turning = turning
+                view.setTransform(QTransform.fromScale(zoom, zoom))
+                self.zoom_changed.emit(zoom)
+                self.turning = False
+                if turning:
+                    self._rest.start()
+                else:
+                    self._rest.stop()
+            view.centerOn(centre)
+
+    @contextmanager
+    def _one_step(self) -> Iterator[None]:
+        """What the view does in here is one step: who follows it looks once, at the end."""
+        self.moving = True
+        try:
+            yield
+        finally:
+            self.moving = False
+        self.moved.emit()
 
     def _scene_point(self, at: QPointF) -> QPointF:
         inverse, _ = self._view.viewportTransform().inverted()

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize
-from PySide6.QtGui import QEnterEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QEnterEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap
 
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.canvas.stage import Stage
@@ -31,6 +31,8 @@ class MiniMap(Card):
         super().__init__(canvas, tokens)
         self._canvas = canvas
         self._covers = self._held = False
+        self._painted: tuple[tuple[object, ...], QPixmap] | None = None
+        """The painted states, with all that their picture depends on."""
         self.setAccessibleName("Map of the State Branch")
 
     @property
@@ -92,6 +94,36 @@ class MiniMap(Card):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setOpacity(FAINT if self.faint else 1.0)
+        painter.drawPixmap(0, 0, self._states(sheet, scale, middle))
+        view = self._view()
+        painter.setPen(QPen(self.tokens.acc, 1.5))
+        painter.setBrush(NO_BRUSH)
+        centre = QPointF(self.width() / 2, self.height() / 2)
+        corner = (view.topLeft() - middle) * scale + centre
+        painter.drawRoundedRect(
+            QRectF(corner.x(), corner.y(), view.width() * scale, view.height() * scale), 2, 2
+        )
+        painter.end()
+
+    def _states(self, sheet: Sheet, scale: float, middle: QPointF) -> QPixmap:
+        """The states and lines of the map. They are painted anew only if they look different, and
+        not for each step of a moving view."""
+        lit = self._lit(sheet, len(sheet.at))
+        key = (sheet.picture, sheet.at.tobytes(), sheet.halves().tobytes(), lit, scale,
+               middle, self.tokens, self.size(), self.devicePixelRatioF())  # fmt: skip
+        if self._painted is None or self._painted[0] != key:
+            self._painted = key, self._paint_states(sheet, scale, middle, lit)
+        return self._painted[1]
+
+    def _paint_states(
+        self, sheet: Sheet, scale: float, middle: QPointF, lit: dict[str, list[int]]
+    ) -> QPixmap:
+        ratio = self.devicePixelRatioF()
+        pixmap = QPixmap(self.size() * ratio)
+        pixmap.setDevicePixelRatio(ratio)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         centre = np.array([self.width() / 2, self.height() / 2])
         at = (sheet.at - (middle.x(), middle.y())) * scale + centre
         size = np.maximum(sheet.halves() * 2 * scale, (3.0, 2.0))
@@ -105,17 +137,11 @@ class MiniMap(Card):
         painter.setPen(NO_PEN)
         painter.setBrush(self.tokens.slate)
         batch.draw_rects(painter, np.hstack([at - size / 2, size]))
-        for colour, lit in self._lit(sheet, len(at)).items():
+        for colour, states in lit.items():
             painter.setBrush(getattr(self.tokens, colour))
-            batch.draw_rects(painter, np.hstack([at[lit] - size[lit] / 2, size[lit]]))
-        view = self._view()
-        painter.setPen(QPen(self.tokens.acc, 1.5))
-        painter.setBrush(NO_BRUSH)
-        corner = (view.topLeft() - middle) * scale + QPointF(*centre)
-        painter.drawRoundedRect(
-            QRectF(corner.x(), corner.y(), view.width() * scale, view.height() * scale), 2, 2
-        )
+            batch.draw_rects(painter, np.hstack([at[states] - size[states] / 2, size[states]]))
         painter.end()
+        return pixmap
 
     @staticmethod
     def _lit(sheet: Sheet, count: int) -> dict[str, list[int]]:

@@ -77,6 +77,7 @@ class Sheet:
         self.level = Level.FULL
         self.version = 0
         """Increased whenever lines or labels change their place."""
+        self._halves: tuple[tuple[Level, float], Floats] | None = None
         self._measure()
         self.spacing, self.spaced = self._spacing(former)
         """``spaced`` are the places for which the spacing was computed."""
@@ -228,13 +229,22 @@ class Sheet:
     def halves(self, states: slice | int = slice(None)) -> Floats:
         """Half the width and height of every node at this level, (n, 2), in scene units; or of
         one state, (2,)."""
+        key = self.level, self.unit
+        if self._halves is None or self._halves[0] != key:
+            self._halves = key, self._all_halves()
+        return self._halves[1][states]
+
+    def _all_halves(self) -> Floats:
+        """All halves. Nobody may write into them, because they are kept for this zoom."""
         if self.level in (Level.DOT, Level.BOX):
             size = np.array(DOT_SIZE if self.level is Level.DOT else BOX_SIZE)
-            size = np.broadcast_to(size, self.at[states].shape)
+            size = np.broadcast_to(size, self.at.shape)
         else:
-            widths = (self.compact_widths if self.compact else self.full_widths)[states]
+            widths = self.compact_widths if self.compact else self.full_widths
             size = np.stack([widths, np.full_like(widths, self.height)], axis=-1)
-        return size / 2 * self.unit
+        halves = size / 2 * self.unit
+        halves.flags.writeable = False
+        return halves
 
     def extent(self) -> tuple[Floats, Floats]:
         """The least and the greatest (x, y) of the states' centres and of all bends."""

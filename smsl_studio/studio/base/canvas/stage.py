@@ -48,7 +48,7 @@ class Stage(QGraphicsView):
         self._marks = Marks()
         self._sheet: Sheet | None = None
         self._painting = LastPainting()
-        self._ready = False
+        self._ready = self._scrolled = False
         self.camera = Camera(self)
         self.pool = NodePool()
         self.glide = Glide(self.pool, self._glided, self)
@@ -76,6 +76,7 @@ class Stage(QGraphicsView):
         self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState)
         self.camera.zoom_changed.connect(self._zoomed)
         self.camera.rested.connect(self._rested)
+        self.camera.moved.connect(self._moved)
 
     # What is shown
 
@@ -277,7 +278,10 @@ class Stage(QGraphicsView):
         self.cover()
         if sheet is not None:
             sheet.set_zoom(zoom, self.camera.turning)
-            self.refresh_pool()
+            if self.camera.moving:
+                self._scrolled = True
+            else:
+                self.refresh_pool()
             self.pool.refresh(sheet)
             self.glide.hold()
         self._repaint()
@@ -371,7 +375,14 @@ class Stage(QGraphicsView):
             # At a scale such as 1.5 Qt scrolls by whole pixels, so strips of the old view would
             # stay on the screen.
             self._repaint()
-        if self._ready:
+        self._scrolled = True
+        if self._ready and not self.camera.moving:
+            self._moved()
+
+    def _moved(self) -> None:
+        """Show what came into view, if the view scrolled or zoomed."""
+        if self._scrolled:
+            self._scrolled = False
             self.refresh_pool()
             self.view_moved.emit()
 
