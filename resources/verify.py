@@ -13,7 +13,7 @@ def escape(name): return name.replace("~", "~0").replace("/", "~1")
 def parts(text): return tuple(p.replace("~1", "/").replace("~0", "~") for p in text.split("/"))
 def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.isdecimal() else -1
 TYPES = {list: "candidates details facts faults goals met misses operations options reasons "
-	"refusals sensed sensors subs unknown", dict: "answers candidate configuration costs facts "
+	"refusals sensed sensors subs unknown", dict: "answers candidate closed configuration costs facts "
 	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
 	"cost deadline t"}; raw_of, NAMES = base64.b64decode, " ".join(TYPES.values()).split()
 def fits(name, v):  # text, where TYPES says nothing else; a list or map holds what its singular is

@@ -84,6 +84,7 @@ def edge_alone(
     events = list(dispatcher.open())
     source = "unknown"
     if not dispatcher.finished:
+        host.suppose(edge)
         source = _truth(hierarchy, dispatcher.standing.scene, start, edge.branch, edge.state)
         dispatcher.ask(edge)
         events += dispatcher.tick()

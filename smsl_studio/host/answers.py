@@ -127,11 +127,13 @@ class RunAnswers:
             rules=mapping(fact, rule, len(digits)),
             world_faults=several(NAME, 1000),
             priced=flag(),
+            guarded=flag(),
         )
         priced = record(
             Priced,
             costs=mapping(edge, optional(number(0.0, MOST_COST)), len(edges)),
             faults=several(sentence(), 1000),
+            closed=mapping(edge, sentence(), len(edges)),
         )
         self.of: dict[str, Codec[Any]] = {
             "warm": nothing(),
@@ -143,6 +145,7 @@ class RunAnswers:
             "disturb": several(NAME, MOST_SENSORS),
             "inject": nothing(),
             "costs": priced,
+            "suppose": nothing(),
         }
 
     def opened(self, opened: OpenedWorld) -> None:

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import islice
 
+from smsl_studio.library.plugin_package import where
+
 WORDS = 500
 """The largest length of a sentence from library code, in characters."""
 
@@ -36,6 +38,11 @@ def words_for(error: BaseException) -> str:
     except BaseException:
         said = "it cannot say what"
     return brief(f"{type(error).__name__}: {said}".removesuffix(": "))
+
+
+def words_of(error: BaseException, location: str) -> str:
+    """Describe an error and its place in the code. The words are the same on every machine."""
+    return words_for(error) + (where(error, location) if location else "")
 
 
 def invalid(value: object) -> str:

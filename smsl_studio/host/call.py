@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Any
 
-from smsl_studio.host.brief import words_for
+from smsl_studio.host.brief import words_of
+from smsl_studio.host.guard_functions import refusal
 from smsl_studio.host.protocol import RETURNED, RUNNING, Outcome
 from smsl_studio.library.bound import BoundOperation
-from smsl_studio.library.plugin_package import where
 
 
 class Call:
@@ -25,6 +25,9 @@ class Call:
         """Run the function to its next ``yield``. Return its state and a message."""
         try:
             if self._generator is None:
+                reason = refusal(self._bound, self._subject)
+                if reason:
+                    return Outcome.FAILED, f"{self._bound.name} is not available: {reason}"
                 self._generator = self._bound.function(self._subject, **self._bound.arguments)
             next(self._generator)
         except StopIteration as end:
@@ -46,8 +49,3 @@ class Call:
                 raise
             except BaseException:
                 return
-
-
-def words_of(error: BaseException, location: str) -> str:
-    """Describe an error and its place in the code. The words are the same on every machine."""
-    return words_for(error) + (where(error, location) if location else "")

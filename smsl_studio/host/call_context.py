@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from smsl_studio.errors import HostError
-from smsl_studio.host.call import words_of
+from smsl_studio.host.brief import words_of
 
 
 class HostErrors:

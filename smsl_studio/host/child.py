@@ -144,6 +144,7 @@ class _Child:
             "disturb": self.disturb,
             "inject": self.inject,
             "costs": self.host.costs,
+            "suppose": self.host.suppose,
         }
         with contextlib.suppress(StudioError):
             self.host.prepare()

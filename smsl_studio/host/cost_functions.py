@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.host.call import words_of
+from smsl_studio.host.brief import words_of
 from smsl_studio.host.protocol import Happened, Priced
 from smsl_studio.library.bound import BoundCost
 

@@ -7,7 +7,7 @@ from collections.abc import Generator, Mapping
 from typing import Any
 
 from smsl_studio.errors import HostError, PluginError, StudioError, UsageError, did_you_mean
-from smsl_studio.host.call import words_of
+from smsl_studio.host.brief import words_of
 from smsl_studio.library.operation_library import FaultEntry
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from smsl_studio.host.call import Call
 from smsl_studio.host.call_context import HostErrors, prints_aside
 from smsl_studio.host.cost_functions import CostFunctions
 from smsl_studio.host.fact_rules import rules_of
+from smsl_studio.host.guard_functions import GuardFunctions
 from smsl_studio.host.injections import Injections
 from smsl_studio.host.protocol import (
     IDLE,
@@ -80,6 +82,7 @@ class LocalHost:
         self._injecting = Injections(world, {})
         self._offered: Mapping[str, FaultEntry] | None = None
         self._costing = CostFunctions({})
+        self._guarding = GuardFunctions({})
         self._stepping = self._mending("broke")
         self._ticks = 0
         self._boot = 0
@@ -110,6 +113,7 @@ class LocalHost:
             self._stepping = self._mending("broke")
             self._injecting = self._faults()
             self._costing = CostFunctions(bindings.costs)
+            self._guarding = GuardFunctions(bindings.operations if self._name != TABLE else {})
             self._poses = ()
             with self._mending("cannot be drawn"):
                 shapes = engine.shapes()
@@ -128,6 +132,7 @@ class LocalHost:
             rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
             world_faults=self._injecting.names,
             priced=bool(bindings.costs),
+            guarded=bool(self._guarding),
         )
 
     def sense(self) -> tuple[Sample, ...]:
@@ -197,10 +202,23 @@ class LocalHost:
             self._injecting.inject(self._subject, fault, parameters)
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """Ask the cost functions. Return the costs that have changed since the last call."""
+        """Ask the cost functions and the guards. Return the answers that have changed since the
+        last call."""
         self._standing()
         with prints_aside():
-            return self._costing.ask(scene, happened)
+            priced = self._costing.ask(scene, happened)
+            closed = self._guarding.ask(self._subject)
+            return replace(priced, closed=closed) if closed else priced
+
+    def suppose(self, edge: Address) -> None:
+        """Make the guard of an edge agree, if the edge has a premise. HostError if the premise
+        raises an error."""
+        self._standing()
+        bound = self._bindings.operations.get(edge) if self._bindings else None
+        if bound is None or bound.guard is None or bound.guard.premise is None:
+            return
+        with prints_aside(), self._mending(f"cannot be prepared for {edge.operation}"):
+            bound.guard.premise(self._subject, **bound.arguments)
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses for drawing. The tuple is empty if no world is open."""

@@ -41,7 +41,7 @@ LAST_LOOK = 0.025
 """The time (s) that a child has to finish its answer after a stop. Together with ``LOOK`` it is
 less than the grace of a signal (see ``stop``)."""
 
-_QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
+_QUICK = frozenset(("sense", "begin", "tick", "costs", "suppose", "disturb", "inject"))
 """The verbs that are answered at once. A run that is stopped may still wait for these answers."""
 
 
@@ -175,6 +175,10 @@ class ProcessHost:
         """Ask the cost functions, as ``LocalHost.costs`` does."""
         priced: Priced = self._ask("costs", dict(scene), tuple(happened))
         return priced
+
+    def suppose(self, edge: Address) -> None:
+        """Make the guard of an edge agree, as ``LocalHost.suppose`` does."""
+        self._ask("suppose", edge)
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses that the child has sent."""

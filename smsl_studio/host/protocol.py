@@ -104,7 +104,7 @@ class OpenedWorld:
     that do not fit; their edges are not bound. ``rules`` say how facts are aggregated from their
     sensors, where that is declared. ``world_faults`` are the names of the faults that can be
     injected. ``remote`` are the sensors on a network. ``priced`` says whether cost functions are
-    bound to edges.
+    bound to edges, and ``guarded`` whether edges have guards of their plugin.
     """
 
     world: str
@@ -119,6 +119,7 @@ class OpenedWorld:
     world_faults: tuple[str, ...] = ()
     remote: Elsewhere | None = None
     priced: bool = False
+    guarded: bool = False
 
 
 Happened = tuple[str, str]
@@ -128,10 +129,14 @@ Happened = tuple[str, str]
 @dataclass(frozen=True, slots=True)
 class Priced:
     """The answers of cost functions: the edges whose cost has changed since the last call (None:
-    the declared cost), and one sentence for each function with an invalid answer."""
+    the declared cost), and one sentence for each function with an invalid answer.
+
+    ``closed`` has the answers of guards that have changed: why an edge cannot be used now, or the
+    empty text if it can."""
 
     costs: Mapping[Address, float | None] = field(default_factory=dict)
     faults: tuple[str, ...] = ()
+    closed: Mapping[Address, str] = field(default_factory=dict)
 
 
 class Tick(NamedTuple):
@@ -191,11 +196,16 @@ class Host(Protocol):
         ...
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """Ask the cost functions.
+        """Ask the cost functions and the guards.
 
         ``scene`` has a value (None: unknown) for every sensed fact, whose key is ``SB/digit``.
         ``happened`` has the results of edges since the last call.
         """
+        ...
+
+    def suppose(self, edge: Address) -> None:
+        """Make the guard of an edge agree in a world that was just opened. Nothing happens if the
+        edge has no premise."""
         ...
 
     def poses(self) -> tuple[float, ...]:

@@ -210,6 +210,10 @@ class WithRemote:
         """Ask the cost functions of the world's plugin."""
         return self.inner.costs(scene, happened)
 
+    def suppose(self, edge: Address) -> None:
+        """Make the guard of an edge agree."""
+        self.inner.suppose(edge)
+
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses of the world."""
         return self.inner.poses()

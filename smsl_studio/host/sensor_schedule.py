@@ -10,8 +10,7 @@ from typing import Any
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.host.brief import invalid
-from smsl_studio.host.call import words_of
+from smsl_studio.host.brief import invalid, words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
 from smsl_studio.monitor.sample import BAD, GOOD, LONGEST, Sample, SensorRound, sample_of

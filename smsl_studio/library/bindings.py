@@ -166,6 +166,7 @@ class _Binder:
             plugin.location,
             resumes,
             (*noted_touches(branch, note), *self._touched(branch, entry, arguments)),
+            entry.guard,
         )
 
     def _touched(

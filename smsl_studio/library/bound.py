@@ -11,6 +11,7 @@ from smsl_studio.blueprint.annotations import OperationNote
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place
+from smsl_studio.library.operation_library import Availability
 
 
 class BoundOperation(NamedTuple):
@@ -19,7 +20,7 @@ class BoundOperation(NamedTuple):
 
     ``exact`` says that the binding names exactly this ``State/Operation``. ``location`` is the
     folder of the code. ``timeout`` is in simulated seconds. ``resumes`` and ``touches`` have the
-    same meaning as in ``host.protocol.Bound``.
+    same meaning as in ``host.protocol.Bound``. ``guard`` says whether the code can be used now.
     """
 
     name: str
@@ -31,6 +32,7 @@ class BoundOperation(NamedTuple):
     location: str = ""
     resumes: bool = True
     touches: tuple[FactKey, ...] = ()
+    guard: Availability | None = None
 
 
 @dataclass(frozen=True, slots=True)

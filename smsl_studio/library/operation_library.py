@@ -30,7 +30,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, TypeVar
 
@@ -63,6 +63,20 @@ class WorldEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class Availability:
+    """Whether an operation can be used now. Both functions are called as the operation's own is.
+
+    ``why_not`` returns why it cannot be used, as a text that follows "not available:", or the empty
+    text. Routes avoid the operation then, and it does not begin. ``premise`` makes ``why_not``
+    agree in a world that was just arranged, without changing a fact, so that the operation can be
+    tried alone.
+    """
+
+    why_not: Callable[..., str]
+    premise: Callable[..., None] | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class OperationEntry:
     """A generator function and the pattern of its operation names.
 
@@ -78,6 +92,7 @@ class OperationEntry:
     timeout: float
     resumes: bool = True
     touches: tuple[Pattern, ...] = ()
+    guard: Availability | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,6 +229,7 @@ class OperationLibrary:
         *,
         resumes: bool = True,
         touches: Sequence[str] = (),
+        guard: Availability | None = None,
     ) -> Callable[[FunctionT], FunctionT]:
         """Register an operation (paper, Operation Representation). The decorated generator function
         carries out the operations that the pattern ``name`` matches.
@@ -225,11 +241,14 @@ class OperationLibrary:
         the facts that may have any value after a cancel, besides the facts of its edge: ``"{n}"``
         for the SB of the edge, or ``"SB/{n}"``. Here facts count from 1, and names in braces are
         parameters of the function.
+        ``guard`` says whether it can be used now (see ``Availability``).
         """
         name = proper_name(name, "an operation") if name else ""
         _one_of(stop, STOP_MODES, "stop")
         timeout, resumes = seconds(timeout, "timeout"), truth(resumes, "resumes")
         touched = [proper_name(fact, "a fact") for fact in touches]
+        if guard is not None and not isinstance(guard, Availability):
+            raise PluginError(f"guard is of type {type(guard).__name__!r}, not a Availability")
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the operation. PluginError if the function is no generator, or if names do
@@ -247,9 +266,8 @@ class OperationLibrary:
             for fact in facts:
                 _must_know_all(fact, signature)
             called = f"{self.name}.{proper_name(function.__name__, 'a function')}"
-            self.operations.append(
-                OperationEntry(function, called, pattern, signature, stop, timeout, resumes, facts)
-            )
+            entry = OperationEntry(function, called, pattern, signature, stop, timeout)
+            self.operations.append(replace(entry, resumes=resumes, touches=facts, guard=guard))
             return function
 
         return keep

@@ -89,6 +89,8 @@ def _reset(event: run.RunReset) -> str:
 def _costs(event: run.CostsChanged) -> str:
     prices = [f"{name} {cost:g}" for name, cost in [*event.costs.items()][:LONGEST]]
     words = [f"Costs changed: {', '.join(prices)}"] if prices else []
+    for name, reason in [*event.closed.items()][:LONGEST]:
+        words.append(f"{name} is not available: {reason}" if reason else f"{name} is available")
     return "; ".join((*words, *event.faults))
 
 

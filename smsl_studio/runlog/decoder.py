@@ -51,7 +51,7 @@ def event_of(values: Mapping[str, Json]) -> Event:
                 given[item.name] = _taken(hints[item.name], values[item.name])
             except ValueError as error:
                 raise ValueError(f"{item.name} of the event {word} is no {error}") from None
-        elif item.default is MISSING:
+        elif item.default is MISSING and item.default_factory is MISSING:
             raise ValueError(f"the event {word} lacks {item.name!r}")
     return kind(**given)
 

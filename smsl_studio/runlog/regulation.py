@@ -160,8 +160,12 @@ class CostsChanged(Event):
     ones.
 
     ``faults`` are the cost functions that failed. The declared costs of their edges remain.
+    ``closed`` are the edges that a guard of the plugin closes from now on, with the reason, and
+    those that it opens again, with an empty one. It is left out where there are none.
     """
 
     event: ClassVar[str] = "costs_changed"
+    sparse: ClassVar[tuple[str, ...]] = ("closed",)
     costs: Mapping[str, float]
     faults: tuple[str, ...] = ()
+    closed: Mapping[str, str] = field(default_factory=dict)

@@ -118,6 +118,9 @@ class FakeHost:
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
         return Priced()
 
+    def suppose(self, edge: Address) -> None:
+        pass
+
     def poses(self) -> tuple[float, ...]:
         return ()
 

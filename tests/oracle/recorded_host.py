@@ -120,6 +120,9 @@ class RecordedHost:
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
         return self._inner.costs(scene, happened)
 
+    def suppose(self, edge: Address) -> None:
+        self._inner.suppose(edge)
+
     def poses(self) -> tuple[float, ...]:
         return self._inner.poses()
 

@@ -163,6 +163,8 @@ CASES: tuple[Case, ...] = (
     ((*OPEN, says("prune", address="S/A/Op"),
       run.OperationPruned(t=0.1, address="S/A/Op", reason="")),
      starts(t=0.1), "S/A/Op begins; it was shut out"),
+    ((*OPEN, run.CostsChanged(t=0.1, costs={}, closed={"S/A/Op": "it is away"})),
+     starts(t=0.1), "S/A/Op begins; it is not available"),
     ((*OTHER, starts("R/X/Op", "Y"), ends("failed", "R/X/Op")), starts(t=0.2),
      "S/A/Op begins in a step that has failed"),
     ((*OTHER, starts("R/X/Op", "Y"), run.FactChanged(t=0.1, branch="S", digit=0, value="1")),
@@ -227,6 +229,8 @@ CASES: tuple[Case, ...] = (
     (OPEN, run.OperationRestored(t=0.1, address="S/A/Op"),
      "S/A/Op is allowed again without a command"),
     (OPEN, run.CostsChanged(t=0.1, costs={}), "no cost has changed"),
+    (OPEN, run.CostsChanged(t=0.1, costs={}, closed={"S/A/Op": ""}),
+     "a guard tells nothing new of 'S/A/Op'"),
     (OPEN, run.CostsChanged(t=0.1, costs={"S/A/Op": -1.0}), "'S/A/Op' cannot cost -1"),
     # the scene
     (OPEN, run.FactChanged(t=0.1, branch="Q", digit=0, value="1"), "Q/0 is no fact of this run"),

@@ -84,7 +84,7 @@ class Admission:
 
     def _guarded(self, step: JointStep, chosen: bool) -> str:
         run = self._run
-        reasons = (self._course.shut and self._barred(step)) or refusals(run, step)
+        reasons = (self._course.barred and self._barred(step)) or refusals(run, step)
         if reasons or (run.hazards and self._endangers(step)):
             return self._refuse(step, chosen, reasons)
         if chosen:
@@ -145,7 +145,7 @@ class Admission:
 
     def _barred(self, step: JointStep) -> tuple[str, ...]:
         """Return the edges of the step that were excluded after it was planned, as sentences."""
-        shut = self._course.shut
+        shut = self._course.barred
         if not shut:
             return ()
         return tuple(f"{one} is {shut[one.address]}" for one in step.edges if one.address in shut)

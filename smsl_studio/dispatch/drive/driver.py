@@ -205,7 +205,7 @@ class Driver:
 
     def _carry(self, carrier: Carrier) -> None:
         if carrier.failure is None:
-            carrier.advance(self.course.shut)
+            carrier.advance(self.course.barred)
             if carrier.stage is RUNNING:
                 return
         self._after(carrier)

@@ -17,7 +17,7 @@ from smsl_studio.stop import restartable
 class RouteFollower:
     """Follows the route of a run, and tells each new plan.
 
-    ``outlook`` says what is possible instead, ``pricing`` asks the cost functions before each step,
+    ``outlook`` says what is possible instead, ``pricing`` asks the plugin before each step,
     and ``bypasses`` tells which sub-SBs a new plan bypasses.
     """
 
@@ -32,7 +32,7 @@ class RouteFollower:
         called off goes on when it is asked for again.
         """
         run, course = self._run, self._course
-        if run.opened.priced:
+        if run.opened.priced or run.opened.guarded:
             self.pricing.ask()
         return course.following(run.configuration) or self._planned()
 

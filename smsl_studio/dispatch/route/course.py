@@ -44,9 +44,10 @@ class Course:
     """The goals of a run and the edges that it may use.
 
     ``shut`` are edges that were avoided or pruned, with reasons. ``risky`` are edges that have
-    failed. ``vetoed`` are edges that are skipped while the run stays where they were vetoed. A
-    route uses none of them. A person may still ask for a risky or a vetoed edge. No route, and no
-    operation that a person asks for, meets one of ``hazards``.
+    failed. ``guarded`` are edges that a guard of the plugin closes now. ``vetoed`` are edges that
+    are skipped while the run stays where they were vetoed. A route uses none of them. A person may
+    still ask for a risky or a vetoed edge. No route, and no operation that a person asks for, meets
+    one of ``hazards``.
     """
 
     def __init__(
@@ -61,6 +62,7 @@ class Course:
         self.goals = tuple(goals)
         self.shut = dict(shut)
         self.risky: dict[Address, str] = {}
+        self.guarded: dict[Address, str] = {}
         self.vetoed: dict[Address, str] = {}
         self.prices = Prices(hierarchy.blueprint)
         self._ways = Ways(hierarchy)
@@ -105,6 +107,16 @@ class Course:
         self.vetoed[address] = VETOED
         self._changed()
 
+    def guard(self, closed: Mapping[Address, str]) -> None:
+        """Close edges for the reasons of their guards; an empty reason opens an edge again."""
+        for address, reason in closed.items():
+            if reason:
+                self.guarded[address] = f"not available: {reason}"
+            else:
+                self.guarded.pop(address, None)
+        if closed:
+            self._changed()
+
     def set_cost(self, address: Address, cost: float) -> Mapping[Address, float]:
         """Set the cost of an edge for a person. Return the changed costs. UsageError if it is no
         valid cost.
@@ -129,13 +141,18 @@ class Course:
     @property
     def closed(self) -> Mapping[Address, str]:
         """All edges that routes avoid, with reasons."""
-        return {**self._lasting, **self.vetoed, **self.shut}
+        return {**self._lasting, **self.vetoed, **self.barred}
+
+    @property
+    def barred(self) -> Mapping[Address, str]:
+        """The edges that nobody may begin now, with reasons."""
+        return {**self.guarded, **self.shut} if self.guarded else self.shut
 
     @property
     def _lasting(self) -> Mapping[Address, str]:
         """The same without vetoes, which are valid only in one configuration."""
         risky = {address: f"risky: {reason}" for address, reason in self.risky.items()}
-        return {**risky, **self.shut}
+        return {**risky, **self.barred}
 
     def asked(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | Unavailable:
         """Return the joint step of an edge that a person asks for, or why there is none. The edge
@@ -143,7 +160,7 @@ class Course:
         """
         address = edge.address
         passed = edge.fails or address in self.risky or address in self.vetoed
-        if address in self.shut or not passed:
+        if address in self.barred or not passed:
             return self.planner.stepper.step(configuration, edge)
         planner = self._asked.get(address)
         if planner is None:
@@ -292,7 +309,7 @@ class Course:
         """
         if not self.risky:
             return ()
-        planner = self._under("risky", {**self.vetoed, **self.shut})
+        planner = self._under("risky", {**self.vetoed, **self.barred})
         legs = planner.legs(configuration, self.goals)
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))

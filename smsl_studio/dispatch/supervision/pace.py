@@ -39,6 +39,8 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
     else:
         run.look()
         with restartable():
+            if run.opened.guarded:
+                driver.follower.pricing.ask()
             answer = asked(run, driver.course, address)
         if isinstance(answer, JointStep) and every_time:
             circling = driver.repeats.why_not(run.configuration, answer.asked)

@@ -131,6 +131,8 @@ class Memory:
         self.owed = ""
         self.asked = ""
         self.shut = set(texts(header.get("avoid")))
+        self.guarded: set[str] = set()
+        """The operations that a guard of the plugin closes now."""
         self.tasks: dict[str, Asked] = {}
         self.names: set[str] = set()
         self.declined = False

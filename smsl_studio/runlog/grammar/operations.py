@@ -66,6 +66,8 @@ def operation_started(memory: Memory, event: run.OperationStarted) -> Iterator[s
         yield f"{address} begins; {branch} is still on its way"
     if address in memory.shut:
         yield f"{address} begins; it was shut out"
+    if address in memory.guarded:
+        yield f"{address} begins; it is not available"
     if memory.failing:
         yield f"{address} begins in a step that has failed"
     elif memory.acting and not isinstance(memory.last, run.OperationStarted):
@@ -284,14 +286,18 @@ def operation_restored(memory: Memory, event: run.OperationRestored) -> Iterator
 
 def costs_changed(memory: Memory, event: run.CostsChanged) -> Iterator[str]:
     """Check that costs have changed or a cost function has failed, and that costs are in range."""
-    if not event.costs and not event.faults:
+    if not event.costs and not event.faults and not event.closed:
         yield "no cost has changed"
     if event == memory.last:
         yield "the new costs are the same as before"
     for address, cost in event.costs.items():
         if len(parts(address)) != 3 or not 0 <= cost <= MOST:
             yield f"{address!r} cannot cost {cost:g}"
-    yield from _unset(memory, event)
+    for address, reason in event.closed.items():
+        if len(parts(address)) != 3 or bool(reason) == (address in memory.guarded):
+            yield f"a guard tells nothing new of {address!r}"
+    if event.costs or event.faults:
+        yield from _unset(memory, event)
 
 
 def _unset(memory: Memory, event: run.CostsChanged) -> Iterator[str]:

@@ -196,6 +196,8 @@ def _commanded(memory: Memory, event: run.Commanded) -> None:
 
 def _costs_changed(memory: Memory, event: run.CostsChanged) -> None:
     memory.known.reprice(event.costs)
+    for address, reason in event.closed.items():
+        (memory.guarded.add if reason else memory.guarded.discard)(address)
 
 
 def _pruned(memory: Memory, event: run.OperationPruned) -> None:
