@@ -7,61 +7,93 @@ from pathlib import Path
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.front.former_record import may_have_record
+from smsl_studio.front.former_record import has_record_beside
+from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.inspection.reading.reading import NOTICE
 
 LONGEST = 6
 """The largest number of reasons that the badge lists."""
 
 NOBODY = "Nobody has signed this blueprint. It runs in simulation only."
 TO_SIGN = "To sign it: smsl-studio approve FILE --key ID. The page Approval of the help says how."
+AGAIN = "Look at it again, then sign it again."
+ANOTHER = "Let another person look at it and sign."
+TO_MEET = "When a condition is met, sign that: approve FILE --key ID --met TEXT."
+MEND = "Let the keeper of the policy mend it. Until then nothing runs under it."
 
 
 @dataclass(frozen=True)
 class ApprovalWords:
     """What the badge shows.
 
-    ``is_good`` says whether the blueprint is approved. ``reasons`` are sentences about why or why
-    not. ``advice`` says what to do.
+    ``is_good`` says whether the blueprint is approved. ``reasons`` are sentences about who has
+    signed. ``refusals`` say why it is not approved, each with its code. ``advice`` says what to do.
     """
 
     words: str
     reasons: tuple[str, ...] = ()
     advice: str = ""
     is_good: bool = False
+    refusals: tuple[Refusal, ...] = ()
+
+    @property
+    def foot(self) -> str:
+        """The line below a picture or a page: the words of the badge, and the notice."""
+        return f"{self.words}. {NOTICE}."
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Everything that the card of the badge says, line by line."""
+        refusals = (refusal_line(one) for one in self.refusals)
+        return tuple(filter(None, (self.words, *self.reasons, *refusals, self.advice)))
+
+
+def refusal_line(refusal: Refusal) -> str:
+    """Return a refusal for people: the sentence, and the code behind it."""
+    return f"{refusal.sentence[:1].upper()}{refusal.sentence[1:]} ({refusal.code})"
 
 
 UNINSPECTED = ApprovalWords("Uninspected", (NOBODY,), TO_SIGN)
+LOOKING = ApprovalWords("Looking at the record", ("Signatures are being verified.",))
+"""Stands until the signatures are verified."""
 
 _WORDS = (
-    ("signature_invalid", "Signature invalid"),
-    ("rolled_back", "Older record"),
-    ("verdict_not_approved", "Rejected"),
-    ("key_revoked", "Revoked"),
-    ("record_revoked", "Revoked"),
-    ("digest_differs", "Changed since signed"),
-    ("record_expired", "Expired"),
-    ("key_expired", "Expired"),
-    ("key_unknown", "Unknown key"),
-    ("open_finding", "Open error"),
-    ("sub_not_covered", "Part not approved"),
+    ("policy_invalid", "Policy invalid", MEND),
+    ("register_invalid", "Register invalid", MEND),
+    ("no_record", "Uninspected", TO_SIGN),
+    ("signature_invalid", "Signature invalid", "Fetch the record again from who has signed it."),
+    ("rolled_back", "Older record", "Fetch the newest record from who has signed it."),
+    ("verdict_not_approved", "Rejected", "Ask the person who has rejected it."),
+    ("key_revoked", "Revoked", ANOTHER),
+    ("record_revoked", "Revoked", AGAIN),
+    ("digest_differs", "Changed since signed", "Look at what has changed, then sign it again."),
+    ("rules_changed", "Rules changed", AGAIN),
+    ("record_expired", "Expired", AGAIN),
+    ("key_expired", "Expired", ANOTHER),
+    ("key_unknown", "Unknown key", "Take in the public key of who has signed: keys import FILE."),
+    ("open_finding", "Open error", "Mend what the finding says, then sign it again."),
+    ("sub_not_covered", "Part not approved", "Let somebody look at the imported file and sign it."),
+    ("code_changed", "Code changed", "Look at the code again: approve FILE --key ID --world NAME."),
+    ("code_missing", "Code not signed", "Sign the code, too: approve FILE --key ID --world NAME."),
+    ("policy_unmet", "Not approved", "Let a person look at it and sign."),
+    ("role_missing", "Signature missing", ANOTHER),
+    ("too_few_persons", "Signature missing", ANOTHER),
 )
-"""The words of the badge for some codes. If several codes apply, the first in this list counts."""
+"""The words of the badge for some codes, and what to do. If several codes apply, the first in this
+list counts."""
 
 
-def approval_words(blueprint: Blueprint) -> ApprovalWords:
-    """Return the words of the badge for a blueprint, without a policy.
+def approval_words(blueprint: Blueprint, policy: Path | None = None) -> ApprovalWords:
+    """Return the words of the badge for a blueprint, under a policy if one is named.
 
     This verifies signatures and runs the whole check, so it may take long. It heeds a stop.
     """
-    if not may_have_record(blueprint.file):
+    if policy is None and not has_record_beside(blueprint.file):
         return UNINSPECTED
     from smsl_studio.front.verdicts import ApprovalQuestion, answered
 
-    question = ApprovalQuestion(blueprint)
-    if not Path(question.record_file).exists():
-        return UNINSPECTED
     try:
-        answer = answered(question)
+        answer = answered(ApprovalQuestion(blueprint, policy=policy))
     except StudioError as error:
         return ApprovalWords("Not verified", (str(error),), error.advice)
     judgement = answer.judgement
@@ -74,8 +106,9 @@ def approval_words(blueprint: Blueprint) -> ApprovalWords:
         many = sum(one.counts for one in judgement.signers)
         return ApprovalWords(f"Approved by {many}", signers, keys, True)
     told = {one.code for one in judgement.refusals}
-    reasons = tuple(one.sentence for one in judgement.refusals[:LONGEST])
+    refusals = judgement.refusals[:LONGEST]
     if told == {"condition_unmet"}:
-        return ApprovalWords("Approved with conditions", (*signers, *reasons), keys)
-    words = next((words for code, words in _WORDS if code in told), "Not approved")
-    return ApprovalWords(words, (*signers, *reasons), "Look at it again, then sign it again.")
+        return ApprovalWords("Approved with conditions", signers, TO_MEET, refusals=refusals)
+    known = ((words, advice) for code, words, advice in _WORDS if code in told)
+    words, advice = next(known, ("Not approved", AGAIN))
+    return ApprovalWords(words, signers, advice, refusals=refusals)

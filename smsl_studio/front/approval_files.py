@@ -104,20 +104,21 @@ def trust_files(policy: Path | None) -> TrustFiles | Refusal:
     if policy is None:
         return TrustFiles(_stored(USUAL, given=False))
     raw = _bytes(policy)
-    found = read_policy(policy)
+    found = read_policy(policy, raw)
     if isinstance(found, Refusal):
         return found
-    digest = sha256_hex(raw)
+    digest = sha256_hex(raw or b"")
     if found.register_file is None:
         return TrustFiles(_stored(found, given=True), digest)
     return _registered(found, policy, digest)
 
 
-def _bytes(path: Path) -> bytes:
+def _bytes(path: Path) -> bytes | None:
+    """Return the bytes of a policy; None if the reader of policies tells why there are none."""
     try:
         return read_ordinary(path, LARGEST).raw
     except (OSError, ValueError):
-        return b""  # the reader of the policy tells it
+        return None
 
 
 def _stored(policy: TrustPolicy, given: bool) -> TrustGrounds:

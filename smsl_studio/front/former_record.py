@@ -14,8 +14,12 @@ from smsl_studio.inspection.rules.finding import Finding
 
 def may_have_record(file: str) -> bool:
     """Whether a record of this file may exist. This is quick, because no record is read."""
-    beside = os.path.lexists(f"{file}.record.json")
-    return beside or os.path.lexists(user_folder() / "store" / "records")
+    return has_record_beside(file) or os.path.lexists(user_folder() / "store" / "records")
+
+
+def has_record_beside(file: str) -> bool:
+    """Whether a record stands beside this file. Nothing is read."""
+    return os.path.lexists(f"{file}.record.json")
 
 
 def changes_since_record(
@@ -42,7 +46,7 @@ def newest_content(
     """
     from smsl_studio.inspection.approval.seen_index import newest_entry
 
-    beside = os.path.lexists(f"{blueprint.file}.record.json")
+    beside = has_record_beside(blueprint.file)
     try:
         if record is None and not beside and not newest_entry(blueprint.file):
             return "", None

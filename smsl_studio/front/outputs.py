@@ -179,9 +179,9 @@ def render(
 
     ``branches`` are the names of the SBs; empty means all. ``theme`` is ``light`` or ``dark``. With
     ``overview`` the picture is the map of all SBs, and ``branches`` must be empty. With
-    ``collapsed`` operations between the same two states are one line with their number.
-    UsageError for another suffix or theme, or if there is no SB. AddressError for an unknown SB.
-    SaveError if the file cannot be written.
+    ``collapsed`` operations between the same two states are one line with their number. Below each
+    page stands whether people have signed the blueprint. UsageError for another suffix or theme, or
+    if there is no SB. AddressError for an unknown SB. SaveError if the file cannot be written.
 
     >>> render(read("hfsm.json"), "hfsm.svg")
     >>> Path("hfsm.svg").read_text("utf-8")[:4]
@@ -210,7 +210,10 @@ def drawn(
         panels = map_panels(blueprint, colours)
     else:
         panels = panels_of(blueprint, branches, colours, collapsed)
-    return picture_of(panels, title_of(blueprint), output, colours)
+    from smsl_studio.front.approval_badge import approval_words
+
+    foot = approval_words(blueprint).foot
+    return picture_of(panels, title_of(blueprint), output, colours, foot)
 
 
 def panels_of(
@@ -278,19 +281,24 @@ def picture_form(output: Name) -> str:
     return suffix
 
 
-def picture_of(panels: Sequence[SvgPanel], title: str, output: Name, colours: Colours) -> bytes:
+def picture_of(
+    panels: Sequence[SvgPanel], title: str, output: Name, colours: Colours, foot: str = ""
+) -> bytes:
     """Return the bytes of a picture of several panels. A PDF has one panel on each page. Other
-    pictures have one panel below another."""
+    pictures have one panel below another. ``foot`` is a line below each page."""
     apart = picture_form(output) == ".pdf"
-    return picture_bytes(svg_pages(panels, title, colours, apart), title, output)
+    return picture_bytes(svg_pages(panels, title, colours, apart, foot), title, output)
 
 
-def svg_pages(panels: Sequence[SvgPanel], title: str, colours: Colours, apart: bool) -> list[str]:
-    """Return panels as SVG: ``apart`` one on each page, else one below another on one page."""
+def svg_pages(
+    panels: Sequence[SvgPanel], title: str, colours: Colours, apart: bool, foot: str = ""
+) -> list[str]:
+    """Return panels as SVG: ``apart`` one on each page, else one below another on one page. Each
+    page has the line ``foot``."""
     from smsl_studio.picture.svg import as_svg, one_below_another
 
     pages = panels if apart else [one_below_another(panels, colours)]
-    return [as_svg(page, title, colours) for page in pages]
+    return [as_svg(page, title, colours, foot) for page in pages]
 
 
 def picture_bytes(svgs: Sequence[str], title: str, output: Name, scale: float = 2.0) -> bytes:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.recorded import blueprint_of_content
 from smsl_studio.errors import UsageError
+from smsl_studio.front.approval_badge import approval_words
 from smsl_studio.front.former_record import newest_content
 from smsl_studio.front.outputs import colours_of, map_panels, panels_of, svg_pages
 from smsl_studio.front.readings import CLINICIAN, reading
@@ -37,10 +38,11 @@ def report(
 ) -> BlueprintReading:
     """Write the reading of a blueprint, with pictures, as ``.html`` or ``.pdf``. Return it.
 
-    The HTML file loads nothing and runs nothing. The PDF has an outline and tags. Equal blueprints
-    give equal files on the same day. ``record`` is a signed record: the report then begins with
-    what has changed since. UsageError for another suffix or reader, ReadError for a record that
-    cannot be read, SaveError if it cannot be written.
+    It says at its top whether people have signed the blueprint, as the badge of the window does
+    without a policy. The HTML file loads nothing and runs nothing. The PDF has an outline and tags.
+    Equal blueprints give equal files on the same day. ``record`` is a signed record: the report
+    then begins with what has changed since. UsageError for another suffix or reader, ReadError for
+    a record that cannot be read, SaveError if it cannot be written.
 
     >>> told = report(read("registration-people.json"), "registration.html")
     >>> told.untitled.sentence
@@ -50,7 +52,8 @@ def report(
     told = told_since(blueprint, record, reader)
     pictures = tuple(_pictures(blueprint))
     day = datetime.now(UTC).date().isoformat()
-    save_document(_bytes(told, suffix, day, pictures), output, made_of=files_of(blueprint))
+    said = approval_words(blueprint).lines
+    save_document(_bytes(told, suffix, (day, said), pictures), output, made_of=files_of(blueprint))
     return told
 
 
@@ -80,15 +83,19 @@ def files_of(blueprint: Blueprint) -> tuple[str, ...]:
 
 
 def _bytes(
-    told: BlueprintReading, suffix: str, day: str, pictures: tuple[Illustration, ...]
+    told: BlueprintReading,
+    suffix: str,
+    now: tuple[str, Sequence[str]],
+    pictures: tuple[Illustration, ...],
 ) -> bytes:
+    day, said = now
     if suffix == ".pdf":
         from smsl_studio.inspection.reading.reading_sheet import reading_sheet
 
-        return reading_sheet(told, day, pictures)
+        return reading_sheet(told, day, pictures, said)
     from smsl_studio.inspection.reading.reading_page import reading_page
 
-    return reading_page(told, day, pictures).encode("utf-8", "replace")
+    return reading_page(told, day, pictures, said).encode("utf-8", "replace")
 
 
 def _pictures(blueprint: Blueprint) -> Iterator[Illustration]:

@@ -14,7 +14,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
-from smsl_studio.errors import RunRefused, SaveError, WorldError
+from smsl_studio.errors import RunRefused, SaveError, StudioError, WorldError
 from smsl_studio.front.acceptance import left_out, to_accept
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
@@ -123,7 +123,7 @@ def open_request(
 
     >>> open_request(RunRequest(read("hanoi-2.json"), host="local")).close()
     """
-    checked = _trusted(request.checked())
+    checked = trusted_request(request.checked())
     trust = checked.trust
     if trust is not None:
         trust.must_hold()
@@ -243,7 +243,7 @@ def run_request(
     loaded: Loaded | None = None
     try:
         with heeding(asked.heed):
-            request = _trusted(request)
+            request = trusted_request(request)
             request, loaded = _with_plugins(request)
             checked = request.checked()
             if script is not None and not (request.trust and request.trust.refusals):
@@ -266,7 +266,7 @@ def run_request(
                     to_its_end(dispatcher, recording, request.speed, asked, acting)
             except (SaveError, WorldError) as error:
                 failed = "failed" if recording.told else "refused"
-                recording.end(failed, str(error), dispatcher, _told(request, failed, error))
+                recording.end(failed, str(error), dispatcher, told_refusals(request, failed, error))
     except Stopped:
         if request.log is not None:
             # The request may be unchecked here, because the stop may come before the check.
@@ -282,7 +282,7 @@ def run_request(
     return replace(done, trust=request.trust.words) if request.trust is not None else done
 
 
-def _trusted(request: RunRequest) -> RunRequest:
+def trusted_request(request: RunRequest) -> RunRequest:
     """Return the request, with the answer whether it may start if it needs an approval."""
     if request.trust is not None or not request.asks_approval:
         return request
@@ -311,10 +311,12 @@ def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
         return replace(request, trust=changed), None
 
 
-def _told(
-    request: RunRequest, reason: str, error: SaveError | WorldError
+def told_refusals(
+    request: RunRequest, reason: str, error: StudioError
 ) -> Sequence[Mapping[str, str]]:
     """Return an error at the start as refusals, if the run needed an approval."""
+    if isinstance(error, RunRefused):
+        return error.told
     if request.trust is None or reason != "refused":
         return ()
     code = "log_unwritable" if isinstance(error, SaveError) else "code_changed"

@@ -161,7 +161,7 @@ def _options(records: Sequence[SignedRecord]) -> InspectionOptions:
 
 def _keep(question: ApprovalQuestion, judgement: Judgement) -> None:
     """Store the records that were not seen before."""
-    new = [one for one in judgement.signers if not has_seen(one.record.digest)]
+    new = [one for one in judgement.seen if not has_seen(one.record.digest)]
     if not new:
         return
     with store_alone():

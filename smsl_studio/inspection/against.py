@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
-from smsl_studio.blueprint.comparison import compare
+from smsl_studio.blueprint.comparison import Difference, compare
 from smsl_studio.blueprint.digests import content_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.recorded import blueprint_of_content
-from smsl_studio.inspection.rules.changes import r27_changed_since, remarks_of
+from smsl_studio.inspection.rules.changes import ORDER, r27_changed_since, remarks_of
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.inspection.selection import listed
 
@@ -33,9 +34,18 @@ def inspect_against_content(
     What the content leaves out, such as the layout, is not compared. ReadError if the content is
     not that of a blueprint.
     """
-    now = content_of(blueprint)
-    if now == content:
+    if content_of(blueprint) == content:
         return ()
+    return tuple(listed(blueprint, remarks_of(blueprint, since_content(blueprint, content, name))))
+
+
+def since_content(blueprint: Blueprint, content: Mapping[str, Any], name: str) -> Difference:
+    """Return the difference from a signed content to the present blueprint, removals first.
+
+    Its later side is the blueprint itself, with its layout. ReadError if the content is not that of
+    a blueprint.
+    """
     before = blueprint_of_content(content, name)
-    difference = compare(before, blueprint_of_content(now, blueprint.file))
-    return tuple(listed(blueprint, remarks_of(blueprint, difference)))
+    found = compare(before, blueprint_of_content(content_of(blueprint), blueprint.file))
+    changes = sorted(found.changes, key=lambda one: ORDER.index(one.kind))
+    return replace(found, after=blueprint, changes=tuple(changes))

@@ -62,16 +62,27 @@ def read_toml(
     file = str(path)
     try:
         raw = read_ordinary(os.path.realpath(path), largest, inside).raw
-        if len(raw) > largest:
-            raise PluginError(f"it is longer than {largest} bytes", Place(file, 1, 1))
+    except OSError as error:
+        raise PluginError(f"cannot be read: {error.strerror}", Place(file, 1, 1)) from None
+    if len(raw) > largest:
+        raise PluginError(f"it is longer than {largest} bytes", Place(file, 1, 1))
+    lines, values = _read(raw, file)
+    return TomlText(file, lines), values
+
+
+def toml_values(raw: bytes, file: str) -> dict[str, Any]:
+    """Return the values in the bytes of a TOML file. PluginError if they are no valid TOML."""
+    return _read(raw, file)[1]
+
+
+def _read(raw: bytes, file: str) -> tuple[tuple[str, ...], dict[str, Any]]:
+    try:
         text = raw.decode("utf-8").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         raise PluginError(f"no UTF-8: {error.reason}", Place(file, 1, 1)) from None
-    except OSError as error:
-        raise PluginError(f"cannot be read: {error.strerror}", Place(file, 1, 1)) from None
     lines = tuple(text.splitlines())
     try:
-        return TomlText(file, lines), tomllib.loads(text)
+        return lines, tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         words = str(error)
         at = _AT.search(words)

@@ -15,20 +15,33 @@ from smsl_studio.picture.shape import Floats
 from smsl_studio.picture.svg import GAP, framed
 
 
-def draw_part(figure: Figure, part: PicturePart, title: str, colours: Colours = LIGHT) -> str:
-    """Return the SVG of a part. Lines and labels lie where the picture of the whole SB has them."""
+def draw_part(
+    figure: Figure, part: PicturePart, title: str, colours: Colours = LIGHT, foot: str = ""
+) -> str:
+    """Return the SVG of a part. Lines and labels lie where the picture of the whole SB has them.
+
+    ``foot`` is a line at the lower left corner.
+    """
     left, top, right, bottom = figure.bounds(part.states, part.edges)
     frame = (left - GAP, top - GAP, right + GAP, bottom + GAP)
     drawn = figure.drawn_with(part.states)
-    return framed(_parts(figure, part, drawn, colours), frame, title, colours)
+    return framed(_parts(figure, part, drawn, colours), frame, title, colours, foot)
 
 
 def draw_frame(
-    figure: Figure, part: PicturePart, frame: Rect, title: str, colours: Colours = LIGHT
+    figure: Figure,
+    part: PicturePart,
+    frame: Rect,
+    title: str,
+    colours: Colours = LIGHT,
+    foot: str = "",
 ) -> str:
-    """Return the SVG of a frame of a figure. What crosses its border is cut off there."""
+    """Return the SVG of a frame of a figure. What crosses its border is cut off there.
+
+    ``foot`` is a line at the lower left corner.
+    """
     drawn = _within(figure.note_rects, frame), _within(figure.group_rects, frame)
-    return framed(_parts(figure, part, drawn, colours), frame, title, colours)
+    return framed(_parts(figure, part, drawn, colours), frame, title, colours, foot)
 
 
 def _within(rects: Floats, frame: Rect) -> list[int]:

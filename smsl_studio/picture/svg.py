@@ -13,10 +13,12 @@ from smsl_studio.picture.crowd import crowd_of, refuse_too_many
 from smsl_studio.picture.figure import Figure, Rect
 from smsl_studio.picture.panel import SvgPanel, panel_of
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.strokes import box, number
-from smsl_studio.picture.words import FAMILY
+from smsl_studio.picture.strokes import box, number, text
+from smsl_studio.picture.words import FAMILY, elided, width
 
 GAP = 20.0
+SMALL = 10.0
+"""The size of the line at the foot, in pixels."""
 
 
 def draw_blueprint(
@@ -63,16 +65,19 @@ def one_below_another(panels: Sequence[SvgPanel], colours: Colours = LIGHT) -> S
     return SvgPanel(wide, max(y - GAP, 20.0), "\n".join(parts))
 
 
-def as_svg(panel: SvgPanel, title: str, colours: Colours = LIGHT) -> str:
-    """Return a panel as the text of an SVG file."""
+def as_svg(panel: SvgPanel, title: str, colours: Colours = LIGHT, foot: str = "") -> str:
+    """Return a panel as the text of an SVG file. ``foot`` stands in the margin below."""
     frame = 0.0, 0.0, panel.width + 2 * GAP, panel.height + 2 * GAP
-    return framed([panel.at(GAP, GAP)], frame, title, colours)
+    return framed([panel.at(GAP, GAP)], frame, title, colours, foot)
 
 
-def framed(parts: Iterable[str], frame: Rect, title: str, colours: Colours = LIGHT) -> str:
+def framed(
+    parts: Iterable[str], frame: Rect, title: str, colours: Colours = LIGHT, foot: str = ""
+) -> str:
     """Return pieces of SVG as the text of an SVG file that shows a frame of them.
 
-    Its width and height are multiples of four (see ``paper``).
+    Its width and height are multiples of four (see ``paper``). ``foot`` is a line at the lower left
+    corner, on a ground of its own.
     """
     left, top, right, bottom = frame
     x, y = number(left), number(top)
@@ -86,7 +91,22 @@ def framed(parts: Iterable[str], frame: Rect, title: str, colours: Colours = LIG
             f"<title>{markup(title)}</title>",
             f'<rect {at}width="{wide}" height="{high}" fill="{colours["canvas"]}"/>',
             *parts,
+            *_foot(foot, (left, top + 4.0 * ceil((bottom - top) / 4)), right - left, colours),
             "</svg>",
             "",
         ]
     )
+
+
+def _foot(words: str, corner: tuple[float, float], wide: float, colours: Colours) -> list[str]:
+    """Return the line at the lower left corner of a picture that is ``wide`` pixels wide."""
+    said = elided(words, SMALL, wide - 16.0) if words else ""
+    if not said:
+        return []
+    left, bottom = corner
+    ground = (left + 4.0, bottom - 17.0, width(said, SMALL) + 8.0, 15.0)
+    baseline = left + 8.0, bottom - 6.0
+    return [
+        box(ground, 3.0, colours["canvas"]),
+        text(baseline, said, SMALL, colours["tx2"], 400, "start"),
+    ]

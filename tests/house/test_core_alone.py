@@ -149,7 +149,8 @@ sys.exit(status)
 
 
 def test_what_signs_is_loaded_where_something_is_signed_alone(tmp_path: Path) -> None:
-    """``check`` of a file with a record compares with the record, and does not load it."""
+    """``check`` of a file with a record compares with the record, and does not load it. A picture
+    says who has signed, so it is loaded if somebody has."""
     told = """
 import sys
 from smsl_studio.__main__ import main
@@ -161,15 +162,46 @@ sys.exit(status)
     shutil.copy(sample("hanoi-corrected.json"), file)
     make_key("Ada", "engineer", b"open", "ada")
     approve(ApprovalRequest(read(file), "ada", b"open"))
+    other, picture = sample("hfsm.json"), str(tmp_path / "picture.svg")
     for words, loaded in (
         (("check", str(file)), "False"),
         (("run", str(file), "--world", "table"), "False"),
+        (("run", other, "--world", "table", "--log", str(tmp_path / "run.jsonl")), "False"),
         (("digest", str(file)), "False"),
+        (("render", other, "-o", picture), "False"),
+        (("report", other, "-o", str(tmp_path / "report.html")), "False"),
+        (("render", str(file), "-o", picture), "True"),
         (("verify", str(file)), "True"),
     ):
         done = python(told, *words)
         assert done.returncode == 0, done.stderr
         assert done.stderr.splitlines()[-1] == loaded, words
+
+
+def test_a_window_does_not_load_what_signs_to_start() -> None:
+    """Not with a blueprint that nobody has signed, and not with the start page."""
+    told = """
+import sys
+from PySide6.QtWidgets import QApplication
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import prepare
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.shell.application import make_window
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.windows import Windows
+program = QApplication(["studio", "-platform", "offscreen"])
+prepare(program, LIGHT)
+windows = Windows(program, Settings(), Plugins(Loaded))
+made = [make_window(windows, name) for name in ("", sys.argv[1])]
+program.processEvents()
+print("cryptography" in sys.modules, file=sys.stderr)
+for window in made:
+    window.close()
+"""
+    done = python(told, sample("hfsm.json"))
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.splitlines()[-1] == "False"
 
 
 @pytest.mark.parametrize(

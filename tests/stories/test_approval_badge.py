@@ -9,12 +9,15 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import delete
-from tests.approval import DOOR
+from smsl_studio.blueprint.editing import add_state, delete, set_layout
+from smsl_studio.studio.base.settings import Settings
+from tests.approval import DOOR, written_policy
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 
 WORDS = b"correct horse"
+CLOSE = Address("DOOR", "State_1", "close")
+PLACES = {"State_0": (40.0, 40.0), "State_1": (400.0, 40.0)}
 
 
 @pytest.fixture
@@ -64,3 +67,71 @@ def test_a_rejection_and_an_open_condition_are_told(sit: Sit, file: Path) -> Non
     says(sit(file), "Approved with conditions")
     approve(file, verdict="rejected")
     says(sit(file), "Rejected")
+
+
+def test_a_policy_of_the_project_is_asked_by_the_badge_and_by_play(sit: Sit, file: Path) -> None:
+    approve(file)
+    policy = Path(written_policy(file.parent, "persons = 2"))
+    person = sit(file)
+    approval = person.window.features.approval
+    approval.ask_file = lambda folder: policy
+    person.window.actions_table["choose_policy"].trigger()
+    says(person, "Signature missing")
+    person.window.actions_table["approval_reasons"].trigger()
+    assert approval.card is not None
+    lines = approval.card.lines
+    assert "2 persons must approve it, and 1 does (too_few_persons)" in lines
+    assert "Trust policy: policy.toml" in lines
+    approval.card.close()
+    person.window.actions_table["run_play"].trigger()
+    pane = person.window.features.run.pane
+    person.until(lambda: "too_few_persons" in pane.canvas.canvas.overlays.banner.text)
+    assert pane.run.record is not None
+    assert b'"code":"too_few_persons"' in pane.run.record.read_bytes()
+    person.window.actions_table["drop_policy"].trigger()
+    says(person, "Approved by 1")
+
+
+def test_what_changed_since_the_last_signature_is_shown_on_the_drawing(
+    sit: Sit, file: Path
+) -> None:
+    approve(file)
+    person = sit(file)
+    says(person, "Approved by 1")
+    session = person.window.session
+    session.edit("Rename", lambda blueprint: add_state(blueprint, "DOOR", "State_2"))
+    session.edit("Move", lambda blueprint: set_layout(blueprint, "DOOR", PLACES))
+    session.edit("Delete close", lambda blueprint: delete(blueprint, (CLOSE,)))
+    says(person, "Changed since signed")
+    person.click(person.window.features.approval.badge)
+    card = person.window.features.approval.card
+    assert card is not None
+    button = next(one for one in card.buttons if one.text() == "Show what changed")
+    person.click(button)
+    person.until(lambda: person.window.comparing.dialog is not None)
+    dialog = person.window.comparing.dialog
+    assert dialog is not None
+    rows = [row.text for row in dialog.changes.rows.rows]
+    assert "close" in rows[0]
+    assert "State_2" in rows[1]
+    assert len(rows) == 2, "a signed content has no layout, so nothing has moved"
+    assert dialog.before.has(CLOSE)
+    assert not dialog.after.has(CLOSE)
+    session.history.undo()
+    person.until(lambda: len(dialog.changes.rows.rows) == 1)
+
+
+def test_recent_files_have_the_badge(sit: Sit, file: Path) -> None:
+    approve(file)
+    other = file.with_name("other.json")
+    other.write_bytes(file.read_bytes())
+    settings = Settings()
+    settings.remember(other)
+    settings.remember(file)
+    settings.sync()
+    person = sit(begin=False)
+    column = person.window.features.start.part().column
+    person.until(
+        lambda: [row.badge_words for row in column.rows] == ["Approved by 1", "Uninspected"]
+    )
+    assert "Approved by 1" in column.rows[0].accessibleDescription()

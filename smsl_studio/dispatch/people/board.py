@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from smsl_studio.dispatch.people.names import NAMELESS, same_name
+from smsl_studio.blueprint.person_names import NAMELESS, same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Answered, Option, Task
 from smsl_studio.errors import did_you_mean

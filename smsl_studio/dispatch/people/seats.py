@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from smsl_studio.dispatch.people.names import same_name
+from smsl_studio.blueprint.person_names import same_name
 
 
 def seated(wanted: Sequence[str], given: Sequence[str], escalation: str = "") -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import ceil
 from string import ascii_uppercase
 
-from smsl_studio.dispatch.people.names import same_name
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Answered, Task
 from smsl_studio.dispatch.supervision.table import COMMANDS

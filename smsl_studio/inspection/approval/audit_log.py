@@ -62,17 +62,17 @@ def _checked(path: Path) -> tuple[Chain, int]:
         found = seen_at(path, LARGEST)
     except OSError as error:
         raise _changed(path, 1, f"it cannot be read: {error.strerror or error}") from None
-    chain, count = Chain(), 0
+    chain, count, before = Chain(), 0, ""
     for line in found.raw.splitlines(keepends=True):
-        count += 1
+        count, before = count + 1, chain.digest
         if not chain.holds(line):
             raise _changed(path, count, "this line was changed, or one before it")
     head = read_stored(_head_file())
     if head is None and found == NOTHING:
         return chain, 0
-    count_said = head.get("count") if isinstance(head, dict) else None
     # If the program was stopped after it wrote a line, the second file counts one line less.
-    if head != {"count": count, "hash": chain.digest} and count_said != count - 1:
+    late = {"count": count - 1, "hash": before}
+    if head not in ({"count": count, "hash": chain.digest}, late):
         raise _changed(path, max(count, 1), "lines at its end were taken away or put there")
     return chain, count
 

@@ -6,7 +6,7 @@ It reads no file and no clock. The caller passes everything in the case.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from smsl_studio.inspection.approval.case import ApprovalCase
@@ -28,13 +28,15 @@ class Judgement:
     """The decision: approved, conditions or refused.
 
     ``refusals`` has the reasons against an approval. ``signers`` has, for each person with a valid
-    signature, the last record. ``met`` has the typed conditions that are met.
+    signature, the last record. ``met`` has the typed conditions that are met. ``seen`` has every
+    record with a valid signature, so that the store can remember the whole chain of each person.
     """
 
     verdict: str
     refusals: tuple[Refusal, ...] = ()
     signers: tuple[Signer, ...] = ()
     met: tuple[str, ...] = ()
+    seen: tuple[Signer, ...] = ()
 
     @property
     def is_approved(self) -> bool:
@@ -80,7 +82,7 @@ def judge(case: ApprovalCase) -> Judgement:
         if one.counts:
             for setter in _setters(one, signers):
                 refusals += _open_conditions(case, setter, signers, met)
-    return _judged(refusals, last, met)
+    return replace(_judged(refusals, last, met), seen=tuple(signers))
 
 
 def refused(*refusals: Refusal) -> Judgement:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.inspection.approval.statement import AUTOMATIC, RECORDER
 
 
@@ -41,6 +41,8 @@ KnownKeys = Mapping[str, KnownKey]
 
 
 def name_of(person: str) -> str:
-    """Return a person's name for comparison: without white space and in small letters."""
-    plain = unicodedata.normalize("NFKC", person).casefold()
-    return "".join(char for char in plain if not char.isspace())
+    """Return a person's name for comparison: without white space and in small letters.
+
+    Characters that nobody sees do not matter either, so that one person does not count as two.
+    """
+    return same_name(person)

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from smsl_studio.errors import PluginError, SealError
 from smsl_studio.inspection.approval.refusal import Refusal
-from smsl_studio.library.toml_text import read_toml
+from smsl_studio.library.toml_text import read_toml, toml_values
 from smsl_studio.seal.strict_json import from_base64
 
 _REVOKED = re.compile(r"(record:)?sha256:[0-9a-f]{64}")
@@ -75,13 +75,14 @@ USUAL = TrustPolicy()
 """The policy that applies if no file gives another one."""
 
 
-def read_policy(path: Path) -> TrustPolicy | Refusal:
+def read_policy(path: Path, raw: bytes | None = None) -> TrustPolicy | Refusal:
     """Return the policy in a file. If its content is wrong, return the refusal ``policy_invalid``.
 
-    PluginError if the file does not exist or cannot be read.
+    ``raw`` are the bytes of the file, if somebody has read them already. PluginError if the file
+    does not exist or cannot be read.
     """
     try:
-        _, values = read_toml(path)
+        values = read_toml(path)[1] if raw is None else toml_values(raw, str(path))
     except PluginError as error:
         if error.sentence.startswith("cannot be read"):
             raise

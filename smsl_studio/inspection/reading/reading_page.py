@@ -30,13 +30,21 @@ class Illustration:
 
 
 def reading_page(
-    reading: BlueprintReading, date: str, pictures: Sequence[Illustration] = ()
+    reading: BlueprintReading,
+    date: str,
+    pictures: Sequence[Illustration] = (),
+    approval: Sequence[str] = (),
 ) -> str:
-    """Return the page. ``date`` is the day on which it was made, such as ``2026-11-26``."""
-    return "\n".join(_page(reading, date, pictures)) + "\n"
+    """Return the page. ``date`` is the day on which it was made, such as ``2026-11-26``.
+
+    ``approval`` has sentences that say whether people have signed the blueprint, the badge first.
+    """
+    return "\n".join(_page(reading, date, pictures, approval)) + "\n"
 
 
-def _page(reading: BlueprintReading, date: str, pictures: Sequence[Illustration]) -> Iterator[str]:
+def _page(
+    reading: BlueprintReading, date: str, pictures: Sequence[Illustration], approval: Sequence[str]
+) -> Iterator[str]:
     title = markup(reading.title)
     yield "<!DOCTYPE html>"
     yield '<html lang="en"><head><meta charset="utf-8">'
@@ -46,6 +54,9 @@ def _page(reading: BlueprintReading, date: str, pictures: Sequence[Illustration]
     yield f"<title>{title}</title><style>{_style()}</style></head><body><main>"
     yield f"<header><h1>{title}</h1><p class=lead>{markup(reading.purpose)}</p>"
     yield f'<p class="about">{markup(reading.file)}, read on {markup(date)}. {NOTICE}.</p>'
+    if approval:
+        badge, *reasons = map(markup, approval)
+        yield f'<p class="about"><span class="flag">{badge}</span> {" ".join(reasons)}</p>'
     yield f'<p class="about">Digest <code>{markup(reading.digest)}</code></p></header>'
     yield from _contents(reading, bool(pictures))
     for section in reading.sections:

@@ -46,6 +46,9 @@ _SOURCE = """
 #heading(level: 1, told.title)
 #par(told.purpose)
 #par(text(size: 9pt, fill: rgb("#465060"))[#told.file, read on #told.date. #told.notice.])
+#if told.badge != "" {
+  par(text(size: 9pt, fill: rgb("#465060"))[*#told.badge.* #told.approval])
+}
 #par(text(size: 9pt, fill: rgb("#465060"))[Digest: #told.digest])
 #block(above: 18pt, below: 6pt, text(size: 12pt, weight: "bold")[Contents])
 #outline(title: none, depth: 2)
@@ -67,16 +70,21 @@ _SOURCE = """
 
 
 def reading_sheet(
-    reading: BlueprintReading, date: str, pictures: Sequence[Illustration] = ()
+    reading: BlueprintReading,
+    date: str,
+    pictures: Sequence[Illustration] = (),
+    approval: Sequence[str] = (),
 ) -> bytes:
-    """Return the PDF. ``date`` is the day on which it was made. ConvertError if it cannot be
-    written.
+    """Return the PDF. ``date`` is the day on which it was made. ``approval`` has sentences that say
+    whether people have signed the blueprint. ConvertError if it cannot be written.
     """
     told = {
         "title": _text(reading.title),
         "purpose": _text(reading.purpose),
         "file": _text(reading.file),
         "digest": reading.digest,
+        "badge": _text(approval[0]) if approval else "",
+        "approval": _text(" ".join(approval[1:])),
         "date": date,
         "day": [int(part) for part in date.split("-")],
         "notice": NOTICE,

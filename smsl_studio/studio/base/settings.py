@@ -5,6 +5,7 @@ It is in the user's folder of the platform, or in SMSL_STUDIO_HOME.
 
 from __future__ import annotations
 
+import json
 from datetime import datetime
 from pathlib import Path
 
@@ -106,6 +107,33 @@ class Settings:
     def plugin_folders(self, folders: tuple[str, ...]) -> None:
         """Remember further folders with plugins."""
         self._store.setValue("plugin_folders", list(folders))
+
+    def policy_of(self, project: str) -> Path | None:
+        """The trust policy that was chosen for a project (its folder); None if there is none.
+
+        If the setting cannot be read, it is a file that is no policy, so that nothing runs.
+        """
+        try:
+            found = self._policies().get(project)
+        except (ValueError, AttributeError):
+            return self.folder / "window.ini"
+        return Path(found) if found else None
+
+    def choose_policy(self, project: str, policy: Path | None) -> None:
+        """Remember the trust policy of a project; None if its runs need no approval."""
+        try:
+            chosen = self._policies()
+        except (ValueError, AttributeError):
+            chosen = {}
+        chosen.pop(project, None)
+        if policy is not None:
+            chosen[project] = str(policy)
+        self.store_text("policies", json.dumps(chosen))
+
+    def _policies(self) -> dict[str, str]:
+        """The policy by project. ValueError or AttributeError if the setting cannot be read."""
+        text = self.text_of("policies")
+        return {name: str(file) for name, file in json.loads(text).items()} if text else {}
 
     @property
     def recordings(self) -> Path:

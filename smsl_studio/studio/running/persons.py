@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
-from smsl_studio.dispatch.people.names import same_name
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.running.pin import SHORTEST, hashed, matches
 

@@ -34,6 +34,8 @@ class RunChoice:
     by_hand: bool = False
     levels: Mapping[str, str] = field(default_factory=dict)
     starts: tuple[str, ...] = ()
+    policy: Path | None = None
+    """The trust policy that must be met; None if the run needs no approval."""
     script: Script | None = None
     """What is done by hand in this run, one act after the other."""
 
@@ -51,6 +53,7 @@ class RunChoice:
             levels=self.levels,
             attended=True,
             script=self.script,
+            policy=self.policy,
         )
 
 

@@ -20,7 +20,6 @@ from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
 from smsl_studio.front.request import RunRequest
-from smsl_studio.front.runs import open_request
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act
 from smsl_studio.front.script_text import script_text
@@ -32,10 +31,10 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story
-from smsl_studio.runlog.log import RunLog
 from smsl_studio.runlog.playback import RunObserver
 from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
-from smsl_studio.studio.running.run_choice import RunChoice, log_of
+from smsl_studio.studio.running.run_choice import RunChoice
+from smsl_studio.studio.running.run_opening import RunOpening
 from smsl_studio.studio.running.runner import Runner
 from smsl_studio.world.protocol import Shape
 
@@ -94,13 +93,17 @@ class RunSession(QObject, Commands):
         self._goes_on = False
         self.recordings: Path | None = None
         """The folder for the log of the next run; None if it is not recorded."""
-        self.record: Path | None = None
-        """The log of the present or last run; None if it was not recorded."""
+        self._opening: RunOpening | None = None
         self.spare: Spare | None = None
         """A child process kept ready for the next run; None if each run starts its own."""
         self._clock = QTimer(self)
         self._clock.setInterval(FRAME)
         self._clock.timeout.connect(self._listen)
+
+    @property
+    def record(self) -> Path | None:
+        """The log of the present or last run; None if it was not recorded."""
+        return self._opening.written if self._opening is not None else None
 
     @property
     def exists(self) -> bool:
@@ -209,24 +212,18 @@ class RunSession(QObject, Commands):
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
         self.status, self.shapes, self.sensors = None, (), ()
         self._told = RunObserver()
-        self.record, folder, who = None, self.recordings, self.who()
         request = self._asked = choice.request(blueprint)
-
-        def record() -> RunLog | None:
-            """The log of this run; None if it is not recorded."""
-            log = log_of(request, loaded, folder, who) if folder is not None else None
-            self.record = log.path if log is not None else None
-            return log
-
-        spare = self.spare
+        opening = RunOpening(request, loaded, self.recordings, self.who(), self.spare)
+        self._opening = opening
         runner = Runner(
-            lambda: open_request(request, loaded, spare),
+            opening.dispatcher,
             speed,
             self,
-            record,
+            opening.log,
             ScriptPlayer(choice.script, stays=True) if choice.script is not None else None,
             OperationTime(blueprint),
         )
+        runner.refusal = opening.refusal
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
@@ -291,7 +288,7 @@ class RunSession(QObject, Commands):
         if not self._exists and self.blueprint is not None:
             self.close()
             self.blueprint, self.status, self.choice = None, None, None
-            self.record, self.foreign, self._compared = None, False, None
+            self._opening, self.foreign, self._compared = None, False, None
             self.shapes, self.sensors = (), ()
             self._told = RunObserver()
             self.changed.emit()

@@ -19,7 +19,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.status_now import look_at_nothing
 from smsl_studio.dispatch.supervision.row import Command
-from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.errors import RunRefused, SaveError, StudioError, WorldError
 from smsl_studio.front.recorder import Recorder
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script
@@ -81,6 +81,8 @@ class Runner(QThread):
         self._acting = acting or ScriptPlayer(Script(), stays=True)
         self._transcript = Transcript()
         self._time = time or OperationTime(None)
+        self.refusal: Callable[[StudioError], StudioError] = lambda error: error
+        """Returns an error at the start as the window shows it, and the log of the run has it."""
         self._speed = speed
         self._inbox = Inbox()
         self._look = LOOK
@@ -182,6 +184,13 @@ class Runner(QThread):
         except Stopped:
             recording.stop(self._dispatcher)
             self._report(heard, self._stopped(recording.last))
+        except WorldError as error:
+            if recording.told:
+                raise
+            refused = self.refusal(error)
+            told = refused.told if isinstance(refused, RunRefused) else ()
+            recording.end("refused", str(error), self._dispatcher, told)
+            raise refused from None
         except SaveError as error:
             if self._dispatcher is None or not recording.told:
                 raise

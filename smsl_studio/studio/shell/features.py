@@ -69,6 +69,8 @@ class Features(QObject):
         self.export = ExportFeature(parts, shell, self.draw.canvas)
         self.branch_map = BranchMapFeature(parts, shell)
         self.approval = ApprovalFeature(parts)
+        self.export.trust = lambda: self.approval.badge.said
+        self.approval.compare = self.draw.comparing.with_signed
         self.merge = MergeFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
@@ -126,6 +128,7 @@ class Features(QObject):
         """Connect the parts of a run with each other, after they were made."""
         supervise, people = self.supervise.part(), self.people.part()
         self.tour.follow(pane.run)
+        pane.policy = lambda: self.approval.policy
         pane.monitor_wanted.connect(self.monitor.toggle)
         pane.transport.world.activated.connect(lambda *_: self._inspect_in_world(pane))
         supervise.begin_wanted.connect(pane.play)

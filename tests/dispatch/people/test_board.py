@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.dispatch.people.board import Question, TaskBoard
-from smsl_studio.dispatch.people.names import same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Option
 from smsl_studio.runlog.events import (

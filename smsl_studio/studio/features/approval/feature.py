@@ -2,35 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QTimer
 
-from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords, approval_words
-from smsl_studio.front.former_record import may_have_record
+from smsl_studio.blueprint.project import project_of
+from smsl_studio.front.approval_badge import LOOKING, UNINSPECTED, ApprovalWords, approval_words
+from smsl_studio.front.former_record import has_record_beside, may_have_record
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature
+from smsl_studio.studio.base.file_dialogs import ask_to_open
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.approval.badge import LOOKING, ApprovalBadge, ReasonCard
+from smsl_studio.studio.features.approval.badge import ApprovalBadge
+from smsl_studio.studio.features.approval.reason_card import ReasonCard
 from smsl_studio.studio.running.window_parts import WindowParts
 
 IDLE = 400
 """The record is verified after this time without an edit (milliseconds)."""
+POLICIES = "Trust policies (*.toml);;All files (*)"
 
 
 class ApprovalFeature(Feature):
-    """The badge of trust.
+    """The badge of trust, and the trust policy of the project.
 
     A second thread verifies the signatures. Until the result is known, the border is dashed, and
-    the badge says that the check is running.
+    the badge says that the check is running. ``compare`` shows what has changed since the last
+    signature.
     """
 
     def __init__(self, parts: WindowParts) -> None:
-        self._session, self._files = parts.session, parts.files
+        self._session, self._files, self._settings = parts.session, parts.files, parts.settings
+        self._window, self._toast = parts.window, parts.toast
         self.badge = ApprovalBadge(parts.tokens)
         self.badge.clicked.connect(self.show)
         self.badges = (self.badge,)
+        self.compare: Callable[[], None] = lambda: None
+        self.ask_file: Callable[[Path], Path | None] = self._asked
         self._beside = Beside(parts.window)
         self._later = QTimer(parts.window)
         self._later.setSingleShot(True)
@@ -41,18 +51,50 @@ class ApprovalFeature(Feature):
         parts.files.changed.connect(lambda *_: self._wait())
         self._wait()
 
+    @property
+    def policy(self) -> Path | None:
+        """The trust policy of the project to which the open file belongs; None without one."""
+        return self._settings.policy_of(project_of(self._session.blueprint.file))
+
     def actions(self) -> tuple[Action, ...]:
-        """The command in the menu Blueprint that shows the reasons."""
+        """The commands in the menu Blueprint about signatures."""
         return (
             Action("approval_reasons", "Who has signed this", self.show, "Blueprint", "", (),
                    lambda: not self.badge.isHidden(), section=4,
                    tip="Whether the blueprint is approved, and why not"),
+            Action("compare_signed", "Compare with the last signature", lambda: self.compare(),
+                   "Blueprint", "", (), self._may_be_signed, section=4,
+                   tip="Show on the drawing what changed since somebody signed; removals first"),
+            Action("choose_policy", "Choose a trust policy…", self.choose_policy, "Blueprint", "",
+                   (), section=4,
+                   tip="Which signatures a run of this project needs"),
+            Action("drop_policy", "Use no trust policy", self.drop_policy, "Blueprint", "", (),
+                   lambda: self.policy is not None, section=4,
+                   tip="Let runs of this project start without signatures, in simulation"),
         )  # fmt: skip
 
     def show(self) -> None:
         """Show the reasons below the badge."""
-        self.card = ReasonCard(self.badge.window(), self.badge.said)
+        self.card = ReasonCard(self.badge.window(), self.badge.said, self.policy)
+        self.card.policy_wanted.connect(self.choose_policy)
+        self.card.none_wanted.connect(self.drop_policy)
+        self.card.changes_wanted.connect(lambda: self.compare())
         self.card.open_below(self.badge)
+
+    def choose_policy(self) -> None:
+        """Ask for the trust policy of the project. Runs start only if it is met."""
+        file = self._session.blueprint.file
+        chosen = self.ask_file(Path(project_of(file)))
+        if chosen is not None:
+            self._settings.choose_policy(project_of(file), chosen.absolute())
+            self._toast.say(f"Runs of this project need the signatures that {chosen.name} asks for")
+            self._wait()
+
+    def drop_policy(self) -> None:
+        """Let runs of the project start without signatures."""
+        self._settings.choose_policy(project_of(self._session.blueprint.file), None)
+        self._toast.say("Runs of this project need no signatures. They are simulations only")
+        self._wait()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -63,13 +105,21 @@ class ApprovalFeature(Feature):
         self._later.stop()
         self._beside.stop()
 
+    def _may_be_signed(self) -> bool:
+        return may_have_record(self._session.blueprint.file)
+
+    def _asked(self, folder: Path) -> Path | None:
+        name = ask_to_open(self._window, "Choose a trust policy", str(folder), POLICIES)
+        return Path(name) if name else None
+
     def _wait(self) -> None:
         """Verify the record again once the person has made no edit for ``IDLE`` milliseconds.
 
-        Most files have no record. Then there is nothing to verify, and the badge says so at once.
+        Most files have no record and no policy. Then there is nothing to verify, and the badge says
+        so at once.
         """
         self._beside.drop()
-        if not may_have_record(self._session.blueprint.file):
+        if self.policy is None and not has_record_beside(self._session.blueprint.file):
             self._later.stop()
             self._show(UNINSPECTED)
             return
@@ -77,7 +127,8 @@ class ApprovalFeature(Feature):
         self._later.start()
 
     def _look(self) -> None:
-        self._beside.do(partial(approval_words, self._session.blueprint), self._show)
+        work = partial(approval_words, self._session.blueprint, self.policy)
+        self._beside.do(work, self._show)
 
     def _show(self, said: ApprovalWords) -> None:
         self.badge.show_words(said)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.actions import Action
@@ -28,6 +30,8 @@ class ExportFeature(Feature):
         self._tokens = parts.tokens
         self._choices: FileChoices | None = None
         self.copies = LatePart(self._make_copies)
+        self.trust: Callable[[], ApprovalWords] = lambda: UNINSPECTED
+        """Returns what the badge of trust says now."""
 
     def actions(self) -> tuple[Action, ...]:
         """The rows of the menus."""
@@ -110,6 +114,7 @@ class ExportFeature(Feature):
             view,
             shortened,
             self._canvas.collapsed,
+            self.trust().foot,
         )
 
     def _copied(self) -> Subject:

@@ -42,7 +42,8 @@ class Subject:
     ``branch`` is the SB that is shown, ``view`` the visible part of its drawing (left, top, right,
     bottom, in scene units). The blueprint is that of the moment at which the picture was asked for.
     ``shortened`` is true if the canvas is zoomed out, so that it shows less of names and facts than
-    the picture. ``collapsed`` draws operations between the same two states as one line.
+    the picture. ``collapsed`` draws operations between the same two states as one line. ``foot`` is
+    the line below each page, which says whether people have signed.
     """
 
     what: str
@@ -52,17 +53,18 @@ class Subject:
     view: Rect
     shortened: bool = False
     collapsed: bool = False
+    foot: str = ""
 
     def pages(self, theme: str) -> list[str]:
         """The pictures as SVG, one for each page of a PDF or of paper."""
         if self.what in (BRANCH, ALL):
-            return svg_pages(self._panels(theme), self.title, COLOURS[theme], apart=True)
+            return svg_pages(self._panels(theme), self.title, COLOURS[theme], True, self.foot)
         return [self._detail(COLOURS[theme])]
 
     def svg(self, theme: str) -> str:
         """The one picture of an SVG or PNG file."""
         if self.what in (BRANCH, ALL):
-            return svg_pages(self._panels(theme), self.title, COLOURS[theme], apart=False)[0]
+            return svg_pages(self._panels(theme), self.title, COLOURS[theme], False, self.foot)[0]
         return self._detail(COLOURS[theme])
 
     def file(self, output: PurePath, theme: str, scale: float) -> bytes:
@@ -106,7 +108,7 @@ class Subject:
         figure = Figure(picture, place_states(picture.branch))
         heed()
         if self.what == SELECTION:
-            return draw_part(figure, chosen, self.title, colours)
+            return draw_part(figure, chosen, self.title, colours, self.foot)
         left, top, right, bottom = (side * figure.scale for side in self.view)
         frame = left, top, right, bottom
-        return draw_frame(figure, part_in(figure, frame), frame, self.title, colours)
+        return draw_frame(figure, part_in(figure, frame), frame, self.title, colours, self.foot)

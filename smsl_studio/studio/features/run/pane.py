@@ -12,12 +12,14 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge.choice import refusal_of_open
-from smsl_studio.errors import StudioError
+from smsl_studio.errors import RunRefused, StudioError
+from smsl_studio.front.approval_badge import refusal_line
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
 from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
 from smsl_studio.front.views.timeline_lanes import lanes
+from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.base.controls import label
@@ -45,6 +47,7 @@ from smsl_studio.studio.running.timeline import Timeline
 
 FRAME = 33
 """Milliseconds between two pictures of the world."""
+NOT_APPROVED = "The run does not start, because it is not approved."
 
 
 class RunPane(QWidget):
@@ -89,6 +92,8 @@ class RunPane(QWidget):
         self._begin_later: bool | None = None
         self.recordings: Callable[[], Path | None] = lambda: None
         """Returns the folder for recordings; None if runs are not recorded."""
+        self.policy: Callable[[], Path | None] = lambda: None
+        """Returns the trust policy for the drawing; None if a run needs no approval."""
         self._build()
         self._connect()
         self._frames = QTimer(self)
@@ -233,7 +238,7 @@ class RunPane(QWidget):
             self._begin_later = stepping if script is None else None
             self.canvas.say("Loading the plugins. The run begins when they are loaded")
             return
-        choice = self.next.choice
+        choice = replace(self.next.choice, policy=self.policy())
         if script is not None:
             choice = replace(choice, start="", starts=(), goal="", by_hand=False, script=script)
         self.events.clear()
@@ -387,4 +392,8 @@ class RunPane(QWidget):
 
     def _say_refused(self, error: StudioError) -> None:
         self._frames.stop()
-        self.canvas.show_refusal(refusal_words(error))
+        codes = error.refusals if isinstance(error, RunRefused) else ()
+        lines = [refusal_line(Refusal(*one)) for one in codes]
+        self.canvas.show_refusal(
+            "\n".join([NOT_APPROVED, *lines] if lines else [refusal_words(error)])
+        )

@@ -12,6 +12,7 @@ from PySide6.QtCore import QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from smsl_studio.front.approval_badge import ApprovalWords
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.theme import RADIUS_CARD, Tokens, text_font
 from smsl_studio.studio.features.start import cards, recent, samples
@@ -144,6 +145,12 @@ class Column(QWidget):
         for card in self.samples:
             if card.path == path:
                 card.show_miniature(found.miniature)
+
+    def show_trust(self, path: Path, said: ApprovalWords | None) -> None:
+        """Show whether people have signed a recent file; None if it cannot be read."""
+        for row in self.rows:
+            if row.path == path:
+                row.show_trust(said)
 
     def _show_all(self) -> None:
         self._all = True

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea
 
+from smsl_studio.blueprint.project import project_of
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.start.column import Column
@@ -41,6 +42,9 @@ class StartPage(QScrollArea):
         recent = [(path, self._settings.opened(path)) for path in self._settings.recent]
         if self.column.show_recent(recent):
             self.thumbnails.look((path for path, _ in recent), self._found)
+        # Somebody may have signed or revoked meanwhile.
+        named = [(path, self._settings.policy_of(project_of(str(path)))) for path, _ in recent]
+        self.thumbnails.look_at_trust(named, self.column.show_trust)
 
     def stop(self) -> None:
         """Draw no more thumbnails."""

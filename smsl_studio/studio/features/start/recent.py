@@ -9,9 +9,11 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from smsl_studio.front.approval_badge import LOOKING, ApprovalWords
 from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.badge import BadgeLook, badge_width
 from smsl_studio.studio.base.paint.miniature_paint import paint_miniature
-from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens
+from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.features.start.thumbnails import UNKNOWN, FileLook
 from smsl_studio.studio.features.start.tile import Tile
 
@@ -43,6 +45,7 @@ class RecentRow(Tile):
 
     def __init__(self, path: Path, opened: str, tokens: Tokens, parent: QWidget) -> None:
         self.path, self.found, self.opened = path, UNKNOWN, opened
+        self.trust: ApprovalWords | None = LOOKING
         super().__init__(path.name, f"{folder_words(path)}. {opened}", tokens, parent)
         self.tip(str(path))
         self.remove = QPushButton("Remove", self)
@@ -54,11 +57,22 @@ class RecentRow(Tile):
         """Show the thumbnail, or that the file is gone."""
         self.found = found
         self.remove.setVisible(not found.exists)
-        if not found.exists:
-            self.setAccessibleDescription(
-                plain_text(f"{folder_words(self.path)}. {self.last_line}")
-            )
+        self._describe()
+
+    def show_trust(self, said: ApprovalWords | None) -> None:
+        """Show whether people have signed the file; None if it cannot be read."""
+        self.trust = said
+        self._describe()
+
+    def _describe(self) -> None:
+        words = [folder_words(self.path), self.last_line, self.badge_words]
+        self.setAccessibleDescription(plain_text(". ".join(filter(None, words))))
         self.update()
+
+    @property
+    def badge_words(self) -> str:
+        """What the badge of trust says; empty if the file cannot be read."""
+        return self.trust.words if self.trust is not None and self.found.exists else ""
 
     @property
     def last_line(self) -> str:
@@ -79,10 +93,22 @@ class RecentRow(Tile):
         painter.drawRoundedRect(frame, RADIUS_CONTROL, RADIUS_CONTROL)
         paint_miniature(painter, frame, self.found.miniature, tokens)
         room = self.width() - 96 - 12
+        badge = self._paint_badge(painter)
         painter.setPen(tokens.tx if self.found.exists else tokens.tx3)
-        self.say(painter, QRectF(96, 9, room, 20), self.path.name, 13, 600)
+        self.say(painter, QRectF(96, 9, room - badge, 20), self.path.name, 13, 600)
         painter.setPen(tokens.tx2)
         self.say(painter, QRectF(96, 31, room, 18), folder_words(self.path), 12)
         self.say(painter, QRectF(96, 49, room - 70, 18), self.last_line, 12)
         self.remove.adjustSize()
         self.remove.move(self.width() - self.remove.width() - 10, 46)
+
+    def _paint_badge(self, painter: QPainter) -> float:
+        """Paint the badge of trust at the right of the name; returns the width that it takes."""
+        if not self.badge_words or self.trust is None:
+            return 0.0
+        tokens, good, font = self.tokens, self.trust.is_good, text_font(11, 500)
+        wide = badge_width(self.badge_words, font)
+        ink, ground = (tokens.ok, tokens.oks) if good else (tokens.risk, tokens.risks)
+        box = QRectF(self.width() - wide - 11.5, 9.5, wide, 20)
+        BadgeLook("shield", ink, ground, not good).paint(painter, box, self.badge_words, font)
+        return wide + 8.0

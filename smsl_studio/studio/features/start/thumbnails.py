@@ -15,6 +15,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from smsl_studio.errors import StudioError
+from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords, approval_words
+from smsl_studio.front.former_record import has_record_beside
+from smsl_studio.front.inputs import read
 from smsl_studio.picture.miniature import Miniature
 from smsl_studio.studio.base.beside import Beside
 
@@ -31,6 +34,7 @@ class FileLook:
 
 
 UNKNOWN = FileLook(True)
+NOT_VERIFIED = ApprovalWords("Not verified", ("The file is large. Open it to verify its record.",))
 
 
 def found_at(path: Path) -> FileLook:
@@ -42,6 +46,21 @@ def found_at(path: Path) -> FileLook:
     except (OSError, ValueError):
         return UNKNOWN
     return FileLook(True, _miniature(path) if size <= LARGEST else None)
+
+
+def trust_at(path: Path, policy: Path | None) -> ApprovalWords | None:
+    """The words of the approval badge for a file; None if it cannot be read.
+
+    ``policy`` is the trust policy of its project. A large file is not verified before it is opened.
+    """
+    if policy is None and not has_record_beside(str(path)):
+        return UNINSPECTED
+    try:
+        if path.stat().st_size > LARGEST:
+            return NOT_VERIFIED
+        return approval_words(read(path), policy)
+    except (OSError, ValueError, StudioError):
+        return None
 
 
 def _miniature(path: Path) -> Miniature | None:
@@ -70,6 +89,17 @@ class Thumbnails(QObject):
             self._beside = Beside(self)
         for path in paths:
             self._beside.do(partial(found_at, path), partial(then, path))
+
+    def look_at_trust(
+        self,
+        files: Iterable[tuple[Path, Path | None]],
+        then: Callable[[Path, ApprovalWords | None], object],
+    ) -> None:
+        """Verify the record of each file, with its policy. ``then`` gets the path and the words."""
+        if self._beside is None:
+            self._beside = Beside(self)
+        for path, policy in files:
+            self._beside.do(partial(trust_at, path, policy), partial(then, path))
 
     def stop(self) -> None:
         """Look at no further file."""

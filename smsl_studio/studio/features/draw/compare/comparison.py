@@ -135,6 +135,15 @@ class Comparison(QObject):
             partial(_tried, partial(revisions, path)), partial(self._ask_which, path, then)
         )
 
+    def with_signed(self) -> None:
+        """Compare with the content that was signed last."""
+        from smsl_studio.studio.document.versions import as_signed
+
+        self._files.settling.emit()
+        self._beside.drop()
+        work = partial(_tried, partial(as_signed, self._session.blueprint))
+        self._beside.do(work, partial(self._hand_over, self._compare))
+
     def with_version(self, version: Version) -> None:
         """Compare with a version that is already loaded."""
         self._compare(version)
@@ -226,14 +235,11 @@ class Comparison(QObject):
     def _refresh(self) -> None:
         if self._dialog is None or self._version is None:
             return
-        from smsl_studio.blueprint.comparison import compare
-        from smsl_studio.picture.aligned import as_drawn
-
         session, name = self._session, self._files.name
         words = f"{name}, as it is drawn"
         if session.broken is not None:
             words = f"{name}, as it last could be read"
-        difference = as_drawn(compare(self._version.blueprint, session.blueprint))
+        difference = self._version.until(session.blueprint)
         self._dialog.show_difference(difference, self._version.words, words)
 
     def _undo(self) -> None:

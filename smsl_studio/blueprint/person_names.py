@@ -7,9 +7,9 @@ import unicodedata
 UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u180b\u180c\u180d\u180f\u2800")
 """Characters that are invisible although they count as letters, marks or symbols."""
 
-NAMELESS = frozenset(("a person", "script"))
-"""The names of people who gave no name. They may answer alone, but cannot be told from each
-other.
+NAMELESS = frozenset(("aperson", "script"))
+"""The names of people who gave no name (see ``same_name``). They may answer alone, but cannot be
+told from each other.
 """
 
 
@@ -21,7 +21,7 @@ def same_name(text: str) -> str:
     """
     plain = unicodedata.normalize("NFKC", text)
     seen = "".join(char for char in plain if not _unseen(char))
-    return " ".join(unicodedata.normalize("NFKC", seen.casefold()).split())
+    return "".join(unicodedata.normalize("NFKC", seen.casefold()).split())
 
 
 def _unseen(char: str) -> bool:
