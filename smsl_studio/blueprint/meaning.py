@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from smsl_studio.blueprint.continuum import DEFAULTS
 
 if TYPE_CHECKING:
-    from smsl_studio.blueprint.annotations import FactNote, OperationNote
+    from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
     from smsl_studio.blueprint.elements import Header
     from smsl_studio.blueprint.facts import FactShape
     from smsl_studio.blueprint.notes import Notes
@@ -212,6 +212,14 @@ def _fact(branch: MeantBranch, digit: int, note: FactNote) -> dict[str, Json]:
     return said
 
 
+def note_meaning(note: FactNote | StateNote | OperationNote) -> dict[str, Json]:
+    """Return the fields of one note that differ from their defaults, a cost of 1 among them."""
+    said = _said(note)
+    if said.get("cost") == _COST:
+        del said["cost"]
+    return said
+
+
 def _operation(notes: Notes, key: str) -> dict[str, Json]:
     """Return the note of an operation name. For a single edge, return what its note changes in that
     of the name.
@@ -220,10 +228,7 @@ def _operation(notes: Notes, key: str) -> dict[str, Json]:
     state, _, name = key.rpartition("/")
     common = notes.operations.get(name) if state else None
     if common is None:
-        said = _said(own)
-        if said.get("cost") == _COST:
-            del said["cost"]
-        return said
+        return note_meaning(own)
     shared = _with_cost(common)
     words = sorted(notes.written[key])
     return {

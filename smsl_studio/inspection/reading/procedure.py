@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
@@ -111,7 +111,7 @@ class Procedure:
     def _lines(self, shown: Sequence[JointStep]) -> Iterator[ReadingLine]:
         orders = self._orders() if len(self._steps) <= MOST_ORDERED else {}
         for at, step in enumerate(shown):
-            yield self._line(at, step, orders.get(at, ""))
+            yield self._line(at, step, orders.get(at, (at, at)))
             yield from map(self._or, self._ways.get(at, ()))
         if len(self._steps) > len(shown):
             more = len(self._steps) - len(shown)
@@ -121,25 +121,31 @@ class Procedure:
                 mark="…",
             )
 
-    def _line(self, at: int, step: JointStep, order: str) -> ReadingLine:
+    def _line(self, at: int, step: JointStep, places: tuple[int, int]) -> ReadingLine:
+        """Return a step. ``places`` are the first and the last place where it may stand."""
         asked = step.asked
+        title = self._names.operation(asked.address)
+        own = (*self._words.sentences(asked.address), *self._parts(step))
+        order, titled = (_order_words(at, places, name) for name in (_steps, self._titles))
         inner = [
             self._inner(f"{at + 1}{_letter(place)}", edge)
             for place, edge in enumerate(self._below(step))
         ]
         return ReadingLine(
-            self._names.operation(asked.address),
-            (
-                *self._words.sentences(asked.address),
-                *self._parts(step),
-                *([order] if order else ()),
-            ),
+            title,
+            (*own, order) if order else own,
             mark=str(at + 1),
             who=self._who(asked),
             check=self._words.check(asked.address, asked.target),
             about=(asked.address,),
             inner=tuple(inner),
+            unnumbered=(title, *own, titled) if order else (),
         )
+
+    def _titles(self, first: int, last: int) -> str:
+        """Return the titles of the steps between two places, both included."""
+        steps = self._steps[first : last + 1]
+        return ", ".join(f"“{self._names.operation(step.asked.address)}”" for step in steps)
 
     def _who(self, edge: Edge) -> str:
         if not edge.function:
@@ -181,13 +187,16 @@ class Procedure:
 
     def _or(self, way: OtherWay) -> ReadingLine:
         at, end, edge = way
+        title = f"{self._names.operation(edge.address)}, instead of"
+        text = tuple(self._words.sentences(edge.address))
         return ReadingLine(
-            f"{self._names.operation(edge.address)}, instead of {_steps(at, end - 1)}",
-            tuple(self._words.sentences(edge.address)),
+            f"{title} {_steps(at, end - 1)}",
+            text,
             mark="or",
             who=self._who(edge),
             check=self._words.check(edge.address, edge.target),
             about=(edge.address,),
+            unnumbered=(f"{title} {self._titles(at, end - 1)}", *text),
         )
 
     def _possible(self, here: Mapping[str, str], taken: Edge) -> Iterator[tuple[Edge, JointStep]]:
@@ -200,8 +209,8 @@ class Procedure:
                 if not isinstance(step, Unavailable):
                     yield edge, step
 
-    def _orders(self) -> dict[int, str]:
-        """Return for each step the sentence about its other places in the order, if it has any."""
+    def _orders(self) -> dict[int, tuple[int, int]]:
+        """Return for each step that has other places in the order the first and the last one."""
         found = {}
         for at in range(len(self._steps)):
             first = last = at
@@ -209,9 +218,8 @@ class Procedure:
                 first -= 1
             while last < len(self._steps) - 1 and self._works(at, last + 1):
                 last += 1
-            sentence = _order_words(at, first, last)
-            if sentence:
-                found[at] = sentence
+            if first < last:
+                found[at] = first, last
         return found
 
     def _works(self, at: int, place: int) -> bool:
@@ -288,9 +296,13 @@ def _letter(place: int) -> str:
     return letters
 
 
-def _order_words(at: int, first: int, last: int) -> str:
-    """Return where else a step may stand. ``first`` and ``last`` are its places, counted from 0."""
-    earlier, later = _steps(first, at - 1), _steps(at + 1, last)
+def _order_words(at: int, places: tuple[int, int], name: Callable[[int, int], str]) -> str:
+    """Return where else a step may stand. ``places`` are the first and the last place, counted from
+    0. ``name`` names the steps between two places.
+    """
+    first, last = places
+    earlier = name(first, at - 1) if first < at else ""
+    later = name(at + 1, last) if at < last else ""
     if not earlier and not later:
         return ""
     if not earlier:
@@ -301,7 +313,5 @@ def _order_words(at: int, first: int, last: int) -> str:
 
 
 def _steps(first: int, last: int) -> str:
-    """Return ``steps 2 to 4`` for the places 1 to 3; empty if there is none."""
-    if first > last:
-        return ""
+    """Return ``steps 2 to 4`` for the places 1 to 3."""
     return f"step {first + 1}" if first == last else f"steps {first + 1} to {last + 1}"

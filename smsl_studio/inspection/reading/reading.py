@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
@@ -25,7 +24,9 @@ class ReadingLine:
     ``mark`` is the number of a step (``3``, ``3b``), ``or``, or empty. ``text`` are sentences.
     ``who`` says who does it, ``check`` how one knows that it is done. ``open_point`` says that
     something is not shown or missing, so that a person must look at it. ``about`` are the elements
-    of the blueprint that it tells. ``inner`` are the lines of a sub-procedure.
+    of the blueprint that it tells. ``inner`` are the lines of a sub-procedure. ``unnumbered`` is
+    the heading with the text where both name other steps by their titles and not by their numbers,
+    empty where no number stands in them. ``key`` stays as long as the line means the same.
     """
 
     heading: str
@@ -36,6 +37,8 @@ class ReadingLine:
     open_point: bool = False
     about: tuple[Address, ...] = ()
     inner: tuple[ReadingLine, ...] = ()
+    unnumbered: tuple[str, ...] = ()
+    key: str = ""
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -54,20 +57,6 @@ class ReadingSection:
     lines: tuple[ReadingLine, ...] = ()
     lead: str = ""
     """One sentence that says what the section is about."""
-
-    def line_keys(self) -> tuple[str, ...]:
-        """The key of each line: it stays as long as the words of the line stay.
-
-        Of lines with equal words the second one has another key.
-        """
-        seen: dict[str, int] = {}
-        keys = []
-        for line in self.lines:
-            text = "\n".join((self.key, *line.words))
-            found = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:32]
-            seen[found] = seen.get(found, 0) + 1
-            keys.append(found if seen[found] == 1 else f"{found}-{seen[found]}")
-        return tuple(keys)
 
 
 @dataclass(frozen=True)
@@ -130,10 +119,7 @@ class BlueprintReading:
                     "key": section.key,
                     "heading": section.heading,
                     "lead": section.lead,
-                    "lines": [
-                        {"key": key, **_plain(line)}
-                        for key, line in zip(section.line_keys(), section.lines, strict=True)
-                    ],
+                    "lines": [{"key": line.key, **_plain(line)} for line in section.lines],
                 }
                 for section in self.sections
             ],

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Sequence
-from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -143,17 +142,3 @@ def test_only_for_an_engineer_the_names_of_the_file_are_told() -> None:
     assert "Op_" not in plain
     assert "State_" not in plain
     assert "Fix the head [Op_FixHead]" in whole
-
-
-def test_the_key_of_a_line_changes_with_its_words_alone() -> None:
-    told = reading(sample("registration-people.json"))
-    for section in told.sections:
-        keys = section.line_keys()
-        assert len(set(keys)) == len(keys)
-        for at, line in enumerate(section.lines):
-            lines = list(section.lines)
-            lines[at] = replace(line, text=(*line.text, "One more sentence."))
-            other = replace(section, lines=tuple(lines)).line_keys()
-            assert [one == two for one, two in zip(keys, other, strict=True)] == [
-                place != at for place in range(len(keys))
-            ]

@@ -1,0 +1,1 @@
+"""What people answer to the lines of a reading, before somebody signs."""
