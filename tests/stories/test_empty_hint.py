@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt
+import pytest
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
+from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.conftest import Sit
 
 
@@ -45,3 +48,26 @@ def test_a_double_click_on_the_words_makes_a_state_there(sit: Sit, tmp_path: Pat
     assert abs(x - place.x()) < 17
     assert abs(y - place.y()) < 17
     assert not hint.isVisible()
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (634, 336)])
+def test_the_words_are_read_whole_and_lie_on_nothing(
+    sit: Sit, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(begin=False, size=(1440, 900))
+    person.ctrl(Qt.Key.Key_N)
+    person.window.resize(*size)
+    person.until(lambda: (person.window.width(), person.window.height()) == size)
+    canvas = person.window.canvas
+    hint = canvas.overlays.empty
+    (words,) = hint.findChildren(QLabel)
+    person.until(lambda: canvas.rect().contains(hint.geometry()))
+    person.until(lambda: hint.rect().contains(words.geometry()))
+    wrap = int(Qt.TextFlag.TextWordWrap) if words.wordWrap() else 0
+    needed = words.fontMetrics().boundingRect(words.contentsRect(), wrap, words.text())
+    assert needed.width() <= words.width()
+    assert needed.height() <= words.height()
+    assert not words.geometry().intersects(hint.sample.geometry())
+    floats = [one for one in canvas.overlays.floats() if one.intersects(hint.geometry())]
+    assert floats == []

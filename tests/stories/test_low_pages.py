@@ -208,6 +208,19 @@ def test_in_the_lowest_run_page_the_timeline_and_the_world_are_tabs_that_are_who
     assert top(pane, pane.scene) < top(pane, lists)
 
 
+@pytest.mark.parametrize("size", [(960, 515), (960, 572), LOW, LOWEST])
+def test_what_may_be_done_with_a_stopped_run_is_whole(sit: Sit, size: tuple[int, int]) -> None:
+    """In a window that fills a screen of 1280 x 720 at scale 1.5 the buttons were cut."""
+    person = sit(HFSM, LARGE)
+    run = paused(person)
+    shrink(person, size)
+    person.press(Key.Key_F8)
+    person.until(lambda: run.pane.run.phase == "stopped")
+    person.until(lambda: len(run.pane.possible.hold.buttons()) == 2)
+    for button in run.pane.possible.hold.buttons():
+        person.until(partial(is_whole, button))
+
+
 def top(pane: QWidget, part: QWidget) -> int:
     return part.mapTo(pane, QPoint(0, 0)).y()
 

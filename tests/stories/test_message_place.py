@@ -96,6 +96,19 @@ def test_it_makes_room_for_a_field_that_opens_below_it(sit: Sit) -> None:
     )
 
 
+def test_it_makes_room_for_a_sentence_at_the_pointer(sit: Sit) -> None:
+    """What Tidy said lay half below the message that the file is saved."""
+    person = sit(SAMPLES / "hanoi-corrected.json")
+    canvas, toast = person.window.canvas, person.window.toast
+    toast.say("Saved hanoi.json.")
+    assert toast.isVisible()
+    at = canvas.mapFromGlobal(toast.mapToGlobal(QPoint(10, 0)))
+    canvas.overlays.say("The drawing is tidy already.", at - QPoint(16, 18))
+    word = QRect(canvas.overlays.word.mapToGlobal(QPoint()), canvas.overlays.word.size())
+    assert toast.words == "Saved hanoi.json."
+    assert toast.isHidden() or not word.intersects(QRect(toast.mapToGlobal(QPoint()), toast.size()))
+
+
 def test_a_message_is_not_below_the_drawer(sit: Sit) -> None:
     person = sit(SAMPLES / "hfsm.json", (1000, 640))
     drawer, toast = person.window.docks.drawer, person.window.toast

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 
 from smsl_studio.blueprint import editing
 from smsl_studio.picture.marks import Marks
+from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.shell.frame import screen_room
@@ -218,6 +219,58 @@ def test_the_legend_of_a_run_leaves_the_running_operation_free(
             shown += legend.isVisible()
             assert legend.isHidden() or not place.boundingRect().intersects(legend.geometry()), name
     assert shown
+
+
+@pytest.mark.parametrize(
+    ("size", "lines", "zoom"), [((660, 350), 6, 0.5), ((660, 350), 6, 2.0), ((853, 466), 2, 1.0)]
+)
+def test_the_legend_of_a_run_leaves_the_active_state_of_a_far_picture_free(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int], lines: int, zoom: float
+) -> None:
+    """There it is larger than its place, and the legend lay on half of it."""
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.resize(*size)
+    person.ctrl(Key.Key_2)
+    canvas = person.window.features.run.pane.canvas.canvas
+    canvas.camera.motion = False
+    person.until(lambda: canvas.isVisible() and canvas.width() < 400)
+    canvas.overlays.show_banner("Stopped by a person again. " * lines)
+    canvas.fit(smooth=False)
+    canvas.zoom_to(canvas.zoom * zoom)
+    legend = canvas.overlays.run_legend
+    for state in person.blueprint["SB1"].table:
+        canvas.set_marks(Marks(active=state, dimmed=True))
+        if legend.isVisible():
+            assert canvas.rect().contains(legend.geometry()), "its last rows were cut"
+            assert state not in below(canvas, legend.geometry())
+
+
+def below(canvas: Canvas, area: QRect) -> set[str]:
+    """The states that are hit at points of an area of the view."""
+    assert canvas.sheet is not None
+    xs, ys = range(area.left(), area.right(), 4), range(area.top(), area.bottom(), 4)
+    points = [canvas.mapToScene(x, y) for x in xs for y in ys]
+    found = {canvas.sheet.state_at(at.x(), at.y()) for at in points} - {-1}
+    return {canvas.sheet.picture.names[one] for one in found}
+
+
+@pytest.mark.parametrize("size", [(1280, 690), (1280, 696)])
+def test_the_zoom_control_covers_no_state_beside_a_new_one(
+    sit: Sit, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(SAMPLES / "hanoi.json", (1440, 900))
+    person.window.resize(*size)
+    canvas, zoom = person.window.canvas, person.window.canvas.overlays.zoom
+    canvas.camera.motion = False
+    canvas.fit(smooth=False)
+    person.press(Key.Key_N, [Modifier.ControlModifier, Modifier.ShiftModifier])
+    person.press(Key.Key_Return)
+    person.until(lambda: len(canvas.positions) == 28)
+    assert zoom.isHidden() or not below(canvas, zoom.geometry())
+    canvas.fit(smooth=False)
+    assert zoom.isHidden() or not below(canvas, zoom.geometry())
 
 
 def test_the_legend_leaves_a_note_free(sit: Sit) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, QRect, QRectF, QSize
 
 from smsl_studio.picture.labels import Rect
 from smsl_studio.studio.base.canvas.branch_view import BranchView
+from smsl_studio.studio.base.canvas.lit_labels import lit_boxes
 
 SPACE = 6
 """The free room around a floating widget (pixels)."""
@@ -40,11 +41,14 @@ def on_picture(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
 
 def on_names(canvas: BranchView, area: QRect) -> bool:
     """Whether an area (pixels) covers the name of an operation that is lit, such as the running
-    one."""
-    for label in canvas.lit_layer.shown().values():
-        left, top, right, bottom = label.rect
-        name = QRectF(left, top, right - left, bottom - top)
-        if canvas.mapFromScene(name).boundingRect().intersects(area):
+    one, or a lit state of a far picture, such as the active one: it is larger than the others."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return False
+    names = (label.rect for label in canvas.lit_layer.shown().values())
+    for left, top, right, bottom in (*names, *lit_boxes(sheet)):
+        part = QRectF(left, top, right - left, bottom - top)
+        if canvas.mapFromScene(part).boundingRect().intersects(area):
             return True
     return False
 

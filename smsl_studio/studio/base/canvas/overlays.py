@@ -231,7 +231,8 @@ class Overlays:
         if self._dimmed:
             corners = [*reversed(corners), QPoint(right, bottom)]
         free = (c for c in corners if not self._taken(c, size) and not on_picture(canvas, c, size))
-        place = next((c for c in free if not on_names(canvas, QRect(c, size))), None)
+        clear = (c for c in free if not on_names(canvas, QRect(c, size)))
+        place = next((c for c in clear if canvas.rect().contains(QRect(c, size))), None)
         legend.setVisible(place is not None and not legend.empty)
         if place is not None:
             legend.move(place)
@@ -298,6 +299,7 @@ class Overlays:
         y = min(max(at.y() + 18, 8), max(canvas.height() - self.word.height() - 8, 8))
         self.word.move(x, y)
         self._hush.start()
+        self.word.placed.emit()
 
     def hush(self) -> None:
         """Hide the sentence at the pointer."""
@@ -317,14 +319,9 @@ class Overlays:
         """Update the widgets after a scroll or zoom."""
         self.pad.go()
         self.bundle.follow()
-        self._count_outside()
-        self._place_breadcrumb()
+        self.picture_changed()
         if not self._canvas.camera.fitted:
             self._place_legend()
-        if not self.map.isHidden():
-            self.map.update()
-        if self._canvas.editing and not self._canvas.camera.fitted:
-            self._place_zoom()
 
     def picture_changed(self) -> None:
         """Update the widgets after states moved or changed their look."""
@@ -367,14 +364,16 @@ class Overlays:
         clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
         below = QPoint(EDGE - 2, 44 + (self.banner.height() + 6 if self.banner.text else 0))
         places = [home, below, *([beside] if clear else [])]
+        rim = along_the_rim(QRect(EDGE, 7, canvas.width() - 2 * EDGE, bottom - 7), size)
         if not canvas.camera.fitted:
             # While the view moves it stays where it covers nothing.
-            rim = QRect(EDGE, 7, canvas.width() - 2 * EDGE, bottom - 7)
-            rest = [zoom.pos()] * (not anew) + places[1:] + along_the_rim(rim, size)
+            rest = [zoom.pos()] * (not anew) + places[1:] + rim
             places = [home, *(p for p in rest if not self._taken(p, size, zoom))]
         place = next((p for p in places if not on_picture(canvas, p, size)), None)
         if place is None and canvas.camera.fitted:
-            place = beside if clear else home
+            free = (p for p in rim if not self._taken(p, size, zoom))
+            last = beside if clear else home
+            place = next((p for p in free if not on_states(canvas, p, size)), last)
         zoom.setVisible(self._has_tools and place is not None)
         zoom.move(place or home)
 
@@ -392,7 +391,7 @@ class Overlays:
         self._explain()
         self._place_zoom(anew=True)
         self._place_legend()
-        self.empty.resize(self.empty.sizeHint())
+        self.empty.fit(width - 2 * EDGE)
         self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)
 
     def _crumb(self, branch: str) -> None:

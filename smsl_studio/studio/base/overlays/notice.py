@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
@@ -66,6 +66,9 @@ class Banner(QWidget):
 class PointerNote(Card):
     """A short sentence beside the pointer."""
 
+    placed = Signal()
+    """A sentence is shown and has its place, so other messages may have to make room."""
+
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
         self.float_up()
@@ -106,15 +109,16 @@ class EmptyHint(QWidget):
         self._label = Label("Double-click or press Enter to add the first state", self)
         self._label.setFont(text_font(14))
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._label.setWordWrap(True)
         # A double click on the words must reach the canvas below, see ``event``.
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.sample = QPushButton("Open sample", self)
         self.sample.setCursor(Qt.CursorShape.PointingHandCursor)
         self.sample.clicked.connect(self.sample_wanted)
-        layout = QVBoxLayout(self)
-        layout.setSpacing(12)
-        layout.addWidget(self._label)
-        layout.addWidget(self.sample, 0, Qt.AlignmentFlag.AlignHCenter)
+        self._layout = QVBoxLayout(self)
+        self._layout.setSpacing(12)
+        self._layout.addWidget(self._label)
+        self._layout.addWidget(self.sample, 0, Qt.AlignmentFlag.AlignHCenter)
         self.set_tokens(tokens)
         self.hide()
 
@@ -137,6 +141,10 @@ class EmptyHint(QWidget):
             return True
         return super().event(event)
 
-    def sizeHint(self) -> QSize:
-        """320 by 96 pixels."""
-        return QSize(320, 96)
+    def fit(self, room: int) -> None:
+        """Make the hint as wide as its words, at most ``room`` pixels; then the words wrap."""
+        around, gap = self._layout.contentsMargins(), self._layout.spacing()
+        words = self._label.fontMetrics().horizontalAdvance(self._label.text()) + 4
+        wide = max(min(words, room - around.left() - around.right()), 1)
+        high = self._label.heightForWidth(wide) + gap + self.sample.sizeHint().height()
+        self.resize(wide + around.left() + around.right(), high + around.top() + around.bottom())

@@ -204,11 +204,11 @@ class DrawFeature(Feature):
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_of_step)
         session.selection_changed.connect(self._spare_selected)
-        body = self._parts.toast.over
-        self._parts.toast.seat = MessageSeat(self.canvas, body)
-        for moved in (self.canvas.view_moved, self.canvas.picture_changed):
-            moved.connect(self._parts.toast.settle)
-        self.editor.field_opened.connect(self._parts.toast.settle)
+        toast, canvas = self._parts.toast, self.canvas
+        toast.seat = MessageSeat(canvas, toast.over)
+        for moved in (canvas.view_moved, canvas.picture_changed, canvas.overlays.word.placed):
+            moved.connect(toast.settle)
+        self.editor.field_opened.connect(toast.settle)
 
     def _connect_parts(self, actions: Actions) -> None:
         shell, toast, comparing = self._shell, self._parts.toast, self.comparing

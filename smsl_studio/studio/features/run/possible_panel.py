@@ -48,6 +48,8 @@ class PossiblePanel(QWidget):
         column.setSpacing(0)
         column.addWidget(self._above)
         column.addWidget(self.list, 1)
+        # In a low panel the list gives way, because the card has what must be done next.
+        self.list.setMinimumHeight(1)
         self.list.chosen.connect(self.chosen)
         self.list.restore_wanted.connect(run.restore)
         self.list.prune_wanted.connect(self._ask_prune)
