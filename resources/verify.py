@@ -1,5 +1,5 @@
-"""Checks the evidence in this folder. 0: it is consistent. 1: it is not, each line says why."""
-import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types  # names: README.txt
+"""Checks the evidence in this folder. 0: consistent. 1: not, and why. Names: README.txt."""
+import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types, unicodedata
 NOT_CHECKED = "reception over MQTT", "routes", "words that move nothing", "code", "imported records"
 class Wrong(Exception): "Why it is not believed."
 class Story(types.SimpleNamespace): names = vetoed = plan = told = (); __getattr__ = lambda s, n: 0
@@ -29,8 +29,8 @@ def content(texts):  # 1 THE BLUEPRINT, from the texts that its digests are made
 	sbs = {b: branch(Story(**known[b]), notes.get(b, {}), known) for b in known}
 	bases = {x: [(b, n) for b in sbs for n, sub in sbs[b].subs.items() if sub == x] for x in sbs}
 	for one in [one for one in hazards or meaning[1] if type(one) is dict]:
-		guards[one["name"]] = facts = [(fact(key), value) for key, value in one["facts"].items()]
-		if not all(b in sbs and -1 < n < sbs[b].count for (b, n), _ in facts): del guards[one["name"]]
+		facts = [(fact(key), value) for key, value in one["facts"].items()]
+		if all(b in sbs and -1 < n < sbs[b].count for (b, n), _ in facts): guards[one["name"]] = facts
 	levels = {k: v for one in levels + meaning[2:] if type(one) is dict for k, v in one.items()}
 	return dict(hexes=hexes, sbs=sbs, bases=bases, hazards=guards, levels=levels,
 		whole=sha(texts[1][:-1] + both + texts[0][1:]), ends={b: sbs[b].goal for b in sbs})
@@ -195,7 +195,7 @@ def on_task_opened(s, e):  # it asks those whom the blueprint names
 	if kind == "operation": running(s, e.address)[-1].answer = "open"
 	s.tasks[e.task], s.names = Story(e=e, roles=roles, given={}, also=""), {*s.names, e.task}
 def on_task_escalated(s, e): s.tasks[e.task].also = e.role  # another role may answer, too
-def same(name): return " ".join(name.casefold().split())
+def same(name): return "".join(unicodedata.normalize("NFKC", name).casefold().split())
 def each(wishes, offers, fits):  # whether each wish gets an offer of its own
 	return any(all(map(fits, wishes, some)) for some in itertools.permutations(offers, len(wishes)))
 def on_task_answered(s, e):  # another person, in a role

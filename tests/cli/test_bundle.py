@@ -148,6 +148,16 @@ def test_a_policy_that_asks_for_more_is_not_met(approved: Desk) -> None:
     assert _verify(folder)[0] == 1
 
 
+@pytest.mark.parametrize("name", ["ADA LOVELACE", "AdaLovelace", "\uff21da Lovelace"])
+def test_a_person_in_another_spelling_is_no_second_one(name: str, desk: Desk) -> None:
+    desk.key(name, "surgeon", "second")
+    for key in ("ada", "second"):
+        assert desk.approve(key).status == 0
+    _run(desk)
+    folder = _bundle(desk, "--policy", written_policy(desk.folder, "persons = 2"))
+    assert "too few sign" in _verify(folder)[1]
+
+
 def test_a_register_says_whose_the_keys_are(approved: Desk) -> None:
     _run(approved)
     ada, ben = (_public(approved, key) for key in (ADA.person, "Ben Carson"))
