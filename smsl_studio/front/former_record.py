@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
@@ -20,6 +21,23 @@ def may_have_record(file: str) -> bool:
 def has_record_beside(file: str) -> bool:
     """Whether a record stands beside this file. Nothing is read."""
     return os.path.lexists(f"{file}.record.json")
+
+
+def approval_stamps(file: str, policy: Path | None) -> tuple[object, ...]:
+    """Return a value that changes with the record of a file, with a policy, and with the keys and
+    revocations of the store. Nothing is read."""
+    store = user_folder() / "store"
+    others = () if policy is None else (policy,)
+    return tuple(map(_stamp, (Path(f"{file}.record.json"), store / "revoked.json",
+                              store / "keys", *others)))  # fmt: skip
+
+
+def _stamp(file: Path) -> tuple[int, int, int] | None:
+    try:
+        found = file.stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_ino, found.st_size, found.st_mtime_ns
 
 
 def changes_since_record(

@@ -52,7 +52,7 @@ def report(
     told = told_since(blueprint, record, reader)
     pictures = tuple(_pictures(blueprint))
     day = datetime.now(UTC).date().isoformat()
-    said = approval_words(blueprint).lines
+    said = [line if line.endswith(".") else f"{line}." for line in approval_words(blueprint).lines]
     save_document(_bytes(told, suffix, (day, said), pictures), output, made_of=files_of(blueprint))
     return told
 

@@ -68,3 +68,30 @@ def test_against_a_record_it_begins_with_what_has_changed(desk: Desk, tmp_path: 
     assert [line["heading"].split(":")[0] for line in first["lines"]] == ["Leads elsewhere"] * len(
         edges
     )
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        ((), "Approved by 1."),
+        (("--verdict", "rejected"), "Rejected."),
+        (("--condition", "it is dry"), "Approved with conditions."),
+    ],
+)
+def test_a_report_and_a_picture_say_whether_people_have_signed(
+    words: tuple[str, ...], wanted: str, desk: Desk
+) -> None:
+    """As the badge of the window does. What it says comes from the record beside the file."""
+    page, picture = desk.folder / "out.html", desk.folder / "out.svg"
+
+    def said() -> tuple[bool, bool]:
+        for command, out in (("report", page), ("render", picture)):
+            assert desk(command, desk.file, "-o", str(out)).status == 0
+        return wanted in page.read_text(), f"{wanted} Not a medical device." in picture.read_text()
+
+    assert said() == (False, False)
+    assert "Uninspected." in page.read_text()
+    assert "Uninspected. Not a medical device." in picture.read_text()
+    assert desk.approve("ada", *words).status == 0
+    assert said() == (True, True)
+    assert "Ada Lovelace (engineer)" in page.read_text()

@@ -11,6 +11,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import add_state, delete, set_layout
 from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.features.approval import feature
 from tests.approval import DOOR, written_policy
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
@@ -60,6 +61,18 @@ def test_it_follows_the_record_and_every_change(sit: Sit, file: Path) -> None:
     assert not badge.said.is_good
     person.window.session.history.undo()
     says(person, "Approved by 1")
+
+
+def test_what_others_sign_meanwhile_is_seen(
+    sit: Sit, file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(feature, "WATCH", 50)
+    person = sit(file)
+    says(person, "Uninspected")
+    approve(file)
+    says(person, "Approved by 1")
+    smsl.revoke_key("ada", "it was stolen", WORDS)
+    says(person, "Revoked")
 
 
 def test_a_rejection_and_an_open_condition_are_told(sit: Sit, file: Path) -> None:
@@ -114,6 +127,7 @@ def test_what_changed_since_the_last_signature_is_shown_on_the_drawing(
     rows = [row.text for row in dialog.changes.rows.rows]
     assert "close" in rows[0]
     assert "State_2" in rows[1]
+    assert "line" not in dialog.changes.rows.rows[0].right
     assert len(rows) == 2, "a signed content has no layout, so nothing has moved"
     assert dialog.before.has(CLOSE)
     assert not dialog.after.has(CLOSE)

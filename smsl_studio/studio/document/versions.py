@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +38,10 @@ class SignedVersion(Version):
 
     def until(self, after: Blueprint) -> Difference:
         """Return what has changed of the meaning since it was signed, removals first."""
-        return since_content(after, self.content, self.words)
+        found = since_content(after, self.content, self.words)
+        # A content has no lines that anybody could look up.
+        changes = tuple(replace(one, path_before=()) for one in found.changes)
+        return replace(found, changes=changes)
 
 
 def in_file(path: Path) -> Version:

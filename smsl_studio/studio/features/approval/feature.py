@@ -10,7 +10,7 @@ from PySide6.QtCore import QTimer
 
 from smsl_studio.blueprint.project import project_of
 from smsl_studio.front.approval_badge import LOOKING, UNINSPECTED, ApprovalWords, approval_words
-from smsl_studio.front.former_record import has_record_beside, may_have_record
+from smsl_studio.front.former_record import approval_stamps, has_record_beside, may_have_record
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature
@@ -22,6 +22,8 @@ from smsl_studio.studio.running.window_parts import WindowParts
 
 IDLE = 400
 """The record is verified after this time without an edit (milliseconds)."""
+WATCH = 2000
+"""The time between two looks at the files of the approval (milliseconds)."""
 POLICIES = "Trust policies (*.toml);;All files (*)"
 
 
@@ -47,6 +49,11 @@ class ApprovalFeature(Feature):
         self._later.setInterval(IDLE)
         self._later.timeout.connect(self._look)
         self.card: ReasonCard | None = None
+        self._seen = self._stamps()
+        self._watch = QTimer(parts.window)
+        self._watch.setInterval(WATCH)
+        self._watch.timeout.connect(self._look_outside)
+        self._watch.start()
         parts.session.blueprint_changed.connect(lambda *_: self._wait())
         parts.files.changed.connect(lambda *_: self._wait())
         self._wait()
@@ -102,6 +109,7 @@ class ApprovalFeature(Feature):
 
     def stop(self) -> None:
         """End all work, because the window closes."""
+        self._watch.stop()
         self._later.stop()
         self._beside.stop()
 
@@ -119,12 +127,22 @@ class ApprovalFeature(Feature):
         so at once.
         """
         self._beside.drop()
+        self._seen = self._stamps()
         if self.policy is None and not has_record_beside(self._session.blueprint.file):
             self._later.stop()
             self._show(UNINSPECTED)
             return
         self._show(LOOKING)
         self._later.start()
+
+    def _look_outside(self) -> None:
+        """Verify again if somebody has signed, revoked or changed the policy meanwhile."""
+        seen = self._stamps()
+        if seen != self._seen:
+            self._wait()
+
+    def _stamps(self) -> tuple[object, ...]:
+        return approval_stamps(self._session.blueprint.file, self.policy)
 
     def _look(self) -> None:
         work = partial(approval_words, self._session.blueprint, self.policy)

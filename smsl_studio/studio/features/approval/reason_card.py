@@ -49,11 +49,12 @@ class ReasonCard(QFrame):
             column.addWidget(line)
         self.buttons: list[QPushButton] = []
         if any(one.code == CHANGED for one in said.refusals):
-            self._offer("Show what changed", self.changes_wanted)
-        self._offer("Choose a policy…", self.policy_wanted)
+            changes = self._offer("Show what changed", self.changes_wanted)
+            column.addLayout(row(changes, None))
+        choices = [self._offer("Choose a policy…", self.policy_wanted)]
         if policy is not None:
-            self._offer("Use no policy", self.none_wanted)
-        column.addLayout(row(*self.buttons, None, spacing=8))
+            choices.append(self._offer("Use no policy", self.none_wanted))
+        column.addLayout(row(*choices, None, spacing=8))
 
     def open_below(self, badge: QWidget) -> None:
         """Show the card below a badge, inside the window."""
@@ -62,8 +63,9 @@ class ReasonCard(QFrame):
         self.move(corner)
         self.show()
 
-    def _offer(self, words: str, wanted: SignalInstance) -> None:
+    def _offer(self, words: str, wanted: SignalInstance) -> QPushButton:
         button = QPushButton(words)
         button.clicked.connect(self.close)
         button.clicked.connect(wanted)
         self.buttons.append(button)
+        return button
