@@ -40,7 +40,9 @@ def make_host(
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
     signed = trust.code if trust is not None else None
-    terms = ChildTerms(_locations(loaded, world), signed=signed, bindings=file)
+    # A plugin that nobody signed does not run beside signed code: it could change it.
+    only = tuple(signed) if signed else _locations(loaded, world)
+    terms = ChildTerms(only, signed=signed, bindings=file)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 
@@ -79,13 +81,18 @@ def known_world(
 ) -> Loaded | None:
     """Find the plugins of a world. None for the table world, which needs none.
 
-    ``signed`` has the SHA-256 of signed code, by its location. At these locations no other code is
-    loaded. For the host ``process`` no plugin code runs in this process. WorldError if there is no
-    such world; it suggests a similar name.
+    ``signed`` has the SHA-256 of signed code, by its location; then no other code is loaded. For
+    the host ``process`` no plugin code runs in this process. WorldError if there is no such world;
+    it suggests a similar name.
     """
     if world == TABLE:
         return None
-    loaded = discover(plugin_paths, signed=signed) if host == "local" else describe(plugin_paths)
+    if host == "local":
+        # Where code is signed, no other plugin runs beside it: it could change what was signed.
+        only = None if signed is None else tuple(signed)
+        loaded = discover(plugin_paths, only, signed=signed)
+    else:
+        loaded = describe(plugin_paths)
     loaded.world(world)
     return loaded
 

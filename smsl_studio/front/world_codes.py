@@ -11,7 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PluginError, WorldError
 from smsl_studio.front.equipment import loaded_for
 from smsl_studio.inspection.approval.statement import WorldCode
-from smsl_studio.inspection.approval.world_code import world_code
+from smsl_studio.inspection.approval.world_code import used_locations, world_code
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.loaded import Loaded
@@ -53,7 +53,7 @@ def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()
             rates[key] = max(rates.get(key, 0.0), 1 / one.period)
         if world == TABLE:
             return WorldSurvey(rates=rates, loaded=loaded, bindings=file)
-        locations = code_at(loaded.locations(world), plugin_paths)
+        locations = code_at(used_locations(world, loaded, bindings), plugin_paths)
         code = world_code(world, loaded, bindings, file, locations)
         return WorldSurvey(code, locations, rates, loaded=loaded, bindings=file)
     except (WorldError, PluginError) as error:

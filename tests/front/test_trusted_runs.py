@@ -163,6 +163,38 @@ def test_the_code_that_was_verified_is_the_code_that_runs(file: Path, host: str)
     assert codes(run) == ["code_changed"]
 
 
+BESIDE = """
+import sys
+
+def register(library):
+    @library.operation("Op_zebra")
+    def run_away(world):
+        yield
+
+    files = [str(getattr(module, "__file__", "")) for module in list(sys.modules.values())]
+    if any(file.endswith("lamp/plugin.py") for file in files):
+        print("zebra is here")
+"""
+"""A plugin that says so if it is loaded into the process of the lamp."""
+
+
+@pytest.mark.parametrize("host", ["local", "process"])
+def test_no_plugin_that_nobody_signed_runs_beside_signed_code(
+    file: Path, host: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """It would stand in the same process, and could change what was signed."""
+    from smsl_studio.home import user_folder
+
+    file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
+    record = lamp(file, LAMP_PLUGIN)
+    write_allowed(user_folder(), "zebra", BESIDE)
+    request = smsl.RunRequest(smsl.read(file), "lamp", record=record, host=host)
+    assert smsl.run_request(request).reason == "goal_reached"
+    assert "zebra is here" not in capfd.readouterr().err
+    smsl.run_request(replace(request, record=None))
+    assert "zebra is here" in capfd.readouterr().err, "without a record each allowed one is loaded"
+
+
 def test_the_bindings_that_were_verified_are_those_that_run(file: Path) -> None:
     file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
     record = lamp(file, LAMP_PLUGIN)

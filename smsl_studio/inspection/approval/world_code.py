@@ -47,6 +47,13 @@ def world_code(
     return WorldCode(hardware=entry.hardware, functions=functions, bindings=digest_of(bound))
 
 
+def used_locations(world: str, loaded: Loaded, bindings: Bindings) -> tuple[str, ...]:
+    """Return the locations of the plugins whose code a signature covers: the one that offers the
+    world, and those with a function that is bound. A run loads no others beside them."""
+    own, _ = loaded.world(world)
+    return tuple(dict.fromkeys((own.location, *(at for _, at in _used(bindings)))))
+
+
 def _used(bindings: Bindings) -> Iterator[tuple[str, str]]:
     for operation in bindings.operations.values():
         yield operation.name, operation.location
