@@ -12,8 +12,9 @@ class Precedence:
     because a wanted part may be hidden for lack of room.
     """
 
-    def __init__(self, row: QWidget, *parts: QWidget) -> None:
-        self._row, self._parts = row, parts
+    def __init__(self, row: QWidget, *parts: QWidget, gaps: int = 0) -> None:
+        """``gaps`` is the sum of the fixed gaps in the row (pixels)."""
+        self._row, self._parts, self._gaps = row, parts, gaps
         self._unwanted: set[QWidget] = set()
         # The row must not make the window wider.
         row.setMinimumWidth(1)
@@ -47,18 +48,11 @@ class Precedence:
         layout = self._row.layout()
         assert layout is not None
         margins = layout.contentsMargins()
-        wide, count = margins.left() + margins.right(), 0
-        for at in range(layout.count()):
-            item = layout.itemAt(at)
-            part = item.widget() if item is not None else None
-            if item is None:
-                continue
-            if part is None:
-                wide += item.minimumSize().width()
-            elif shown.get(part, not part.isHidden()):
-                wide += _least(part)
-                count += 1
-        return wide + layout.spacing() * max(0, count - 1)
+        widgets = (one for one in self._row.children() if isinstance(one, QWidget))
+        parts = (part for part in widgets if layout.indexOf(part) >= 0)
+        wide = [_least(part) for part in parts if shown.get(part, not part.isHidden())]
+        around = margins.left() + margins.right() + self._gaps
+        return around + sum(wide) + layout.spacing() * max(0, len(wide) - 1)
 
 
 def _least(part: QWidget) -> int:

@@ -87,6 +87,7 @@ class RunCanvas(QWidget):
         self._buttons = QHBoxLayout(buttons)
         self._buttons.setContentsMargins(0, 0, 0, 0)
         self._buttons.setSpacing(2)
+        self._branches: list[QToolButton] = []
         self._follow = tool("Follow", "eye", "Show the State Branch in which it runs", tokens)
         self._follow.setCheckable(True)
         self._follow.setChecked(True)
@@ -274,12 +275,10 @@ class RunCanvas(QWidget):
         names = list(blueprint.branches)
         states = status.configuration if status else {}
         words = self._branch_words(blueprint, states)
-        while self._buttons.count() < len(names):
-            self._buttons.addWidget(self._button(self._buttons.count()))
-        for index in range(self._buttons.count()):
-            item = self._buttons.itemAt(index)
-            button = item.widget() if item else None
-            assert isinstance(button, QToolButton)
+        while len(self._branches) < len(names):
+            self._branches.append(self._button(len(self._branches)))
+            self._buttons.addWidget(self._branches[-1])
+        for index, button in enumerate(self._branches):
             button.setVisible(index < len(names))
             if index < len(names):
                 name = names[index]

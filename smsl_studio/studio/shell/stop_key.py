@@ -30,4 +30,6 @@ class StopKey(QObject):
         if pressed and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_F8:
             self._stop()
             return True
-        return super().eventFilter(watched, event)
+        # PySide may take what is watched for something else, because another object was there
+        # before. Stop must not fail for that, so nothing is asked of it.
+        return False

@@ -71,11 +71,8 @@ class FormLine(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
-        line = labelled(words, field)
-        name = line.itemAt(0)
-        found = name.widget() if name is not None else None
-        assert isinstance(found, QLabel)
-        self.name: QLabel = found
+        self.name: QLabel = _name_of(words, field)
+        line = row(self.name, field, spacing=0)
         for widget in beside:
             line.addSpacing(8) if widget is not None else line.addStretch(1)
             if widget is not None:
@@ -110,10 +107,14 @@ class FormLine(QWidget):
 
 def labelled(words: str, field: QWidget) -> QHBoxLayout:
     """A field with its name at the left."""
+    return row(_name_of(words, field), field, spacing=0)
+
+
+def _name_of(words: str, field: QWidget) -> QLabel:
     name = label(words, "label")
     name.setFixedWidth(LABEL)
     name.setBuddy(field)
-    return row(name, field, spacing=0)
+    return name
 
 
 def same(values: Sequence[Any]) -> bool:

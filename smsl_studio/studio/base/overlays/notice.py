@@ -143,6 +143,8 @@ class EmptyHint(QWidget):
 
     def fit(self, room: int) -> None:
         """Make the hint as wide as its words, at most ``room`` pixels; then the words wrap."""
+        # Before the style sheet its letters are smaller.
+        self._label.ensurePolished()
         around, gap = self._layout.contentsMargins(), self._layout.spacing()
         words = self._label.fontMetrics().horizontalAdvance(self._label.text()) + 4
         wide = max(min(words, room - around.left() - around.right()), 1)

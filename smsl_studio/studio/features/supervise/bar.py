@@ -74,7 +74,7 @@ class SuperviseBar(QWidget):
         across.addWidget(self.stop)
         self._precedence = Precedence(
             self, self._said[1], self._person, self._said[0], self._goal, line,
-            self.step, self.end, self.phase, self.play, self.reset,
+            self.step, self.end, self.phase, self.play, self.reset, gaps=4,
         )  # fmt: skip
         self.show_run("", exists=False, tip="", goal="", person="")
 

@@ -52,6 +52,7 @@ class PartialHead(QWidget):
         self._buttons = QHBoxLayout(inner)
         self._buttons.setContentsMargins(0, 0, 0, 0)
         self._buttons.setSpacing(2)
+        self._branches: list[QToolButton] = []
         top = row(inner, None, self.map)
         top.setContentsMargins(6, 6, 12, 0)
         top.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -59,13 +60,7 @@ class PartialHead(QWidget):
 
     def branches(self) -> list[QToolButton]:
         """The buttons of the SBs in order."""
-        return [
-            button
-            for at in range(self._buttons.count())
-            if (item := self._buttons.itemAt(at)) is not None
-            and isinstance(button := item.widget(), QToolButton)
-            and not button.isHidden()
-        ]
+        return [button for button in self._branches if not button.isHidden()]
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -113,20 +108,18 @@ class PartialHead(QWidget):
         self.map.setIcon(icon("map", self._tokens, 16, colour))
 
     def _fill(self) -> None:
-        while self._buttons.count() < len(self._names):
+        while len(self._branches) < len(self._names):
             button = QToolButton()
             button.setProperty("role", "branch")
             button.setCheckable(True)
-            at = self._buttons.count()
+            at = len(self._branches)
             button.clicked.connect(lambda _=False, at=at: self._choose(at))
+            self._branches.append(button)
             self._buttons.addWidget(button)
         middle = Qt.TextElideMode.ElideMiddle
         metrics = QFontMetrics(text_font(13, 600))
         share = (self.width() - 220) // max(len(self._names), 1) - 14
-        for at in range(self._buttons.count()):
-            item = self._buttons.itemAt(at)
-            found = item.widget() if item else None
-            assert isinstance(found, QToolButton)
+        for at, found in enumerate(self._branches):
             found.setVisible(at < len(self._names))
             if at < len(self._names):
                 name = self._names[at]

@@ -228,7 +228,7 @@ class _DrawTools(QWidget):
         self._tools = (*rules, *buttons.values())
         self._steps = (buttons["undo"], buttons["redo"])
         self._precedence = Precedence(
-            self, rules[1], buttons["align"], buttons["tidy"], rules[0], *last, search, run
+            self, rules[1], buttons["align"], buttons["tidy"], rules[0], *last, search, run, gaps=4
         )
 
     def show_tools(self, mode: str) -> None:
