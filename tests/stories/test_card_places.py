@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRect, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.shell.frame import screen_room
 from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -83,6 +84,30 @@ def test_the_names_of_an_operation_to_a_new_state_are_asked_for_beside_its_line(
         assert not node(person, f"SB1/{one}").intersects(place)
     person.press(Qt.Key.Key_Escape)
     assert not legend.gives_way
+
+
+@pytest.mark.parametrize("size", [(1280, 696), (960, 540), (720, 428)])
+def test_the_place_of_a_new_state_that_is_being_named_is_free(
+    sit: Sit, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The zoom control lay on it, or the path."""
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(SAMPLES / "hanoi.json", (1440, 900))
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    person.window.resize(*size)
+    person.until(lambda: (person.window.width(), person.window.height()) == size)
+    held = Qt.KeyboardModifier
+    person.press(Qt.Key.Key_N, [held.ControlModifier, held.ShiftModifier])
+    person.press(Qt.Key.Key_Return)
+    person.press(Qt.Key.Key_Tab)
+    assert isinstance(person.window.editor.field, ConnectCard)
+    place = canvas.mapFromScene(canvas.pending).boundingRect()
+    assert not place.isEmpty()
+    tools = (canvas.overlays.zoom, canvas.overlays.key)
+    assert not [one for one in tools if one.isVisible() and one.geometry().intersects(place)]
+    person.press(Qt.Key.Key_Escape)
+    assert canvas.pending.isEmpty()
 
 
 @pytest.mark.parametrize(

@@ -82,6 +82,9 @@ class BranchView(DrawnStage):
         super().__init__(tokens, parent)
         self.editing = True
         self._aim: QRectF | None = None
+        self.pending = QRectF()
+        """The place of a new state that is being named (scene), so nothing may float over it; empty
+        if there is none."""
         self.crowded = False
         """Whether the SB has so many operations that it is or can be collapsed."""
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""

@@ -200,14 +200,20 @@ class Canvas(BranchView):
         rect = self.rect_of(source) if source is not None else None
         if source is None or rect is None or at is None or source == target:
             self.gestures.put("drawn", None)
-            self.overlays.legend.spare(QRect())
+            self._spare(QRectF())
             return
         assert self.sheet is not None
         goal = self.rect_of(target) if target is not None else None
         start, end = pending_ends(self.sheet, self.sheet.picture.node(source), at, goal)
         self.gestures.put("drawn", DrawnOperation(start, end, ghost=target is None))
-        new = self.mapFromScene(QRectF(end.x() - 54.0, end.y() - 27.0, 108.0, 54.0)).boundingRect()
-        self.overlays.legend.spare(new if target is None else QRect())
+        new = QRectF(end.x() - 54.0, end.y() - 27.0, 108.0, 54.0)
+        self._spare(new if target is None else QRectF())
+
+    def _spare(self, new: QRectF) -> None:
+        """Let nothing float over the place of a new state (scene); an empty one is over."""
+        if new != self.pending:
+            self.pending = new
+            self.overlays.spare(self.mapFromScene(new).boundingRect())
 
     def say(self, text: str, at: QPointF | None = None) -> None:
         """Show a short sentence at the pointer, or at a scene point."""

@@ -20,7 +20,8 @@ def on_states(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
     if sheet is None:
         return False
     sides = _sides(canvas, corner, size)
-    return bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
+    found = bool(sheet.states_in(*sides)) or sheet.drawn.touches(*sides)
+    return found or on_pending(canvas, sides)
 
 
 def on_fitted(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
@@ -29,7 +30,21 @@ def on_fitted(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
     sheet = canvas.sheet
     if sheet is None or not canvas.camera.fitted:
         return False
-    return sheet.is_drawn_on(*_sides(canvas, corner, size))
+    sides = _sides(canvas, corner, size)
+    return sheet.is_drawn_on(*sides) or on_pending(canvas, sides)
+
+
+def on_pending(canvas: BranchView, sides: Rect) -> bool:
+    """Whether a part of the scene touches the place of a new state that is being named."""
+    left, top, right, bottom = sides
+    return canvas.pending.intersects(QRectF(left, top, right - left, bottom - top))
+
+
+def is_clear_of_dense(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
+    """Whether the legend of a dense drawing covers nothing there. It gives way to names that are
+    lit in a run only: while one draws, a selection moves none of its buttons."""
+    names = not canvas.editing and on_names(canvas, QRect(corner, size))
+    return not names and not on_states(canvas, corner, size)
 
 
 def on_picture(canvas: BranchView, corner: QPoint, size: QSize) -> bool:

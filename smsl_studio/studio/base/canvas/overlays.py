@@ -19,6 +19,7 @@ from smsl_studio.studio.base.canvas.branch_view import TOP, BranchView
 from smsl_studio.studio.base.canvas.bundle_card import BundleCard
 from smsl_studio.studio.base.canvas.covered import (
     along_the_rim,
+    is_clear_of_dense,
     on_fitted,
     on_names,
     on_picture,
@@ -211,7 +212,7 @@ class Overlays:
         below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
         places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
         free = (at for at in places if not self._taken(at, size, dense))
-        clear = next((at for at in free if self._is_clear(at, size)), None)
+        clear = next((at for at in free if is_clear_of_dense(self._canvas, at, size)), None)
         fits = clear is not None and size.width() <= room
         dense.setVisible(fits and not dense.empty)
         if clear is not None:
@@ -237,12 +238,6 @@ class Overlays:
         if place is not None:
             legend.move(place)
 
-    def _is_clear(self, corner: QPoint, size: QSize) -> bool:
-        """Whether the legend of a dense drawing covers nothing there. It gives way to names that
-        are lit in a run only: while one draws, a selection moves none of its buttons."""
-        names = not self._canvas.editing and on_names(self._canvas, QRect(corner, size))
-        return not names and not on_states(self._canvas, corner, size)
-
     def _legends_in_the_way(self) -> bool:
         """Whether a legend lies on a name that is lit now, or waits for a free place."""
         canvas, used = self._canvas, [self.run_legend if self._dimmed else self.legend]
@@ -266,6 +261,12 @@ class Overlays:
     def floats_in(self, area: QRect) -> bool:
         """Whether a permanent floating widget is in this area of the view (pixels)."""
         return any(area.intersects(place) for place in self.floats())
+
+    def spare(self, area: QRect) -> None:
+        """Cover nothing of a new state that is being named (pixels of the view)."""
+        self.legend.spare(area)
+        self._place_breadcrumb()
+        self._place_zoom(anew=True)
 
     def show_banner(self, text: str) -> None:
         """Show a sentence across the top; empty hides the banner."""
