@@ -3,7 +3,7 @@ import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types,
 NOT_CHECKED = "reception over MQTT", "routes", "words that move nothing", "code", "imported records"
 class Wrong(Exception): "Why it is not believed."
 class Story(types.SimpleNamespace): names = vetoed = plan = told = (); __getattr__ = lambda s, n: 0
-def no(wrong, why="it does not follow from the blueprint and from what stands before"):
+def no(wrong, why="it does not follow from the blueprint and what stands before"):
 	if wrong: raise Wrong(why)
 def sha(raw): return hashlib.sha256(raw).hexdigest()
 def once(pairs): return no(len(dict(pairs)) < len(pairs), "a key stands twice") or dict(pairs)
@@ -16,7 +16,7 @@ TYPES = {list: "candidates details facts faults goals met misses operations opti
 	"refusals sensed sensors subs unknown", dict: "answers candidate closed configuration costs facts "
 	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
 	"cost deadline t"}; raw_of, NAMES = base64.b64decode, " ".join(TYPES.values()).split()
-def fits(name, v):  # text, where TYPES says nothing else; a list or map holds what its singular is
+def fits(name, v):  # text, if TYPES says nothing else; a list holds what its singular is
 	if type(v) is str: return name not in NAMES
 	if name in TYPES[float].split(): no(abs(v) >= 2**53)
 	inner = v.values() if type(v) is dict else v if type(v) is list else ()
@@ -24,7 +24,7 @@ def fits(name, v):  # text, where TYPES says nothing else; a list or map holds w
 def content(texts):  # 1 THE BLUEPRINT, from the texts that its digests are made of
 	brought, own, meaning, closure = map(read, texts); hexes = [sha(text) for text in texts]
 	theirs, notes, hazards, *levels = closure["imported"]; known = dict(own + brought)
-	no([theirs, closure["behaviour"], closure["meaning"]] != hexes[:3], "its texts are of other files")
+	no([theirs, closure["behaviour"], closure["meaning"]] != hexes[:3], "its texts are others")
 	notes, guards, both = dict(notes + meaning[0]), {}, b"," if own and brought else b""
 	sbs = {b: branch(Story(**known[b]), notes.get(b, {}), known) for b in known}
 	bases = {x: [(b, n) for b in sbs for n, sub in sbs[b].subs.items() if sub == x] for x in sbs}
@@ -49,7 +49,7 @@ def lines(raw):  # 2 THE LOG: each line, and the head, has the SHA-256 of all by
 	(*told, head, end), digest, found = raw.split(b"\n"), hashlib.sha256(), []
 	for number, line in enumerate(told, 1):
 		digest.update(line[:-66]); link = b',"chain":"%s"}' % digest.hexdigest().encode()
-		no(line[-76:] != link, f"line {number}: the chain breaks: it, or a line before it, was changed")
+		no(line[-76:] != link, f"line {number}: the chain breaks: it or a line before was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
 	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; seal = read(head).get("signed")
 	no(end or head != plain({"head": sums} | ({"signed": seal} if seal else {})), "its head is wrong")
@@ -172,8 +172,8 @@ def on_relocalised(s, e):
 def arrived(s): no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(
 	False in terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
 def on_goal_reached(s, e):
-	s.told = [*s.told, e.goal]; arrived(s); safe(s, s.conf); b = s.goals[e.goal][0]
-	no([*s.goals][:len(s.told)] != s.told or not all(terms(s, s.conf, b)))
+	s.told = [*s.told, e.goal]; arrived(s); safe(s, s.conf)
+	no([*s.goals][:len(s.told)] != s.told or not all(terms(s, s.conf, s.goals[e.goal][0])))
 def on_hazard_met(s, e): no({fact(k): v for k, v in e.facts.items()} != dict(s.hazards[e.name]) or
 	e.name not in hazards(s, here(s))); s.met = s.met | {e.name}
 def on_held(s, e): end_step(s); s.held, s.paused = (e.kind, e.reason), 0
@@ -233,7 +233,7 @@ def tell(contents, raw, files=()):
 	for number, event in enumerate(events, 2):
 		try: take(s, event)
 		except Exception as error: raise Wrong(f"line {number}: {event.get('event')}: {error}") from None
-	no(not s.over, "the log ends, and its run does not"); return h
+	no(not s.over, "the log ends before its run"); return h
 def when(at): return datetime.datetime.fromisoformat(at + "T23:59:59Z" * ("T" not in at))
 def trusted():  # 4 THE RECORDS: the policy, and whose keys count
 	policy = tomllib.loads(load("policy.toml").decode()); own = raw_of(policy.get("register_key", ""))
@@ -258,27 +258,27 @@ def recorder(log):  # the machine that has signed the head of its log
 	bad = key["roles"] != ["recorder"] or void(key, when(log["wall_time"]), policy)
 	return no(bad or body != log["head"]) or key["person"]
 def judge(known, log):
-	(policy, keys), last, ask, met, before = trusted(), {}, [], [], when("1999-01-01")
+	(policy, keys), last, ask, before = trusted(), {}, [], when("1999-01-01")
 	told = [opened(one, keys) for f in files("records/*") for one in read(f.read_bytes())["records"]]
 	day = when(log.get("wall_time") or told and read(told[-1][0])["predicate"]["time"])
-	own, days = [c["hexes"][1:] for c in known if c], datetime.timedelta(policy.get("valid_days", 1e5))
+	own, days = [c["hexes"][3] for c in known if c], datetime.timedelta(policy.get("valid_days", 1e5))
 	for body, key in told:  # the last word of each person counts
-		said, sums = read(body)["predicate"], read(body)["subject"][0]["digest"]
-		at, who, may = when(said["time"]), same(key["person"]), {*map(same, key["roles"])}
-		no(at <= before, "order"); before, bad = at, void(key, at, policy, sha(body), *sums.values())
-		if at > day + datetime.timedelta(minutes=5): continue
-		good = [sums[n] for n in PARTS[1:]] in own and sums.items() <= log.get("digests", sums).items()
-		no(good and not bad and said["verdict"] == "rejected", "rejected")
-		good = good and not bad and day <= min(at + days, when(said["expires"] or "9999-12-30"))
-		ask = [one for one in ask if one[0] != who or said["met"]]
-		met += [(t, may) for t in said["met"] if good]; ask += [(who, t, may) for t in said["conditions"]]
-		last[who] = good and not may & {"automatic", "recorder"} and may
+		say, sums = read(body)["predicate"], read(body)["subject"][0]["digest"]
+		at, who, may, met = when(say["time"]), same(key["person"]), {*map(same, key["roles"])}, say["met"]
+		no(at <= before, "order"); before, yes = at, not void(key, at, policy, sha(body), *sums.values())
+		if at > day + datetime.timedelta(minutes=5): continue  # signed later
+		word = log.get("digests", sums)["closure"] == sums["closure"] in own and yes and say["verdict"]
+		good = word and day <= min(at + days, when(say["expires"] or "9999-12-30"))
+		no(good and "automatic" in may and policy.get("automatic") != "may_sign", "a program signs")
+		last[who] = word if word == "rejected" else good and not may & {"automatic", "recorder"} and may
+		ask = [a for a in ask if (a[0] != who or met) and not (last[who] and a[1] in met and a[2] & may)]
+		ask += [(who, text, may) for text in say["conditions"] if last[who]]
+	no("rejected" in last.values(), "rejected")
 	seats = [same(role) for role, n in policy.get("roles", {}).items() for _ in range(min(n, 99))]
 	ok = [may for may in last.values() if may]; few = len(ok) < policy.get("persons", len(seats) or 1)
 	no(few or not each(seats, ok, lambda seat, may: seat in may), "too few sign")
-	for who, text, may in ask:
-		done = text in (log.get("met") or ()) or any(text == one and may & theirs for one, theirs in met)
-		no(last[who] and not done, "a condition is open: " + text)
+	for who, text, _ in ask:
+		no(last[who] and text not in (log.get("met") or ()), "a condition is open: " + text)
 def files(way): return sorted(pathlib.Path(".").glob(way))
 def load(name): return b"".join(one.read_bytes() for one in files(name))
 def known_of(path): return content([(path.parent / f"{part}.json").read_bytes() for part in PARTS])

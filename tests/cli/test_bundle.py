@@ -158,6 +158,30 @@ def test_a_person_in_another_spelling_is_no_second_one(name: str, desk: Desk) ->
     assert "too few sign" in _verify(folder)[1]
 
 
+def test_the_last_word_of_a_person_counts_in_a_bundle(desk: Desk) -> None:
+    """Who has rejected it and approves it later has changed the mind; and the other way round."""
+    assert desk.approve("ada", "--verdict", "rejected").status == 0
+    assert desk.approve("ada").status == 0
+    assert desk.codes() == []
+    _run(desk)
+    status, said = _verify(_bundle(desk))
+    assert status == 0, said
+    assert desk.approve("ada", "--verdict", "rejected").status == 0
+    _run(desk)
+    assert "records: rejected" in _verify(_bundle(desk))[1]
+
+
+def test_a_program_may_sign_only_where_the_policy_says_so(approved: Desk) -> None:
+    approved.key("ci", "automatic", "ci")
+    assert approved.approve("ci").status == 0
+    _run(approved)
+    for text, good in ((ROLES, False), (f'automatic = "may_sign"\n{ROLES}', True)):
+        policy = written_policy(approved.folder, text)
+        assert (approved.codes("--policy", policy) == []) is good
+        status, said = _verify(_bundle(approved, "--policy", policy))
+        assert (status == 0) is good, said
+
+
 def test_a_register_says_whose_the_keys_are(approved: Desk) -> None:
     _run(approved)
     ada, ben = (_public(approved, key) for key in (ADA.person, "Ben Carson"))
@@ -196,6 +220,20 @@ def test_a_condition_is_open_until_it_is_met(desk: Desk) -> None:
     _run(desk)
     assert _verify(_bundle(desk))[0] == 0
     assert desk.codes() == []
+
+
+def test_who_says_too_early_that_a_condition_is_met_closes_nothing(desk: Desk) -> None:
+    """And a program closes nothing at all."""
+    desk.key("Eve", "engineer", "eve")
+    assert desk.approve("ada", "--met", "it is dry").status == 0
+    assert desk.approve("eve", "--condition", "it is dry").status == 0
+    assert desk.codes() == ["condition_unmet"]
+    _run(desk)
+    assert "a condition is open: it is dry" in _verify(_bundle(desk))[1]
+    assert desk.approve("ada", "--met", "it is dry").status == 0
+    assert desk.codes() == []
+    _run(desk)
+    assert _verify(_bundle(desk))[0] == 0
 
 
 def _run(desk: Desk) -> Answer:
