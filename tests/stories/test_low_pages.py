@@ -277,6 +277,23 @@ def test_in_the_lowest_window_the_page_inspection_has_whole_tabs_and_buttons(sit
     person.until(lambda: run.save.text() == "Save script…")
 
 
+def test_beside_the_page_inspection_the_path_covers_no_state(sit: Sit) -> None:
+    """In the lowest window it lay on half of the state that was found."""
+    person = at(sit, HANOI, LOWEST)
+    canvas, crumb = person.window.canvas, person.window.canvas.overlays.breadcrumb
+    canvas.camera.motion = False
+    person.ctrl(Key.Key_I)
+    person.until(lambda: canvas.height() < 140)
+    for state in ("State_ccb", "State_aca", "State_bbb"):
+        person.window.session.jump(Address("SB1", state))
+        person.until(lambda: canvas.viewport().rect().intersects(chosen(person)))
+        assert not chosen(person).intersects(crumb.geometry()), state
+    person.ctrl(Key.Key_I)
+    shrink(person, LARGE)
+    canvas.fit(smooth=False)
+    assert canvas.rect().contains(crumb.geometry())
+
+
 @pytest.mark.parametrize("size", [LOW, LOWEST])
 def test_one_row_of_the_page_inspection_is_whole(sit: Sit, size: tuple[int, int]) -> None:
     person = at(sit, SAMPLES / "registration-drilling.json", size)

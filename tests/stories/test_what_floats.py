@@ -246,6 +246,42 @@ def test_the_legend_of_a_run_leaves_the_active_state_of_a_far_picture_free(
             assert state not in below(canvas, legend.geometry())
 
 
+@pytest.mark.parametrize("size", [(634, 336), (853, 466), (960, 540)])
+def test_the_name_of_the_running_operation_lies_on_no_tool_and_on_none_of_its_states(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]
+) -> None:
+    """In a far picture it lay half below *Follow*, or on the active state."""
+    monkeypatch.setattr(screen_room, "SMALLEST", QSize(1, 1))
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.resize(*size)
+    person.ctrl(Key.Key_2)
+    canvas = person.window.features.run.pane.canvas.canvas
+    canvas.camera.motion = False
+    person.until(lambda: canvas.isVisible() and canvas.width() < 450)
+    person.until(lambda: (person.window.width(), person.window.height()) == size)
+    canvas.fit(smooth=False)
+    canvas.refresh_pool()
+    for state, row in person.blueprint["SB1"].table.items():
+        for name, target in row.items():
+            operation = person.blueprint.resolve(f"SB1/{state}/{name}")
+            canvas.set_marks(
+                Marks(
+                    active=state,
+                    running=(operation, 0.5),
+                    running_words=f"{name} 2.9 s",
+                    dimmed=True,
+                )
+            )
+            assert canvas.sheet is not None
+            label = canvas.lit_layer.shown()[canvas.sheet.picture.edge(operation)]
+            left, top, right, bottom = label.rect
+            place = canvas.mapFromScene(QRectF(left, top, right - left, bottom - top))
+            assert place.boundingRect().top() >= 40, f"{name} lies below the tools"
+            assert canvas.rect().contains(place.boundingRect()), name
+            hit = below(canvas, place.boundingRect().adjusted(1, 1, -1, -1))
+            assert not hit & {state, target}, f"{name} from {state}"
+
+
 def below(canvas: Canvas, area: QRect) -> set[str]:
     """The states that are hit at points of an area of the view."""
     assert canvas.sheet is not None

@@ -19,6 +19,7 @@ from smsl_studio.front.views.states import short_name
 from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.marks import Marks
+from smsl_studio.studio.base.canvas.branch_view import TOP
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
@@ -78,6 +79,7 @@ class RunCanvas(QWidget):
         self._time: ShownTime | None = None
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
+        self.canvas.tools_high = TOP
         self.canvas.overlays.breadcrumb.hide()
         self.canvas.overlays.zoom.hide()
         self.canvas.edge_clicked.connect(self.chosen)

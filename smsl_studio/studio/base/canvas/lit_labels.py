@@ -323,10 +323,33 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Re
     # Between two neighbouring nodes there is room only above or below the line, or above or below
     # the nodes.
     corners += [(x - width / 2, y + apart * unit) for apart in (-26.0, 26.0, -50.0, 50.0)]
+    corners += _beside_boxes(lit_boxes(sheet), (x, y), (width, half), 5.0 * unit)
     rects = [(a, b - half, a + width, b + half) for a, b in corners]
     inside = [r for r in rects if _lies_in(r, view)] or rects
-    rect = next((r for r in inside if _is_free(sheet, r, taken)), inside[0])
+    # In a far picture it may cover small states, but none that is lit, and not its target.
+    goal = int(sheet.picture.target[edge])
+    clear = [r for r in inside if not any(labels.meet(r, other) for other in taken)] or inside
+    clear = [r for r in clear if goal not in sheet.states_in(*r)] or clear
+    rect = next((r for r in clear if _is_free(sheet, r, taken)), clear[0])
     return LitLabel(edge, EdgeText(name), rect, False, words or " ")
+
+
+def _beside_boxes(
+    boxes: list[Rect], near: tuple[float, float], size: tuple[float, float], gap: float
+) -> Iterator[tuple[float, float]]:
+    """Places around the two boxes that are nearest to a point: the left edge and the middle of the
+    height of something with a width and half a height."""
+    width, half = size
+
+    def far(box: Rect) -> float:
+        return abs(box[0] + box[2] - 2 * near[0]) + abs(box[1] + box[3] - 2 * near[1])
+
+    for left, top, right, bottom in sorted(boxes, key=far)[:2]:
+        middle, centre = (top + bottom) / 2, (left + right) / 2
+        yield right + gap, middle
+        yield left - gap - width, middle
+        yield centre - width / 2, top - gap - half
+        yield centre - width / 2, bottom + gap + half
 
 
 NAMES = 100

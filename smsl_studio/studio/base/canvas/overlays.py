@@ -185,9 +185,8 @@ class Overlays:
         self._place_legend()
 
     def _place_breadcrumb(self) -> None:
-        """Put the breadcrumb into the upper left corner. If it would cover something there, the
-        numbers behind the path are left out. If it still would, it goes to the lower left corner.
-        """
+        """Put the breadcrumb into the upper left corner, without numbers where it would cover
+        something, else into the lower left one. In a low view without a place it is not seen."""
         crumb, canvas = self.breadcrumb, self._canvas
         corner, foot = QPoint(EDGE, 10), QPoint(EDGE, canvas.height() - 26 - EDGE)
         for at, brief in ((corner, False), (corner, True), (foot, False), (foot, True)):
@@ -198,7 +197,7 @@ class Overlays:
             if not taken and not on_picture(canvas, at, area.size()):
                 break
         else:
-            at = corner
+            at = corner if canvas.height() >= LOWEST else QPoint(0, -LOWEST)
         crumb.setGeometry(QRect(at, crumb.sizeHint()))
         self._place_key()
 

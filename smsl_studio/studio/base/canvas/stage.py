@@ -53,6 +53,9 @@ class Stage(QGraphicsView):
         self.pool = NodePool()
         self.glide = Glide(self.pool, self._glided, self)
         scene = QGraphicsScene(self)
+        self.tools_high = 0
+        """The height at the top where tools lie over the drawing, so no lit name goes there
+        (pixels)."""
         self.lit_layer = LitLayer(20.0)
         self.ground = Ground(self.lit_layer)
         self.drawn = self.ground.drawn
@@ -304,7 +307,8 @@ class Stage(QGraphicsView):
         states: list[int] = []
         view = self.seen
         labels = self.lit_layer.shown() if self._marks.running is not None else {}
-        self.lit_layer.view = view.left(), view.top(), view.right(), view.bottom()
+        top = view.top() + self.tools_high / self.zoom
+        self.lit_layer.view = view.left(), top, view.right(), view.bottom()
         self.update_lit(labels)
         pad = 40.0 * sheet.unit
         view.adjust(-pad, -pad, pad, pad)
