@@ -27,6 +27,7 @@ BENCHES = (
     "source",
     "physics",
     "faults",
+    "worlds",
     "saving",
     "edits",
     "fuzz",

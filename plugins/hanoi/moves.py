@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.paths import minimum_jerk, rounded, timetable, waypoints
+from smsl_studio.world.motions import Motion, tool, travel, wait
 
 from .disks import PEG_TOP, PEGS, Disk
 from .table import HELD
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
     from .table import Table
 
 Array = NDArray[np.float64]
-Motion = Generator[None, None, None]
-
-DOWN: Array = np.diag([1.0, -1.0, -1.0])
-"""The rotation of the tool that points down, with fingers that close along y."""
 
 TRAVEL, CAREFUL, GENTLE = 0.6, 0.35, 0.15
 """The greatest speeds (m/s): between pegs, while rings are lifted or lowered, and on short ways."""
@@ -47,9 +43,6 @@ BESIDE = 0.03
 
 CLOSING, OPENING = 36, 24
 """The number of ticks that the fingers take to open or close."""
-
-TURNING = 0.6
-"""The time (s) for a quarter turn of the hand."""
 
 
 def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
@@ -146,54 +139,9 @@ def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     return True
 
 
-def travel(
-    world: BulletWorld, corners: Sequence[Array], speed: float, rotation: Array = DOWN
-) -> Motion:
-    """Move the tool smoothly from its commanded position through the corners (m)."""
-    yield from turn(world, rotation)
-    start = world.robot.goal
-    points, ways = waypoints(rounded([world.arm.tool(start)[0], *corners], 0.03))
-    if ways[-1] < 1e-6:
-        return
-    joints = [start]
-    for point in points[1:]:
-        joints.append(world.arm.solve(point, rotation, near=joints[-1]))
-    before = start
-    for segment, share in timetable(ways, speed, world.tick):
-        here = joints[segment] + (joints[segment + 1] - joints[segment]) * share
-        world.robot.drive(here, (here - before) / world.tick)
-        before = here
-        yield
-    world.robot.drive(joints[-1])
-    yield
-
-
-def turn(world: BulletWorld, rotation: Array) -> Motion:
-    """Turn the tool at its place. Nothing happens if it has this rotation already."""
-    start = world.robot.goal
-    place, turned = world.arm.tool(start)
-    if np.abs(turned - rotation).max() < 0.01:
-        return
-    end = world.arm.solve(place, rotation, near=start)
-    ticks = int(TURNING / world.tick)
-    for tick in range(1, ticks + 1):
-        world.robot.drive(start + (end - start) * minimum_jerk(tick / ticks))
-        yield
-
-
 def let_go(world: BulletWorld) -> Motion:
     world.robot.open()
     yield from wait(OPENING)
-
-
-def wait(ticks: int) -> Motion:
-    for _ in range(ticks):
-        yield
-
-
-def tool(world: BulletWorld) -> Array:
-    """Return the real position of the tool (m)."""
-    return world.arm.tool(world.robot.joints())[0]
 
 
 def centre_of(world: BulletWorld, disk: Disk) -> Array:

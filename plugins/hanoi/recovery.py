@@ -11,21 +11,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from smsl_studio.world.motions import DOWN, Array, tool, travel, wait
+
 from .disks import CAP, CAP_RADIUS, PEG_RADIUS, PEGS, Disk
 from .moves import (
     CAREFUL,
     CLOSING,
-    DOWN,
     SQUEEZE,
     TIPS,
     TRAVEL,
-    Array,
     above,
     bring,
     centre_of,
-    tool,
-    travel,
-    wait,
 )
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Any
 
-from smsl_studio.host.brief import words_of
+from smsl_studio.host.brief import brief, words_of
 from smsl_studio.host.guard_functions import refusal
 from smsl_studio.host.protocol import RETURNED, RUNNING, Outcome
 from smsl_studio.library.bound import BoundOperation
@@ -33,7 +33,7 @@ class Call:
         except StopIteration as end:
             if end.value is False:
                 return Outcome.FAILED, f"{self._bound.name} says that it failed"
-            return RETURNED, ""
+            return RETURNED, brief(end.value) if type(end.value) is str else ""
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # SystemExit, and what compiled libraries raise

@@ -17,7 +17,7 @@ class GuardFunctions:
     """The guards bound to edges, and their last answers."""
 
     def __init__(self, bound: Mapping[Address, BoundOperation]) -> None:
-        self._bound = {edge: one for edge, one in bound.items() if one.guard is not None}
+        self._bound = {edge: one for edge, one in bound.items() if one.available is not None}
         self._said: dict[Address, str] = {}
 
     def __bool__(self) -> bool:
@@ -38,10 +38,10 @@ class GuardFunctions:
 def refusal(bound: BoundOperation, subject: Any) -> str:
     """Return why an operation cannot be used now, or the empty text. A guard that raises an error,
     or returns no text, is a reason, too."""
-    if bound.guard is None:
+    if bound.available is None:
         return ""
     try:
-        found = bound.guard.why_not(subject, **bound.arguments)
+        found = bound.available.why_not(subject, **bound.arguments)
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # SystemExit, and what compiled libraries raise

@@ -215,10 +215,10 @@ class LocalHost:
         raises an error."""
         self._standing()
         bound = self._bindings.operations.get(edge) if self._bindings else None
-        if bound is None or bound.guard is None or bound.guard.premise is None:
+        if bound is None or bound.available is None or bound.available.premise is None:
             return
         with prints_aside(), self._mending(f"cannot be prepared for {edge.operation}"):
-            bound.guard.premise(self._subject, **bound.arguments)
+            bound.available.premise(self._subject, **bound.arguments)
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses for drawing. The tuple is empty if no world is open."""

@@ -63,7 +63,9 @@ class _Binder:
         self.by_name = {
             entry.name: (plugin, entry) for plugin in plugins for entry in plugin.library.operations
         }
-        self._by_text: dict[str, tuple[Plugin, OperationEntry, dict[str, str]] | None] = {}
+        self._by_text: dict[
+            tuple[str, str], tuple[Plugin, OperationEntry, dict[str, str]] | None
+        ] = {}
 
     def operations(self) -> Iterator[tuple[Address, BoundOperation]]:
         """Yield every edge that has a function, with this function. A binding that does not fit
@@ -122,9 +124,9 @@ class _Binder:
         return self._bound(branch, edge, (plugin, entry), arguments, exact)
 
     def _by_pattern(self, branch: StateBranch, edge: Address) -> BoundOperation | None:
-        name = edge.operation
+        name = (branch.name, edge.operation)
         if name not in self._by_text:
-            self._by_text[name] = self._match(name)
+            self._by_text[name] = self._match(*name)
         found = self._by_text[name]
         if found is None:
             return None
@@ -132,11 +134,13 @@ class _Binder:
         arguments = entry.signature.converted(texts)
         return self._bound(branch, edge, (plugin, entry), arguments)
 
-    def _match(self, name: str) -> tuple[Plugin, OperationEntry, dict[str, str]] | None:
+    def _match(
+        self, branch: str, name: str
+    ) -> tuple[Plugin, OperationEntry, dict[str, str]] | None:
         best = None
         for plugin in self.plugins:
             for entry in plugin.library.operations:
-                texts = entry.pattern.match(name) if entry.pattern else None
+                texts = entry.texts(branch, name)
                 if entry.pattern is None or texts is None:
                     continue
                 rank = (not entry.pattern.parameters, entry.pattern.literal)
@@ -166,7 +170,7 @@ class _Binder:
             plugin.location,
             resumes,
             (*noted_touches(branch, note), *self._touched(branch, entry, arguments)),
-            entry.guard,
+            entry.available,
         )
 
     def _touched(

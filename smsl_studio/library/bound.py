@@ -20,7 +20,7 @@ class BoundOperation(NamedTuple):
 
     ``exact`` says that the binding names exactly this ``State/Operation``. ``location`` is the
     folder of the code. ``timeout`` is in simulated seconds. ``resumes`` and ``touches`` have the
-    same meaning as in ``host.protocol.Bound``. ``guard`` says whether the code can be used now.
+    same meaning as in ``host.protocol.Bound``. ``available`` says whether the code can be used now.
     """
 
     name: str
@@ -32,7 +32,7 @@ class BoundOperation(NamedTuple):
     location: str = ""
     resumes: bool = True
     touches: tuple[FactKey, ...] = ()
-    guard: Availability | None = None
+    available: Availability | None = None
 
 
 @dataclass(frozen=True, slots=True)

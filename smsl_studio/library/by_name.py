@@ -17,7 +17,7 @@ def function_by_name(loaded: Loaded, branch: StateBranch, name: str) -> str:
     if there is none."""
     for plugin in _at_home(loaded, branch):
         for entry in plugin.library.operations:
-            if entry.pattern is not None and entry.pattern.match(name) is not None:
+            if entry.texts(branch.name, name) is not None:
                 return entry.name
     return ""
 
@@ -46,7 +46,7 @@ def sensors_by_name(
 def _at_home(loaded: Loaded, branch: StateBranch) -> Iterator[Plugin]:
     names = branch.operation_names
     for plugin in loaded.plugins:
-        patterns = [one.pattern for one in plugin.library.operations if one.pattern is not None]
-        known = sum(any(one.match(name) is not None for one in patterns) for name in names)
+        entries = plugin.library.operations
+        known = sum(any(e.texts(branch.name, name) is not None for e in entries) for name in names)
         if known and 2 * known >= len(names):
             yield plugin

@@ -92,7 +92,15 @@ class OperationEntry:
     timeout: float
     resumes: bool = True
     touches: tuple[Pattern, ...] = ()
-    guard: Availability | None = None
+    available: Availability | None = None
+
+    def texts(self, branch: str, operation: str) -> dict[str, str] | None:
+        """Return the parameters that the pattern finds in the name of an operation, None if it does
+        not match. A pattern ``SB/Operation`` matches in this SB only."""
+        if self.pattern is None:
+            return None
+        whole = f"{branch}/{operation}" if "/" in self.pattern.text else operation
+        return self.pattern.match(whole)
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,26 +237,27 @@ class OperationLibrary:
         *,
         resumes: bool = True,
         touches: Sequence[str] = (),
-        guard: Availability | None = None,
+        available: Availability | None = None,
     ) -> Callable[[FunctionT], FunctionT]:
         """Register an operation (paper, Operation Representation). The decorated generator function
         carries out the operations that the pattern ``name`` matches.
 
         Each ``yield`` lets the world go on for one tick. A return of False reports a failure.
-        Without a name the function is used only where a blueprint or a bindings file names it.
+        A name ``"SB/Operation"`` matches in this SB only. Without a name the function is used only
+        where a blueprint or a bindings file names it.
         ``stop`` is the effect of a stop or pause: abort, hold or finish. ``timeout`` is in
         simulated seconds. With ``resumes=False`` a pause cancels it. ``touches`` are patterns of
         the facts that may have any value after a cancel, besides the facts of its edge: ``"{n}"``
         for the SB of the edge, or ``"SB/{n}"``. Here facts count from 1, and names in braces are
         parameters of the function.
-        ``guard`` says whether it can be used now (see ``Availability``).
+        ``available`` says whether it can be used now (see ``Availability``).
         """
         name = proper_name(name, "an operation") if name else ""
         _one_of(stop, STOP_MODES, "stop")
         timeout, resumes = seconds(timeout, "timeout"), truth(resumes, "resumes")
         touched = [proper_name(fact, "a fact") for fact in touches]
-        if guard is not None and not isinstance(guard, Availability):
-            raise PluginError(f"guard is of type {type(guard).__name__!r}, not a Availability")
+        if available is not None and not isinstance(available, Availability):
+            raise PluginError(f"available is of type {type(available).__name__!r}, no Availability")
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the operation. PluginError if the function is no generator, or if names do
@@ -267,7 +276,9 @@ class OperationLibrary:
                 _must_know_all(fact, signature)
             called = f"{self.name}.{proper_name(function.__name__, 'a function')}"
             entry = OperationEntry(function, called, pattern, signature, stop, timeout)
-            self.operations.append(replace(entry, resumes=resumes, touches=facts, guard=guard))
+            self.operations.append(
+                replace(entry, resumes=resumes, touches=facts, available=available)
+            )
             return function
 
         return keep

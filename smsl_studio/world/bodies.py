@@ -61,6 +61,9 @@ class Robot:
     ``urdf`` is a file in the folder of the engine's models, or a full path. ``tool`` is the link
     that the kinematics moves. ``rest`` has the angles of the joints at the start. ``fingers`` are
     the two finger joints, and ``opening`` is their distance from the middle when they are open.
+
+    ``point`` is the point that the kinematics moves, in the frame of the link ``tool``: the tip of
+    a pointer, for example. ``mesh`` and ``colour`` are of what is mounted on this link.
     """
 
     name: str
@@ -70,3 +73,6 @@ class Robot:
     fingers: tuple[str, ...] = ()
     opening: float = 0.0
     friction: float = 0.5
+    point: Vector = (0.0, 0.0, 0.0)
+    mesh: tuple[float, ...] = ()
+    colour: Vector = (0.5, 0.5, 0.5)

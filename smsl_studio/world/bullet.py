@@ -69,6 +69,7 @@ class BulletWorld:
             check_amounts(part.name, "mass and friction", (part.mass, part.friction), least=0.0)
         else:
             check_amounts(part.name, "the rest posture", part.rest)
+            check_position(part.name, part.point)
             check_amounts(part.name, "opening and friction", (part.opening, part.friction), 0.0)
         self._plan.append(part)
         self._carriers = None
@@ -99,7 +100,7 @@ class BulletWorld:
     def _make(self, part: Body | Robot) -> None:
         if isinstance(part, Robot):
             urdf = read_urdf(MODELS / part.urdf)
-            self._arm = self._arm or Arm(urdf.chain(part.tool), part.rest)
+            self._arm = self._arm or Arm(urdf.chain(part.tool, part.point), part.rest)
             self._robot = Manipulator(self._engine, part, MODELS / part.urdf, urdf, self._arm)
             return
         made = self._engine.createMultiBody(part.mass, self._collision(part), -1, part.position)

@@ -30,3 +30,5 @@ def _links(robot: Robot, models: Path) -> Iterator[tuple[str, Shape]]:
         for colour, mesh in read_obj(visual.mesh):
             placed = moved(mesh, rotation, visual.xyz)
             yield visual.link, Shape(visual.link, soup(placed), colour)
+    if robot.mesh:
+        yield robot.tool, Shape(f"{robot.name} tool", robot.mesh, robot.colour)

@@ -50,9 +50,13 @@ class Urdf:
     joints: tuple[Joint, ...]
     visuals: tuple[Visual, ...]
 
-    def chain(self, tip: str) -> tuple[Joint, ...]:
+    def chain(self, tip: str, point: Vector = (0.0, 0.0, 0.0)) -> tuple[Joint, ...]:
         """Return the joints from the root to the link ``tip``, in this order. WorldError for an
-        unknown link."""
+        unknown link.
+
+        A ``point`` (m) in the frame of this link becomes a fixed joint at the end.
+        """
+        link = tip
         above = {joint.child: joint for joint in self.joints}
         found: list[Joint] = []
         while tip != self.root:
@@ -60,7 +64,11 @@ class Urdf:
                 raise WorldError(f"the robot has no link {tip!r}")
             found.append(above[tip])
             tip = above[tip].parent
-        return tuple(reversed(found))
+        chain = tuple(reversed(found))
+        if not any(point):
+            return chain
+        name, none = f"{link}_point", (0.0, 0.0, 0.0)
+        return (*chain, Joint(name, "fixed", link, name, point, none, (1.0, 0.0, 0.0), 0.0, 0.0))
 
 
 def read_urdf(path: Path) -> Urdf:

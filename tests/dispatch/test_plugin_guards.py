@@ -51,7 +51,7 @@ def register(library):
     def save(desk, place):
         desk.saved = True
 
-    @library.operation("load_{place}", guard=Availability(is_saved, save))
+    @library.operation("load_{place}", available=Availability(is_saved, save))
     def load(desk, place: str):
         if not desk.saved:
             raise AssertionError("it was called")

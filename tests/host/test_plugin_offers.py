@@ -146,7 +146,7 @@ def test_nothing_in_the_current_folder_is_imported(
         (folder / f"{name}.py").write_text("raise SystemExit('read from the current folder')")
     monkeypatch.chdir(folder)
     monkeypatch.setattr("sys.path", [one for one in sys.path if one])
-    assert [plugin.name for plugin in describe().plugins] == ["hanoi"]
+    assert [plugin.name for plugin in describe().plugins] == ["hanoi", "registration"]
 
 
 @pytest.mark.parametrize(
@@ -165,7 +165,7 @@ def test_a_plugin_cannot_take_another_name_once_it_runs(folder: Path, forging: s
     """
     write_plugin(folder, "bad", code)
     told = describe([folder])
-    assert [plugin.name for plugin in told.plugins] == ["hanoi"]
+    assert [plugin.name for plugin in told.plugins] == ["hanoi", "registration"]
     assert _named(told) == {"bad": "it calls itself 'hanoi' once it runs"}
 
 
@@ -206,7 +206,7 @@ def test_plugins_load_at_the_same_time(folder: Path) -> None:
         write_plugin(folder, f"one_{number}", MEETING.format(place=str(place), many=5))
     told = describe([folder], together=2)
     assert not told.faults
-    assert len(told.plugins) == 6
+    assert len(told.plugins) == 7
 
 
 @pytest.mark.parametrize("together", [0, 1, 3])
@@ -218,7 +218,7 @@ def test_plugins_that_hang_stop_no_other_and_are_named_in_order(
     write_plugin(folder, "a_good", "def register(library): pass")
     write_plugin(folder, "z_good", GOOD)
     told = describe([folder], limit=2.5, together=together)
-    assert [plugin.name for plugin in told.plugins] == ["a_good", "z_good", "hanoi"]
+    assert [plugin.name for plugin in told.plugins] == ["a_good", "z_good", "hanoi", "registration"]
     assert [fault.plugin for fault in told.faults] == [f"bad_{number}" for number in range(3)]
     assert {fault.sentence for fault in told.faults} == {"it did not load within 2.5 s"}
 

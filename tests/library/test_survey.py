@@ -30,7 +30,7 @@ def lamp(home: Path) -> Path:
 def _fault() -> str:
     """The sentence of the one plugin that cannot be loaded; it and no other is missing."""
     loaded = discover()
-    assert [plugin.name for plugin in loaded.plugins] == ["hanoi"]
+    assert [plugin.name for plugin in loaded.plugins] == ["hanoi", "registration"]
     (fault,) = loaded.faults
     return fault.sentence
 
@@ -160,14 +160,24 @@ def test_decisions_without_the_right_form_are_not_believed(
             read_decisions()
         assert words in caught.value.sentence or "plugins." in words
         assert caught.value.place is not None
-        assert _states() == {"candle": "new", "lamp": "new", "hanoi": "allowed"}
+        assert _states() == {
+            "candle": "new",
+            "lamp": "new",
+            "hanoi": "allowed",
+            "registration": "allowed",
+        }
         with pytest.raises(PluginError):
             allow(found_plugin("lamp"))
         assert file.read_bytes() == raw
     (fault,) = discover().faults
     assert str(fault).startswith(f"{file}:1:1: the decisions about plugins are not believed")
     file.write_bytes(good)
-    assert _states() == {"candle": "forbidden", "lamp": "allowed", "hanoi": "allowed"}
+    assert _states() == {
+        "candle": "forbidden",
+        "lamp": "allowed",
+        "hanoi": "allowed",
+        "registration": "allowed",
+    }
 
 
 def test_decisions_that_others_could_have_written_are_not_believed(lamp: Path, home: Path) -> None:

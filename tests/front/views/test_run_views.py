@@ -143,7 +143,7 @@ def test_choices_begin_with_what_the_blueprint_says() -> None:
 
 def test_worlds_that_suit_stand_before_the_table() -> None:
     assert front.worlds_for(front.read(SAMPLES / "hanoi-corrected.json")) == ("hanoi", "table")
-    assert front.worlds_for(front.read(SAMPLES / "registration.json")) == ("table",)
+    assert front.worlds_for(front.read(SAMPLES / "registration.json")) == ("registration", "table")
 
 
 def test_operations_of_a_base_and_its_sub_are_under_way_together() -> None:

@@ -20,7 +20,8 @@ def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
 
 
 def operation_names(loaded: Loaded) -> tuple[str, ...]:
-    """The names of the operations that plugins offer; patterns are left out."""
+    """The names of the operations that plugins offer; patterns are left out, and
+    names that hold in one SB only."""
     entries = (entry for plugin in loaded.plugins for entry in plugin.library.operations)
     names = (entry.pattern.text if entry.pattern else entry.name for entry in entries)
-    return tuple(sorted({name for name in names if "{" not in name}))
+    return tuple(sorted({name for name in names if not {"{", "/"} & set(name)}))

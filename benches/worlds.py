@@ -1,0 +1,71 @@
+"""Worlds in physics: every edge alone, the goal over many seeds, and runs with faults.
+
+A run counts as true if its end is true by a judge that uses only what is drawn and told
+(``tests/plugins``). Simulated seconds a CPU second tell how quick a world is. Without ``--all`` few
+seeds are run.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Iterator
+from itertools import cycle, islice
+
+from benches.row import Row
+from smsl_studio.front.inputs import read
+from smsl_studio.front.sweeps import sweep
+from smsl_studio.runlog.events import SweepFinished
+from smsl_studio.shipped import samples_dir
+from tests.plugins.site_runs import FLAT, SUBBED, run_site, site_faults
+
+
+def rows() -> Iterator[Row]:
+    """Run three seeds, and each fault once."""
+    return _rows(3, len(site_faults()))
+
+
+def all_rows() -> Iterator[Row]:
+    """Run 30 seeds of each file, and 500 faults."""
+    return _rows(30, 500)
+
+
+def _rows(seeds: int, faults: int) -> Iterator[Row]:
+    for file in (FLAT, SUBBED):
+        yield _swept(file)
+        yield from _goals(file, seeds)
+    yield _faulted(faults)
+
+
+def _swept(file: str) -> Row:
+    *_, last = sweep(read(samples_dir() / file), "registration")
+    assert isinstance(last, SweepFinished)
+    work = f"registration, {file}: edges alone that fail, of {last.edges}"
+    return Row(work, last.edges - last.passed, "edges", bound="0")
+
+
+def _goals(file: str, seeds: int) -> Iterator[Row]:
+    start, simulated, missed, worst = time.process_time(), 0.0, 0, 0.0
+    for seed in range(seeds):
+        story = run_site(file, seed=seed)
+        used = any("UsePrev" in name for name in story.started)
+        missed += story.end.reason != "goal_reached" or story.false_goal or used
+        worst, simulated = max(worst, story.error), simulated + story.end.t
+    spent = time.process_time() - start
+    name = f"registration, {file}, {seeds} seeds"
+    yield Row(f"{name}: runs that do not really register", missed, "runs", bound="0")
+    yield Row(f"{name}: largest error at a target", worst, "mm", bound="below 0.5 mm")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: all", spent, "CPU s")
+
+
+def _faulted(count: int) -> Row:
+    ends: Counter[str] = Counter()
+    wrong = 0
+    for number, fault in enumerate(islice(cycle(site_faults()), count)):
+        story = run_site(fault=fault, seed=number // len(site_faults()))
+        ends[story.end.reason] += 1
+        wrong += story.false_goal
+    words = ", ".join(f"{many} {word}" for word, many in sorted(ends.items()))
+    work = f"registration, {count} runs with a fault: {words}; false goals"
+    return Row(work, wrong, "", bound="0")
