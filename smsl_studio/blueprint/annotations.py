@@ -43,7 +43,13 @@ class FactNote(_Note):
     critical: bool = False
     sensors: tuple[str, ...] = ()
     unit: str = ""
-    predicate: str = ""
+    sources: dict[str, str] = field(default_factory=dict)
+    """What measures the fact: sources by name, each with its unit (see ``predicates``)."""
+    predicate: str | dict[str, str] = ""
+    """For each value the condition on the sources under which the fact has it. A text is only for
+    people."""
+    range: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """The least and the largest number that a source can measure, in its unit."""
     aggregation: Literal["single", "all", "any", "k_of_n", "priority", "human"] = "single"
     k: Annotated[int, Ge(1)] | None = None
     max_age: Annotated[float, Gt(0)] | None = None

@@ -257,6 +257,8 @@ def _said(note: Any) -> dict[str, Json]:
 def _plain(value: Any) -> Json:
     if isinstance(value, tuple):
         return list(value)
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
     if hasattr(value, "arguments"):
         arguments = {key: word_for_word(one) for key, one in value.arguments.items()}
         return {"function": value.function, "arguments": arguments}

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.pins import PINNED, pins_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
+    from smsl_studio.blueprint.predicates import FactSense
 
 Json = Any
 
@@ -37,6 +38,8 @@ class Notes:
     """The states that a tidy drawing leaves where they are. Each has a place in ``layout``."""
     faults: tuple[tuple[tuple[str, ...], str], ...] = ()
     written: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    senses: Mapping[int, FactSense] = field(default_factory=dict)
+    """How facts are sensed whose entry has sources or predicates."""
 
     def operation(self, state: str, operation: str) -> OperationNote:
         """Return the note of one edge: that of its name, with the changes of the edge's own
@@ -72,12 +75,17 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
         return {}
 
     facts: dict[int, FactNote] = {}
+    senses: dict[int, FactSense] = {}
     for digit, raw in table("_facts").items():
         fact = validated(FactNote, raw, ("_facts", digit), faults)
         if fact is not None and digit.isdecimal() and digit.isascii():
             facts[int(digit)] = fact
         elif fact is not None:
             faults.append((("_facts", digit), f"{digit!r} is no digit of a fact"))
+        if isinstance(raw, dict) and not _SENSED.isdisjoint(raw) and digit.isdecimal():
+            sense = _sense(raw)
+            if sense is not None:
+                senses[int(digit)] = sense
     states: dict[str, StateNote] = {}
     for name, raw in table("_states").items():
         state = validated(StateNote, raw, ("_states", name), faults)
@@ -104,7 +112,23 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
         else:
             faults.append((("_layout", name), "a position is [x, y]"))
     pinned = pins_of(drawn[PINNED], layout, faults) if PINNED in drawn else frozenset()
-    return Notes(facts, states, operations, layout, edges, pinned, tuple(faults), written)
+    return Notes(facts, states, operations, layout, edges, pinned, tuple(faults), written, senses)
+
+
+_SENSED = frozenset(("sources", "predicate", "range"))
+
+
+def _sense(raw: Mapping[str, Json]) -> FactSense | None:
+    """Return how a fact is sensed. Most files have no predicates, and load nothing for them."""
+    if (
+        isinstance(raw.get("predicate", ""), str)
+        and not raw.get("sources")
+        and not raw.get("range")
+    ):
+        return None
+    from smsl_studio.blueprint.predicates import sense_of
+
+    return sense_of(raw)
 
 
 NO_NOTES = Notes()

@@ -39,7 +39,10 @@ WORDS: dict[str, dict[str, str]] = {
         "critical": "Whether the procedure depends on it.",
         "sensors": "The sensors it is read by.",
         "unit": "The unit of what the sensors read.",
-        "predicate": "How the reading becomes a value: a predicate or a threshold.",
+        "sources": "What measures it: sources by name, each with its unit, such as N or mm.",
+        "predicate": "For each value the condition on the sources, such as: force > 2 N for 0.5 s. "
+        "A text is only for people.",
+        "range": "The least and the largest number that a source can measure, in its unit.",
         "aggregation": "How several sensors become one fact.",
         "k": "How many sensors must agree, if the aggregation is k_of_n.",
         "max_age": "Seconds after which a reading counts as unknown.",

@@ -105,6 +105,7 @@ class RunAnswers:
 
         rule = record(
             FactRule,
+            ("sense",),
             aggregation=one_of([*MODES, "human"]),
             k=optional(COUNT),
             critical=flag(),

@@ -12,6 +12,8 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.predicates import FactSense
+
 NOBODY = "nobody has answered yet"
 """The reason why a fact that only a person may answer is unknown."""
 NO_SENSOR = "no sensor reads it"
@@ -51,7 +53,8 @@ class FactRule:
     (s) that sources may disagree before the fact is unknown. ``sensors`` are the named sensors, in
     order; a named sensor that does not exist counts as a source without a value. ``max_age`` (s)
     is the largest age of a person's answer; None means that it holds until the next answer.
-    ``shared`` says that a person's answer counts if the sensors leave the fact unknown.
+    ``shared`` says that a person's answer counts if the sensors leave the fact unknown. With a
+    ``sense`` the sensors measure, and predicates decide.
     """
 
     aggregation: str = "single"
@@ -61,6 +64,7 @@ class FactRule:
     sensors: tuple[str, ...] = ()
     max_age: float | None = None
     shared: bool = False
+    sense: FactSense | None = None
 
     @property
     def people(self) -> bool:

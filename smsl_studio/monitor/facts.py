@@ -21,6 +21,7 @@ from smsl_studio.monitor.aggregate import NOBODY, Aggregate, FactRule, SourceVal
 from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.monitor.rounds import Rounds
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.sensed_fact import SensedFact
 from smsl_studio.monitor.speaker import HAIR
 
 NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
@@ -85,6 +86,8 @@ class _Fact:
     answer: tuple[SourceValue, float] | None = None
     agreed: tuple[Aggregate, float] | None = None
     alone: Ledger | None = None
+    sensed: SensedFact | None = None
+    """The decision of its predicates, if it has any."""
 
 
 class FactMonitor:
@@ -122,9 +125,12 @@ class FactMonitor:
             for name, ledger in fact.sources.items()
         }
         for key, rule in rules.items():
-            if rule.people or rule.sensors:
+            if rule.people or rule.sensors or rule.sense is not None:
                 self._facts.setdefault(key, _Fact(rule, {}))
         for fact in self._facts.values():
+            if fact.rule.sense is not None:
+                fact.sensed = SensedFact(fact.rule.sense, fact.sources)
+                continue
             alone = len(fact.sources) == 1 and not fact.rule.people
             if alone and fact.rule.aggregation in ("single", "any", "priority"):
                 fact.alone = next(iter(fact.sources.values()))
@@ -241,7 +247,7 @@ def _others(fact: _Fact, now: float) -> list[SourceValue]:
     If none of the named sensors exists, the fact is unknown.
     """
     answers = [_answered(fact, now)] if fact.rule.people and fact.answer else []
-    if fact.sources and not fact.rule.awaits_all:
+    if (fact.sources and not fact.rule.awaits_all) or fact.sensed is not None:
         return answers
     named = (name for name in fact.rule.sensors if name not in fact.sources)
     return [
@@ -271,11 +277,24 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
             return fresh_reading(newest.value)
         only = alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
+    if fact.sensed is not None:
+        return _sensed(fact, fact.sensed, now, live)
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
     verdict = aggregate(fact.rule, [*said, *_others(fact, now)])
     if fact.rule.conflict_after > 0:
         elsewhere = any(ledger.live for ledger in fact.sources.values())
         verdict = _patient(fact, verdict, said, live if elsewhere else now)
+    return Reading(verdict.value, verdict.reason, verdict.age)
+
+
+def _sensed(fact: _Fact, sensed: SensedFact, now: float, live: float) -> Reading:
+    """Return what the predicates say, or the answer of a person where one counts."""
+    said = sensed.said(now, live)
+    rule = fact.rule
+    if not rule.people:
+        return Reading(said.value, said.reason, said.age)
+    answers = [_answered(fact, now)] if fact.answer else []
+    verdict = aggregate(rule, [said, *answers])
     return Reading(verdict.value, verdict.reason, verdict.age)
 
 

@@ -96,6 +96,20 @@ class Ledger:
             return SourceValue(self.name, None, reason, age)
         return SourceValue(self.name, sample.value, "", age)
 
+    def newest(self, now: float, live: float = 0.0) -> tuple[Sample | None, float, str]:
+        """Return the newest sample of the source, its age (s), and why it is no evidence, if it is
+        not for its own words: two programs speak, or its boot is over.
+        """
+        only = self._only
+        if only is not None and not only.over:
+            return only.sample, only.read_age(now, live), ""
+        speaker = self.speaker(now, live)
+        if speaker is None:
+            return None, 0.0, ""
+        said = self.said(now, live)
+        doubt = said.reason if said.contested or speaker.over else ""
+        return speaker.sample, speaker.read_age(now, live), doubt
+
     @property
     def live(self) -> bool:
         """Whether it has a remote speaker, so that the monotonic clock counts."""

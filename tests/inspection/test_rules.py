@@ -231,6 +231,36 @@ PLANTED = [
     ("R29", "W", "_levels", "'SB/c' has no level: it is no operation and no fact", """{
   "_levels": {"SB/a": "human", "SB/0": "shared", "SB/State_1/b": "automatic", ^"SB/c": "human"},
   "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "character 9: 2 mm is compared with a measure in N", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N"},
+    "predicate": {"0": "force < 1 N", ^"1": "force > 2 mm"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "'forse' is no source of this fact", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N"},
+    "predicate": {"0": "force < 1 N", ^"1": "forse > 2 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "the unit of force: 'Newton' is no unit", """{"SB": {
+  "_facts": {"0": {"sources": {^"force": "Newton"},
+    "predicate": {"0": "force < 1 N", "1": "force > 2 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "the range of force is no pair of numbers, the lower first", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N"}, "range": {^"force": [50, 0]},
+    "predicate": {"0": "force < 1 N", "1": "force > 2 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "E", "SB", "fact 1: no predicate says which value they mean", """{"SB": {
+  "_facts": {"0": {^"sources": {"force": "N"}, "predicate": "more than 2 N"}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB", "no predicate uses the source gap", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N", ^"gap": "mm"},
+    "predicate": {"0": "force < 1 N", "1": "force > 2 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB", "no state has the value 2, for which there is a predicate", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N"},
+    "predicate": {"0": "force < 1 N", "1": "force > 2 N", ^"2": "force > 3 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB", "no predicate says when it is 0, so it is never sensed", """{"SB": {
+  "_facts": {"0": {"sources": {"force": "N"}, ^"predicate": {"1": "force > 2 N"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
 ]  # fmt: skip
 
 

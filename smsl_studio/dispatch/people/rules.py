@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.levels import Levels, sensed_facts
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.predicates import FactSense
 from smsl_studio.host.protocol import OpenedWorld
 from smsl_studio.monitor.aggregate import FactRule
+from smsl_studio.world.engines import TABLE
 
 PEOPLE = "human"
 ALONE = "single"
@@ -44,4 +46,21 @@ def leveled_rules(
             )
         elif level == AUTOMATIC and asks:
             found[key] = replace(rule, aggregation=ALONE)
+    for key, sense in _senses(blueprint, opened):
+        found[key] = replace(found.get(key) or FactRule(), sense=sense)
     return found
+
+
+def _senses(blueprint: Blueprint, opened: OpenedWorld) -> Iterator[tuple[FactKey, FactSense]]:
+    """Yield the facts that predicates decide in this world.
+
+    The table world senses the facts themselves. There predicates decide only what is sensed
+    elsewhere.
+    """
+    elsewhere = {(one.branch, one.digit) for one in opened.sensors if one.remote}
+    for branch in blueprint:
+        for digit, sense in branch.notes.senses.items():
+            key = branch.name, digit
+            own = digit < branch.num_facts and digit not in branch.subs
+            if own and (opened.world != TABLE or key in elsewhere):
+                yield key, sense

@@ -116,7 +116,12 @@ def _source(
         yield f"{opened(source)}."
     if note is None:
         return
-    if note.predicate:
+    if isinstance(note.predicate, dict):
+        measured = ", ".join(f"{name} in {unit}" for name, unit in note.sources.items())
+        yield f"It is decided from what is measured: {measured}."
+        for value, text in note.predicate.items():
+            yield f"It is {words.names.value(branch, digit, value)} if {text}."
+    elif note.predicate:
         unit = f" ({note.unit})" if note.unit else ""
         yield f"It counts by this measure: {note.predicate}{unit}."
     if len(sensors) > 1:

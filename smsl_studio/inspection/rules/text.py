@@ -94,10 +94,25 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
     for branch in blueprint:
         for path, reason in (*branch.notes.faults, *branch.drawn.faults):
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
+            if is_told_as_predicate(path, reason, branch):
+                continue
             severity = ERROR if _is_safeguard(path, reason) else WARNING
             yield _note(blueprint.home(branch.name), (branch.name, *path), words, severity)
+        if branch.notes.senses:
+            from smsl_studio.inspection.rules.predicates import odd_predicates
+
+            yield from odd_predicates(blueprint, branch)
         yield from _strangers(blueprint, branch)
         yield from _idle(branch)
+
+
+def is_told_as_predicate(path: tuple[str, ...], reason: str, branch: StateBranch) -> bool:
+    """Whether a fault is one of sources, ranges or predicates, which are told with more words."""
+    key = reason.partition(":")[0].partition(".")[0]
+    if path[0] != "_facts" or len(path) < 2 or key not in ("sources", "range", "predicate"):
+        return False
+    sense = branch.notes.senses.get(int(path[1])) if path[1].isdecimal() else None
+    return sense is not None and any(fault.path[0] == key for fault in sense.faults)
 
 
 SAFEGUARDS = ("confirm", "requires", "timeout", "answer_within")

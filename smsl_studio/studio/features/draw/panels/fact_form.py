@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -105,6 +106,8 @@ class FactForm(NoteForm):
                                  "sensors"))  # fmt: skip
         self.add("predicate", TextLine("Predicate", "The threshold or condition that is read, "
                                        "such as distance < 2", "such as distance < 2"))  # fmt: skip
+        self.decided = Sentence("hint")
+        self.column.addWidget(self.decided)
         self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
         self.add("max_age", NumberLine(
             "Max. age", "A reading older than this counts as unknown",
@@ -129,6 +132,11 @@ class FactForm(NoteForm):
         written = written_words(branch, "_facts", key) - set(misfits)
         self.chip.show_tag(key, "value", self._sub is not None)
         self._place.setText(f"of {name}")
+        decided = decision_words(note)
+        if decided:
+            # Predicates are a map, which a line cannot show. It would write a text over them.
+            note, written = replace(note, predicate=""), written - {"predicate"}
+        self.decided.say(decided)
         self.show_entries([NoteEntry(name, key, note, PLAIN, written, misfits=misfits)])
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
         self._values.show_values(values, note, branch.on_value(digit))
@@ -152,6 +160,7 @@ class FactForm(NoteForm):
             count = len(note.sensors)
             several = count > 1 or "conflict_after" in written
             self._lines["conflict_after"].setVisible(several)
+            self._lines["predicate"].setVisible(not self.decided.text())
             self._lines["k"].setVisible(note.aggregation == "k_of_n" or "k" in written)
         asked = sub is None and Levels(blueprint).fact(branch.name, self._digit) != AUTOMATIC
         self.asking.show(asked, written)
@@ -185,6 +194,15 @@ class FactForm(NoteForm):
     def _write(self, words: Mapping[str, Any], step: str) -> None:
         changes = {(self._branch, str(self._digit)): words}
         self.edit(step, lambda bp: change_notes(bp, "_facts", changes), self._said.say)
+
+
+def decision_words(note: FactNote) -> str:
+    """The sources and predicates of a fact, a line for each. Empty if it has no predicates."""
+    if isinstance(note.predicate, str):
+        return ""
+    measured = ", ".join(f"{name} ({unit})" for name, unit in note.sources.items())
+    lines = (f"{value} if {text}" for value, text in note.predicate.items())
+    return as_it_is("\n".join((f"Decided from {measured or 'nothing'}:", *lines)))
 
 
 def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -> str:
