@@ -257,7 +257,7 @@ def recorder(log):  # the machine that has signed the head of its log
 	policy, keys = trusted(); body, key = opened(log["signed"], keys, "smsl-studio.log-head")
 	bad = key["roles"] != ["recorder"] or void(key, when(log["wall_time"]), policy)
 	return no(bad or body != log["head"]) or key["person"]
-def judge(known, log):
+def judge(known, log, bot={"automatic", "recorder"}):
 	(policy, keys), last, ask, before = trusted(), {}, [], when("1999-01-01")
 	told = [opened(one, keys) for f in files("records/*") for one in read(f.read_bytes())["records"]]
 	day = when(log.get("wall_time") or told and read(told[-1][0])["predicate"]["time"])
@@ -269,8 +269,8 @@ def judge(known, log):
 		if at > day + datetime.timedelta(minutes=5): continue  # signed later
 		word = log.get("digests", sums)["closure"] == sums["closure"] in own and yes and say["verdict"]
 		good = word and day <= min(at + days, when(say["expires"] or "9999-12-30"))
-		no(good and "automatic" in may and policy.get("automatic") != "may_sign", "a program signs")
-		last[who] = word if word == "rejected" else good and not may & {"automatic", "recorder"} and may
+		no(good and may & bot and policy.get("automatic") != "may_sign", "a program signs")
+		last[who] = word if word == "rejected" else good and not may & bot and may
 		ask = [a for a in ask if (a[0] != who or met) and not (last[who] and a[1] in met and a[2] & may)]
 		ask += [(who, text, may) for text in say["conditions"] if last[who]]
 	no("rejected" in last.values(), "rejected")

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import RunRefused
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.loading import discover
+from smsl_studio.library.loading import discover, refuse_hardware
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
@@ -30,40 +29,41 @@ def make_host(
     process that waits for work. RunRefused if the world is hardware and the run has no approval.
     """
     blueprint, world, seed = request.blueprint, request.world, request.seed
-    _refuse_hardware(request, loaded)
     trust = request.trust
-    file = trust.bindings if trust is not None else None
+    may_move = trust is not None
     if request.host == "local":
         from smsl_studio.host.local import LocalHost
 
+        if loaded is None:
+            loaded = known_world(world, request.plugin_paths)
+        if loaded is not None:
+            refuse_hardware(loaded, world, may_move)
+        file = trust.bindings if trust is not None else None
         return LocalHost(blueprint, world, seed, request.plugin_paths, loaded, file)
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
+    if loaded is not None:
+        refuse_hardware(loaded, world, may_move)
     signed = trust.code if trust is not None else None
     # A plugin that nobody signed does not run beside signed code: it could change it.
     only = tuple(signed) if signed else _locations(loaded, world)
-    terms = ChildTerms(only, signed=signed, bindings=file)
+    file = trust.bindings if trust is not None else None
+    terms = ChildTerms(only, signed=signed, bindings=file, hardware=may_move)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
-
-
-def _refuse_hardware(request: RunRequest, loaded: Loaded | None) -> None:
-    world = request.world
-    if request.trust is not None or loaded is None or world == TABLE or world not in loaded.worlds:
-        return
-    if loaded.world(world)[1].hardware:
-        words = f"{world} is hardware, and no policy is named"
-        advice = "Run it in a simulated world, or name a trust policy that is met."
-        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
 
 
 def make_ready(
     spare: Spare, blueprint: Blueprint, world: str, seed: int, loaded: Loaded | None = None
 ) -> None:
     """Let a child of ``spare`` build this world for a later run with the same ``loaded``. The call
-    does not wait."""
+    does not wait. A world that is hardware is not built before its run is approved."""
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
     terms = ChildTerms(_locations(loaded, world))
+    known = loaded is not None and world in loaded.worlds and world != TABLE
+    if loaded is not None and known and loaded.world(world)[1].hardware:
+        spare.warm()
+        return
     spare.warm(ProcessHost(blueprint, world, seed, terms=terms).recipe)
 
 

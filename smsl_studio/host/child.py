@@ -32,7 +32,7 @@ from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.loading import discover
+from smsl_studio.library.loading import discover, refuse_hardware
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.world.engines import TABLE, preload
 
@@ -65,6 +65,8 @@ class Recipe:
     signed."""
     bindings: BindingsFile | None = None
     """The bindings file that was signed. None means the one beside the blueprint."""
+    hardware: bool = False
+    """Whether the run was approved for a world that is hardware. Without it none is built."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -131,6 +133,7 @@ class _Child:
             signed = None if recipe.signed is None else dict(recipe.signed)
             loaded = discover(paths, recipe.only, lambda name, _: self._loads(name), signed)
             self._loads("")
+        refuse_hardware(loaded, recipe.world, recipe.hardware)
         file = recipe.bindings
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
         self._run = RunAnswers(blueprint)

@@ -54,7 +54,8 @@ class ChildTerms:
     and ``silence_limit`` for the time without a pulse. ``memory`` is in bytes; None means half of
     the computer's memory. ``signed`` has the SHA-256 of signed code, by location; other code at
     these locations is not loaded. ``bindings`` is the bindings file that was signed; None means the
-    one beside the blueprint.
+    one beside the blueprint. ``hardware`` says that the run was approved for a world that is
+    hardware; without it none is built.
     """
 
     only: tuple[str, ...] | None = None
@@ -64,6 +65,7 @@ class ChildTerms:
     memory: int | None = None
     signed: Mapping[str, str] | None = None
     bindings: BindingsFile | None = None
+    hardware: bool = False
 
 
 USUAL = ChildTerms()
@@ -88,7 +90,15 @@ class ProcessHost:
         paths = tuple(str(path) for path in plugin_paths)
         signed = None if terms.signed is None else tuple(sorted(terms.signed.items()))
         self._recipe = Recipe(
-            texts, world, seed, paths, terms.only, terms.memory, signed, terms.bindings
+            texts,
+            world,
+            seed,
+            paths,
+            terms.only,
+            terms.memory,
+            signed,
+            terms.bindings,
+            terms.hardware,
         )
         self._terms = terms
         self._blueprint = blueprint

@@ -16,7 +16,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from smsl_studio.errors import Place, PluginError
+from smsl_studio.errors import Place, PluginError, RunRefused
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.library.plugin_code import CHANGED, code_of
@@ -54,6 +54,19 @@ def discover(
         every = [one for one in every if one.state is not allowed or one.location in only]
     with contextlib.redirect_stdout(sys.stderr):
         return gathered(every, load)
+
+
+def refuse_hardware(loaded: Loaded, world: str, approved: bool) -> None:
+    """Raise RunRefused if a world is hardware and no run is ``approved`` for it.
+
+    The caller must not have built the world yet, because that may move something.
+    """
+    if approved or not any(world in one.library.worlds for one in loaded.plugins):
+        return
+    if loaded.world(world)[1].hardware:
+        words = f"{world} is hardware, and no policy is named"
+        advice = "Run it in a simulated world, or name a trust policy that is met."
+        raise RunRefused(words, advice=advice, refusals=[("policy_unmet", words)])
 
 
 def gathered(

@@ -171,8 +171,9 @@ def test_the_last_word_of_a_person_counts_in_a_bundle(desk: Desk) -> None:
     assert "records: rejected" in _verify(_bundle(desk))[1]
 
 
-def test_a_program_may_sign_only_where_the_policy_says_so(approved: Desk) -> None:
-    approved.key("ci", "automatic", "ci")
+@pytest.mark.parametrize("role", ["automatic", "recorder"])
+def test_a_program_may_sign_only_where_the_policy_says_so(role: str, approved: Desk) -> None:
+    approved.key("ci", role, "ci")
     assert approved.approve("ci").status == 0
     _run(approved)
     for text, good in ((ROLES, False), (f'automatic = "may_sign"\n{ROLES}', True)):

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 
 import smsl_studio as smsl
-from smsl_studio.errors import RunRefused, SaveError
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import RunRefused, SaveError, StudioError
 from smsl_studio.front import recorder
 from smsl_studio.front.trust import with_trust
+from smsl_studio.host.child import Recipe
+from smsl_studio.host.plugin_offers import describe
+from smsl_studio.host.spare import Spare
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.permission import allow
 from smsl_studio.runlog.events import RunFinished, RunStarted
@@ -204,6 +210,48 @@ def test_the_bindings_that_were_verified_are_those_that_run(file: Path) -> None:
     file.with_suffix(".toml").write_text(other)
     assert smsl.run_request(checked).reason == "goal_reached", "the file is not read again"
     assert codes(smsl.run_request(request)) == ["code_changed", "too_few_persons"]
+
+
+@pytest.mark.parametrize("host", ["local", "process"])
+def test_hardware_is_not_even_built_before_its_run_is_approved(
+    file: Path, host: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """To build a world, and to arrange its start, may move something."""
+    from smsl_studio.home import user_folder
+
+    file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
+    code = LAMP_PLUGIN.replace('engine="table"', 'engine="table", hardware=True')
+    write_allowed(user_folder(), "lamp", code)
+    blueprint, edge = smsl.read(file), Address("LAMP", "State_0", "Op_on")
+    with suppress(RunRefused):
+        dispatcher = smsl.open_run(blueprint, "lamp", host=host)
+        end = dispatcher.open()[-1]
+        assert isinstance(end, RunFinished)
+        assert (end.reason, "is hardware" in end.sentence) == ("refused", True)
+        dispatcher.close()
+    try:
+        told = smsl.try_edge(blueprint, edge, "lamp", host=host).sentence
+    except StudioError as error:
+        told = str(error)
+    assert "is hardware" in told
+    assert "built" not in capfd.readouterr().err
+
+
+def test_no_hardware_is_kept_ready_for_a_run(file: Path) -> None:
+    from smsl_studio.front.hosts import make_ready
+    from smsl_studio.home import user_folder
+
+    class Noted(Spare):
+        recipes: ClassVar[list[Recipe | None]] = []
+
+        def warm(self, recipe: Recipe | None = None) -> None:
+            self.recipes.append(recipe)
+
+    file.write_text(json.dumps({"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1"}}}))
+    code = LAMP_PLUGIN.replace('engine="table"', 'engine="table", hardware=True')
+    write_allowed(user_folder(), "lamp", code)
+    make_ready(Noted(), smsl.read(file), "lamp", 0, describe())
+    assert Noted.recipes == [None]
 
 
 def test_hardware_runs_only_under_a_policy_that_is_met(file: Path) -> None:
