@@ -90,7 +90,7 @@ def test_a_disk_that_fills_holds_the_run_and_ends_it(
     sit: Sit, home: Path, tmp_path: Path, room: int
 ) -> None:
     """The header has room, and so many bytes behind it."""
-    smsl.run(smsl.read(SAMPLES / "registration.json"), log=tmp_path / "log")
+    smsl.run(smsl.read(SAMPLES / "registration.json"), "registration", log=tmp_path / "log")
     header = (tmp_path / "log").read_bytes().index(b"\n")
     run = AtRun(sit(SAMPLES / "registration.json"))
     run.person.windows.settings.sync()

@@ -217,5 +217,6 @@ def test_the_window_tells_the_same_story_as_a_headless_run(sit: Sit) -> None:
     run.as_fast_as_it_goes()
     person.press(Key.Key_F5)
     run.until_phase("Goal reached")
-    headless = front.run(front.read(REGISTRATION), goal="State_1111", start="State_0000")
+    read = front.read(REGISTRATION)
+    headless = front.run(read, "registration", goal="State_1111", start="State_0000")
     assert [e.line() for e in run.events] == [e.line() for e in headless.events]
