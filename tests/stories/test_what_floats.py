@@ -222,7 +222,7 @@ def test_the_legend_of_a_run_leaves_the_running_operation_free(
 
 
 @pytest.mark.parametrize(
-    ("size", "lines", "zoom"), [((660, 350), 6, 0.5), ((660, 350), 6, 2.0), ((853, 466), 2, 1.0)]
+    ("size", "lines", "zoom"), [((660, 350), 6, 0.5), ((660, 350), 6, 2.0), ((660, 350), 4, 0.5), ((853, 466), 2, 1.0)]
 )
 def test_the_legend_of_a_run_leaves_the_active_state_of_a_far_picture_free(
     sit: Sit, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int], lines: int, zoom: float
@@ -243,7 +243,8 @@ def test_the_legend_of_a_run_leaves_the_active_state_of_a_far_picture_free(
         canvas.set_marks(Marks(active=state, dimmed=True))
         if legend.isVisible():
             assert canvas.rect().contains(legend.geometry()), "its last rows were cut"
-            assert state not in below(canvas, legend.geometry())
+            assert not legend.geometry().intersects(canvas.overlays.banner.geometry())
+            assert state not in below(canvas, legend.geometry().adjusted(-4, -4, 4, 4)), "its ring"
 
 
 @pytest.mark.parametrize("size", [(634, 336), (853, 466), (960, 540)])

@@ -60,11 +60,14 @@ def on_names(canvas: BranchView, area: QRect) -> bool:
     sheet = canvas.sheet
     if sheet is None:
         return False
-    names = (label.rect for label in canvas.lit_layer.shown().values())
-    for left, top, right, bottom in (*names, *lit_boxes(sheet)):
-        part = QRectF(left, top, right - left, bottom - top)
-        if canvas.mapFromScene(part).boundingRect().intersects(area):
-            return True
+    names = [label.rect for label in canvas.lit_layer.shown().values()]
+    # A lit state has a ring around it.
+    for parts, ring in ((names, 0), (lit_boxes(sheet), SPACE)):
+        around = area.adjusted(-ring, -ring, ring, ring)
+        for left, top, right, bottom in parts:
+            part = QRectF(left, top, right - left, bottom - top)
+            if canvas.mapFromScene(part).boundingRect().intersects(around):
+                return True
     return False
 
 

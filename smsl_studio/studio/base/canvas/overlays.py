@@ -247,7 +247,7 @@ class Overlays:
     def _taken(self, corner: QPoint, size: QSize, itself: QWidget | None = None) -> bool:
         """Whether another floating widget is there."""
         area = QRect(corner, size)
-        others = (self.zoom, self.map, self.key, self.breadcrumb, self.dense)
+        others = (self.zoom, self.map, self.key, self.breadcrumb, self.dense, self.banner)
         shown = (one for one in others if one is not itself and not one.isHidden())
         return any(one.geometry().intersects(area) for one in shown)
 
