@@ -208,6 +208,18 @@ def test_in_the_lowest_run_page_the_timeline_and_the_world_are_tabs_that_are_who
     assert top(pane, pane.scene) < top(pane, lists)
 
 
+def test_the_timeline_shows_states_and_operations_at_every_height(sit: Sit) -> None:
+    """In a window that fills a screen of 1920 x 1080 at scale 2 only the states were seen."""
+    person = sit(HFSM, LARGE)
+    pane = paused(person).pane
+    for size in ((960, 572), (953, 540), (960, 515), LOW, LOWEST):
+        shrink(person, size)
+        if pane.low_page.tabbed:
+            pane.facts_place.lists.show_page(TIMELINE)
+        person.until(pane.timeline.isVisible)
+        person.until(lambda: pane.timeline.visibleRegion().boundingRect().height() >= 90)
+
+
 @pytest.mark.parametrize("size", [(960, 515), (960, 572), LOW, LOWEST])
 def test_what_may_be_done_with_a_stopped_run_is_whole(sit: Sit, size: tuple[int, int]) -> None:
     """In a window that fills a screen of 1280 x 720 at scale 1.5 the buttons were cut."""

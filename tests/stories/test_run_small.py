@@ -31,7 +31,7 @@ def test_three_facts_are_in_view_beside_the_lists(sit: Sit, size: tuple[int, int
 
 
 def test_in_a_small_window_they_are_tabs_and_come_back(sit: Sit) -> None:
-    person = sit(HFSM, (853, 533))
+    person = sit(HFSM, (853, 560))
     pane, body = paused(person).pane, person.window.body
     lists = pane.facts_place.lists
     assert lists.names == ("Possible now", "Events", *NAMES)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSplitter, QWidget
 from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.tabs import Tabs
 
-LOWEST = 400
+LOWEST = 430
 """In a run page lower than this, the drawing stands beside tabs (pixels)."""
 NARROW = 200
 """The least width of the drawing beside the tabs (pixels)."""
