@@ -222,7 +222,8 @@ def test_the_legend_of_a_run_leaves_the_running_operation_free(
 
 
 @pytest.mark.parametrize(
-    ("size", "lines", "zoom"), [((660, 350), 6, 0.5), ((660, 350), 6, 2.0), ((660, 350), 4, 0.5), ((853, 466), 2, 1.0)]
+    ("size", "lines", "zoom"),
+    [((660, 350), 6, 0.5), ((660, 350), 6, 2.0), ((660, 350), 4, 0.5), ((853, 466), 2, 1.0)],
 )
 def test_the_legend_of_a_run_leaves_the_active_state_of_a_far_picture_free(
     sit: Sit, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int], lines: int, zoom: float
