@@ -22,6 +22,7 @@ BENCHES = (
     "dispatch",
     "replan",
     "start",
+    "turns",
     "canvas",
     "window_edits",
     "source",

@@ -117,11 +117,11 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
         more = findings_in_world(blueprint, options.world, options.rule, loaded)
         one = one._replace(findings=in_order(blueprint, (*one.findings, *more)))
     limit = {"limit": options.limit} if options.limit else {}
+    effort = {"seconds": options.seconds, "megabytes": options.memory}
     if _has_properties(blueprint) and not PROVED.keys().isdisjoint(options.rule or PROVED):
         from smsl_studio.front.proof import prove
 
         look_for_garbage()
-        effort = {"seconds": options.seconds, "megabytes": options.memory}
         proof = prove(blueprint, **limit, with_failures=options.with_failures, **effort)
         shown = (f for f in proof.findings if f.rule in (options.rule or PROVED))
         findings = in_order(blueprint, (*one.findings, *shown))
@@ -130,7 +130,10 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
         from smsl_studio.front.recovery import recoverability
 
         look_for_garbage()
-        one = one._replace(recoveries=recoverability(blueprint, **limit))
+        recoveries = recoverability(blueprint, **limit, **effort)
+        for bound in dict.fromkeys(one.bound for one in recoveries if one.bound):
+            note(f"{blueprint.file}: recoverability is not known everywhere: {bound}")
+        one = one._replace(recoveries=recoveries)
     return one
 
 
@@ -276,4 +279,6 @@ def _print_recoveries(checked: _Checked, out: Output) -> None:
             said += f" after {many} operation{'' if many == 1 else 's'} by {by}" if many else ""
             said += f"; who decides: {row.decides}" if row.decides else ""
         goal = "no route to the goal" if one.cost is None else f"the goal costs {one.cost:g}"
+        if one.cost is None and one.bound:
+            goal = f"the route to the goal is unknown: {one.bound}"
         out.line(one_line(f"{checked.blueprint.file}: {one.state}: {said}; {goal}"))

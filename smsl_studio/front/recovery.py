@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,8 @@ from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.inspection.proof.prove import LIMIT
-from smsl_studio.inspection.proof.recovery import ways_out
+from smsl_studio.inspection.proof.recovery import WayOut, ways_out
+from smsl_studio.stop import BoundMet, EffortBounds, bounded
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,13 @@ class FailureRecovery:
         """Whether there is a way out, and a route to the goals."""
         return self.path is not None and self.cost is not None
 
+    @property
+    def goal_words(self) -> str:
+        """The cost of the goals in words, that there is no route, or that this is unknown."""
+        if self.cost is not None:
+            return f"cost {self.cost:g}"
+        return "unknown" if self.bound else "no route"
+
     def as_json(self) -> dict[str, Any]:
         """Return it as ``check`` writes it."""
         return {
@@ -48,24 +56,36 @@ class FailureRecovery:
         }
 
 
-def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[FailureRecovery, ...]:
+def recoverability(
+    blueprint: Blueprint,
+    limit: int = LIMIT,
+    seconds: float | None = None,
+    megabytes: int | None = None,
+) -> tuple[FailureRecovery, ...]:
     """Return for each state with a failure value how a procedure recovers from it.
 
     The other SBs stand as at a start in that state. ``limit`` is the largest number of
-    configurations that are stored.
+    configurations that are stored. ``seconds`` (wall time) and ``megabytes`` (MB, memory of this
+    process) limit the work. If a limit is met, ``FailureRecovery.bound`` names it.
 
     >>> found = recoverability(read("hanoi-failures.json"))
     >>> str(found[0].state), len(found[0].path), found[0].cost
     ('SB1/State_haa', 1, 8.0)
     """
-    try:
-        ways = ways_out(blueprint, limit)
-        hierarchy = Hierarchy(blueprint)
-    except RunRefused:
-        return ()  # inspection tells of it (R08)
+    with bounded(EffortBounds(seconds, megabytes).begun()):
+        try:
+            ways = ways_out(blueprint, limit)
+            hierarchy = Hierarchy(blueprint)
+        except RunRefused:
+            return ()  # inspection tells of it (R08)
+        return tuple(_recoveries(blueprint, hierarchy, ways))
+
+
+def _recoveries(
+    blueprint: Blueprint, hierarchy: Hierarchy, ways: Sequence[WayOut]
+) -> Iterator[FailureRecovery]:
     planner = Planner(hierarchy, Terms(hazards=guard_hazards(blueprint)))
     goals = [Address(name, blueprint[name].activating) for name in hierarchy.roots]
-    found = []
     for way in ways:
         cost, bound = None, way.bound if way.path is None else ""
         if way.start is not None:
@@ -74,5 +94,6 @@ def recoverability(blueprint: Blueprint, limit: int = LIMIT) -> tuple[FailureRec
                 cost = None if legs is None else round(sum(leg.cost for leg in legs), 9)
             except PlanningError as error:
                 bound = bound or error.sentence
-        found.append(FailureRecovery(way.state, way.path, cost, bound, way.start))
-    return tuple(found)
+            except BoundMet as error:
+                bound = bound or str(error)
+        yield FailureRecovery(way.state, way.path, cost, bound, way.start)

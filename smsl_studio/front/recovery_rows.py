@@ -55,7 +55,7 @@ def recovery_row(blueprint: Blueprint, one: FailureRecovery) -> RecoveryRow:
         f"{branch.fact_name(digit)} is {value_words(blueprint, (branch.name, digit), value)}"
         for digit, value in failures(branch, one.state.state)
     )
-    goal = "no route" if one.cost is None else f"cost {one.cost:g}"
+    goal = one.goal_words
     if one.path is None or one.start is None:
         nearest = f"Unknown: {one.bound}" if one.bound else "No way back"
         return RecoveryRow(one.state, failure, nearest, "", "", goal, None)

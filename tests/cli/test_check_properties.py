@@ -277,6 +277,26 @@ def test_bounds_of_effort_on_the_command_line(shell: Shell, tmp_path: Path) -> N
         assert shell("explore", str(file), "--memory", wrong).status == 2
 
 
+@pytest.mark.parametrize(
+    ("option", "bound"), [(("--memory", "1"), "1 MB of memory"), (("--limit", "1"), "1 config")]
+)
+def test_recoverability_tells_the_bound_that_it_met(
+    option: tuple[str, str], bound: str, shell: Shell, tmp_path: Path
+) -> None:
+    file = tmp_path / "failing.json"
+    states = {"State_0": {"go": "State_1"}, "State_x": {"mend": "State_0"}, "State_1": {}}
+    head = {"HEADER": {"NUM_FACTS": 1}, "_facts": {"0": {"failure": ["x"]}}}
+    file.write_text(json.dumps({"SB": {**head, **states}}))
+    asked = ("check", str(file), "--recoverability", "--rule", "R15", *option)
+    text, found = shell(*asked), shell(*asked, "--format", "json")
+    assert (text.status, found.status) == (1, 1)
+    assert f"SB/State_x: {bound}" in text.out
+    assert bound in text.err
+    assert bound in found.err
+    (one,) = found.json["files"][0]["recoverability"]
+    assert (one["failure_free"], one["path"]) == (None, [])
+
+
 def test_the_text_says_that_a_part_was_enough(
     shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

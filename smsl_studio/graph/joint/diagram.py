@@ -6,7 +6,7 @@ is the empty set, node 1 the end of a configuration. Equal sets are the same nod
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 
 from smsl_studio.graph.joint.products import JointBox, JointMoves, TooLarge
@@ -25,8 +25,29 @@ MOST_WORK = 5_000_000
 """The largest number of looks at nodes for what is kept, some seconds. A question may take four
 times as many."""
 
+SHELVES = 64
+"""The number of tables in which answers about pairs are kept. One table of a million pairs would
+take a tenth of a second whenever it grows or is freed, and all threads would wait for it."""
+PORTION = 10_000
+"""The number of nodes that are forgotten in one step."""
+
+Shelves = tuple[dict[tuple[int, int], int], ...]
+"""Answers about pairs of nodes. A pair is in the table of the number that the sum of both
+leaves when it is divided by ``SHELVES``."""
+
 Rows = list[tuple[int, int]]
 """Pairs (from, to) of states of one level."""
+
+
+def shelves() -> Shelves:
+    """Return empty tables for answers about pairs."""
+    return tuple({} for _ in range(SHELVES))
+
+
+def clear(tables: Iterable[dict[tuple[int, int], int]]) -> None:
+    """Empty the tables one after the other, so that other threads get a turn in between."""
+    for table in tables:
+        table.clear()
 
 
 class Relation:
@@ -59,8 +80,7 @@ class Diagram:
             self.sizes[level] = sizes[one]
         self.children: list[tuple[int, ...]] = [(), ()]
         self._known: list[dict[tuple[int, ...], int]] = [{} for _ in sizes]
-        self._unions: dict[tuple[int, int], int] = {}
-        self._cuts: dict[tuple[int, int], int] = {}
+        self._unions, self._cuts = shelves(), shelves()
         self._counts: dict[int, int] = {0: 0, 1: 1}
 
     def node(self, level: int, children: tuple[int, ...]) -> int:
@@ -99,14 +119,28 @@ class Diagram:
         kept = self._kept
         for gone in self.children[kept:]:
             self._cells -= len(gone)
-        del self.children[kept:]
+        self._cut_off(kept)
         for level, known in enumerate(self._known):
             late = [children for children, node in known.items() if node >= kept]
             for children in late:
                 del self._known[level][children]
         self._counts = {node: count for node, count in self._counts.items() if node < kept}
-        self._unions, self._cuts, self._work = {}, {}, 0
+        clear(self._unions)
+        clear(self._cuts)
+        self._work = 0
         self.allow()
+
+    def _cut_off(self, kept: int) -> None:
+        """Forget the children of the nodes after the first ``kept``."""
+        while len(self.children) > kept:
+            del self.children[max(kept, len(self.children) - PORTION) :]
+
+    def __del__(self) -> None:
+        """Free the large tables in small steps."""
+        clear((*self._unions, *self._cuts))
+        for known in self._known:
+            known.clear()
+        self._cut_off(0)
 
     def box(self, values: Mapping[int, Collection[int]]) -> int:
         """Return the configurations with these states of some SBs, and any states of the others."""
@@ -145,11 +179,12 @@ class Diagram:
         if not one:
             return other
         key = (one, other) if one < other else (other, one)
-        found = self._unions.get(key)
+        known = self._unions[(one + other) % SHELVES]
+        found = known.get(key)
         if found is None:
             self.spend()
             union, below = self.union, level - 1
-            found = self._unions[key] = self.node(
+            found = known[key] = self.node(
                 level,
                 tuple(
                     [
@@ -167,10 +202,11 @@ class Diagram:
         if not other:
             return one
         key = (one, ~other)
-        found = self._cuts.get(key)
+        known = self._cuts[(one + other) % SHELVES]
+        found = known.get(key)
         if found is None:
             self.spend()
-            found = self._cuts[key] = self.node(
+            found = known[key] = self.node(
                 level,
                 tuple(
                     [
@@ -188,10 +224,11 @@ class Diagram:
         if not one or not other:
             return 0
         key = (one, other) if one < other else (other, one)
-        found = self._cuts.get(key)
+        known = self._cuts[(one + other) % SHELVES]
+        found = known.get(key)
         if found is None:
             self.spend()
-            found = self._cuts[key] = self.node(
+            found = known[key] = self.node(
                 level,
                 tuple(
                     [

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from smsl_studio.graph.joint.diagram import Diagram, Relation
+from smsl_studio.graph.joint.diagram import SHELVES, Diagram, Relation, clear, shelves
 from smsl_studio.stop import heed
 
 _Onward = dict[int, list[tuple[int, list[int]]]]
@@ -29,7 +29,11 @@ class Saturation:
             for state, targets in by_state.items():
                 self._onward[relation.top].setdefault(state, []).append((number, targets))
         self._saturated: dict[int, int] = {}
-        self._fired: dict[tuple[int, int], int] = {}
+        self._fired = shelves()
+
+    def __del__(self) -> None:
+        """Free the large tables in small steps."""
+        clear(self._fired)
 
     def reached(self, start: Sequence[int]) -> int:
         """Return the set of the configurations that can be reached from one."""
@@ -90,7 +94,8 @@ class Saturation:
 
     def _fire(self, node: int, number: int, level: int) -> int:
         key = node, number
-        found = self._fired.get(key)
+        known = self._fired[node % SHELVES]
+        found = known.get(key)
         if found is not None:
             return found
         diagram, relation = self._diagram, self._relations[number]
@@ -107,5 +112,5 @@ class Saturation:
                     one = one if last else self._fire(one, number, below)
                     further[target] = diagram.union(further[target], one, below)
         found = self._saturate(diagram.node(level, tuple(further)), level)
-        self._fired[key] = found
+        known[key] = found
         return found

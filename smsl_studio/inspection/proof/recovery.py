@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
@@ -17,7 +18,7 @@ from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.kinds import steps_to
 from smsl_studio.inspection.proof.space import Key, Space
 from smsl_studio.inspection.proof.verdict import HAZARD
-from smsl_studio.stop import heed
+from smsl_studio.stop import BoundMet, heed
 
 
 @dataclass(frozen=True)
@@ -39,13 +40,21 @@ def ways_out(blueprint: Blueprint, limit: int) -> tuple[WayOut, ...]:
 
     It ends where each SB is in a state without failure, or in one that is declared safe. It goes
     only where a route may go. The other SBs stand as at a start in that state. At most ``limit``
-    configurations are stored. RunRefused if the SBs go round in a circle.
+    configurations are stored. If a bound of ``stop.bounded`` is met, ``WayOut.bound`` names it.
+    RunRefused if the SBs go round in a circle.
     """
     failing = [
         Address(branch.name, state) for branch in blueprint for state in failing_states(branch)
     ]
     if not failing:
         return ()
+    try:
+        return _ways_out(blueprint, failing, limit)
+    except BoundMet as error:
+        return tuple(WayOut(one, None, None, str(error)) for one in failing)
+
+
+def _ways_out(blueprint: Blueprint, failing: Sequence[Address], limit: int) -> tuple[WayOut, ...]:
     hierarchy = Hierarchy(blueprint)
     starts: dict[Address, dict[str, str]] = {}
     for one in failing:
@@ -63,9 +72,15 @@ def ways_out(blueprint: Blueprint, limit: int) -> tuple[WayOut, ...]:
     space = Space(blueprint, True, shut, cone, next(iter(starts.values())))
     keys = {one: space.key(start) for one, start in starts.items()}
     found = Exploration(space, limit, starts=tuple(dict.fromkeys(keys.values())))
-    far = steps_to(found, space.test(hits))
-    paths = {one: _path(found, far, key) for one, key in keys.items()}
-    return tuple(WayOut(one, starts.get(one), paths.get(one), found.bound) for one in failing)
+    bound = found.bound
+    paths: dict[Address, tuple[Address, ...] | None] = {}
+    try:
+        far = steps_to(found, space.test(hits))
+        for one, key in keys.items():
+            paths[one] = _path(found, far, key)
+    except BoundMet as error:
+        bound = bound or str(error)
+    return tuple(WayOut(one, starts.get(one), paths.get(one), bound) for one in failing)
 
 
 def _without_failure(blueprint: Blueprint) -> Meaning:

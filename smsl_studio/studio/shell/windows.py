@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.legible import one_line
@@ -100,6 +100,7 @@ class Windows(QObject):
         self._closed: list[OpenWindow] = []
         # A method and not a lambda, so that Qt disconnects it when this object is deleted.
         application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
+        application.applicationStateChanged.connect(self._turned)
 
     def __iter__(self) -> Iterator[OpenWindow]:
         return iter(tuple(self._open))
@@ -118,6 +119,7 @@ class Windows(QObject):
             # runs.
             self._closed.append(window)
             QTimer.singleShot(0, self, self._closed.clear)
+            self._sweeper.want_all()
 
     def is_in_front(self, window: object) -> bool:
         """Whether this window has the focus; if none has it, whether it is the oldest."""
@@ -221,3 +223,7 @@ class Windows(QObject):
     def _desktop_changed(self) -> None:
         if self.theme == "system":
             self.set_theme("system")
+
+    def _turned(self, state: Qt.ApplicationState) -> None:
+        if state != Qt.ApplicationState.ApplicationActive:
+            self._sweeper.want_all()
