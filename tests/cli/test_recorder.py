@@ -187,7 +187,7 @@ def test_a_recorder_approves_nothing(desk: Desk) -> None:
     desk.key("Room 3", "recorder", "room-3")
     assert desk.approve("room-3").status == 0
     assert "policy_unmet" in desk.codes()
-    assert "too few sign" in _verify(_bundle(desk, log=False))[1]
+    assert "a program signs" in _verify(_bundle(desk, log=False))[1]
 
 
 def test_with_a_register_it_must_name_the_recorder(recorded: Path, desk: Desk) -> None:
