@@ -34,7 +34,7 @@ def phantom_body() -> Body:
     """Return the ball. It has no mass, so it stays where it is put."""
     ball = Capsule(RADIUS, 0.0001)
     mesh = turned(_outline(), 48)
-    return Body(NAME, ball, _tuple(CENTRE), mesh=soup(mesh), colour=(0.86, 0.72, 0.62))
+    return Body(NAME, ball, _tuple(CENTRE), mesh=soup(mesh), colour=(0.86, 0.72, 0.62), label=NAME)
 
 
 def landmarks(seed: int, plan: int) -> Array:

@@ -86,7 +86,9 @@ def apart(one: Stand, other: Stand, arm: float = 0.2) -> float:
 def reference_body() -> Body:
     """Return the reference frame: a small block with a ball that the tracker sees."""
     mesh = turned([(0.0, -0.02), (0.02, -0.02), (0.02, 0.012), (0.012, 0.02), (0.0, 0.02)], 24)
-    return Body(REFERENCE, Box((0.02, 0.02, 0.02)), STAND, mesh=soup(mesh), colour=(0.2, 0.45, 0.9))
+    blue = (0.2, 0.45, 0.9)
+    cube = Box((0.02, 0.02, 0.02))
+    return Body(REFERENCE, cube, STAND, mesh=soup(mesh), colour=blue, label=REFERENCE)
 
 
 def camera_body() -> Body:

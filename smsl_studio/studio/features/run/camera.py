@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import cos, pi, sin, tan
 
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.world.kinematics import rotation_of
+from smsl_studio.world.protocol import Shape
+
 Matrix = NDArray[np.float32]
+Box3 = tuple[tuple[float, float, float], tuple[float, float, float]]
+"""The least and the greatest corner of a box (m)."""
+
+USUAL, ROOM, ABOVE = 0.62, 1.2, 0.45
+"""The distance (m) of the usual view, the room around what it shows, and how far above its middle
+it looks, as a share of its radius: a hand works above the things."""
+
+EIGHT = tuple((i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1))
 
 
 @dataclass(frozen=True)
@@ -31,6 +43,16 @@ class WorldCamera:
             self.distance * sin(self.elevation),
         )
         return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
+
+    def framing(self, box: Box3) -> WorldCamera:
+        """The camera on the same side of a box of the world, so that the box and some room above it
+        fill the picture."""
+        low, high = np.array(box[0]), np.array(box[1])
+        radius = max(float(np.linalg.norm(high - low)) / 2, 0.05)
+        x, y, z = ((low + high) / 2).tolist()
+        distance = ROOM * radius / sin(self.field_of_view / 2) * self.distance / USUAL
+        target = (x, y, z + ABOVE * radius)
+        return replace(self, target=target, distance=min(max(distance, 0.15), 8.0))
 
     def orbited(self, right: float, up: float) -> WorldCamera:
         """The camera turned around its target.
@@ -87,10 +109,32 @@ class WorldCamera:
         return float((x + 1) / 2 * width), float((1 - y) / 2 * height)
 
 
+def box_of(shapes: Sequence[Shape], poses: Sequence[float]) -> Box3 | None:
+    """The box around some shapes at their poses: its least and its greatest corner (m). None
+    without shapes."""
+    corners = []
+    for number, shape in enumerate(shapes):
+        mesh = np.array(shape.mesh, dtype=np.float64).reshape(-1, 3)
+        if len(mesh):
+            ends = np.stack([mesh.min(axis=0), mesh.max(axis=0)])
+            own = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i, j, k in EIGHT])
+            place, turn = poses[7 * number : 7 * number + 3], poses[7 * number + 3 : 7 * number + 7]
+            x, y, z, w = turn
+            corners.append(own @ rotation_of((x, y, z, w)).T + np.array(place))
+    if not corners:
+        return None
+    every = np.vstack(corners)
+    (a, b, c), (d, e, f) = every.min(axis=0).tolist(), every.max(axis=0).tolist()
+    return (a, b, c), (d, e, f)
+
+
+WHOLE = "Whole arm"
+"""The view that shows everything. The others show the things that have a label."""
+
 VIEWS = {
     "Front right": WorldCamera(),
     "Front": WorldCamera(azimuth=0.0, elevation=0.3),
     "Side": WorldCamera(azimuth=pi / 2, elevation=0.3),
     "Top": WorldCamera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=0.8),
-    "Whole arm": WorldCamera(target=(0.25, 0.0, 0.35), distance=1.9, azimuth=0.6, elevation=0.32),
+    WHOLE: WorldCamera(target=(0.25, 0.0, 0.35), distance=1.9, azimuth=0.6, elevation=0.32),
 }

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.features.run.camera import VIEWS, WHOLE, WorldCamera, box_of
 from smsl_studio.studio.features.run.renderer import Renderer, RenderStyle, open_renderer
 from smsl_studio.world.protocol import Shape
 
@@ -45,8 +45,8 @@ class WorldView(QWidget):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._tokens = tokens
-        self._camera = VIEWS["Front right"]
-        self._home = self._camera
+        self._named = next(iter(VIEWS))
+        self._camera = self._home = VIEWS[self._named]
         self._renderer: Renderer | str | None = None
         self._shapes: tuple[Shape, ...] = ()
         self._poses: tuple[float, ...] = ()
@@ -107,12 +107,22 @@ class WorldView(QWidget):
             self.update()
         early = self._frames and perf_counter() - self._frames[-1] < 2 * self._took
         if poses != self._poses and not early:
+            first = not self._poses
             self._poses = poses
+            if first:
+                self.set_view(self._named)
             self._moving()
 
     def set_view(self, name: str) -> None:
         """Look from one of the named places in ``VIEWS``."""
-        self._home = VIEWS[name]
+        self._named, self._home = name, VIEWS[name]
+        if self._poses:
+            count = len(self._shapes)
+            told = [n for n in range(count) if name == WHOLE or self._shapes[n].label]
+            seen = told or list(range(count))
+            poses = [part for n in seen for part in self._poses[7 * n : 7 * n + 7]]
+            box = box_of([self._shapes[n] for n in seen], poses)
+            self._home = self._home.framing(box) if box is not None else self._home
         self._look(self._home)
 
     def come_back(self) -> None:
@@ -222,15 +232,23 @@ class WorldView(QWidget):
         painter.drawText(room, flags, plain_text(self._sentence))
 
     def _paint_labels(self, painter: QPainter) -> None:
+        """Paint the names of things below them, none over another."""
         painter.setFont(mono_font(12, 600))
+        metrics, painted = QFontMetricsF(painter.font()), list[QRectF]()
         for index, shape in enumerate(self._shapes):
             if not shape.label or len(self._poses) < 7 * index + 3:
                 continue
             x, y, _ = self._poses[7 * index : 7 * index + 3]
             at = self._camera.project((x, y, 0.0), self.width(), self.height())
-            if at is not None:
-                box = QRectF(at[0] - 9, at[1] + 8, 18, 18)
-                self._paint_box(painter, box, shape.label, self._tokens.tx)
+            if at is None:
+                continue
+            words = plain_text(shape.label)
+            width = max(18.0, metrics.horizontalAdvance(words) + 10)
+            box = QRectF(at[0] - width / 2, at[1] + 8, width, 18)
+            while any(box.intersects(other) for other in painted):
+                box.translate(0, 20)
+            painted.append(box)
+            self._paint_box(painter, box, words, self._tokens.tx)
 
     def _paint_chips(self, painter: QPainter) -> None:
         painter.setFont(text_font(12))

@@ -4,6 +4,7 @@ reason."""
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.theme import LIGHT
-from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera, box_of
 from smsl_studio.studio.features.run.renderer import (
     Renderer,
     RenderStyle,
@@ -61,6 +62,26 @@ def test_orbit_pan_and_zoom_stay_sane() -> None:
     assert near.eye[2] > near.target[2]
     for view in VIEWS.values():
         assert np.isfinite(view.view_projection(2.6)).all()
+
+
+def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
+    """A box anywhere and of any size lies inside the picture, from each side."""
+    for low, high in (((0.4, -0.2, 0.0), (0.7, 0.1, 0.3)), ((-1.0, -1.0, 0.0), (1.0, 1.0, 1.2))):
+        for view in VIEWS.values():
+            framed = view.framing((low, high))
+            for corner in product(*zip(low, high, strict=True)):
+                at = framed.project(corner, 800, 500)
+                assert at is not None
+                assert -20 < at[0] < 820
+                assert -20 < at[1] < 520
+
+
+def test_the_box_of_shapes_follows_their_poses() -> None:
+    wall, half = _wall(0.0, 0.0, (1, 0, 0)), math.sqrt(0.5)
+    low, high = box_of([wall, wall], (*STILL, 2.0, 0.0, 1.0, 0.0, 0.0, half, half)) or ((), ())
+    assert max(high) >= 2.0
+    assert min(low) < 0.0
+    assert box_of([], ()) is None
 
 
 def test_poses_become_matrices() -> None:
