@@ -69,8 +69,8 @@ def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
     for low, high in (((0.4, -0.2, 0.0), (0.7, 0.1, 0.3)), ((-1.0, -1.0, 0.0), (1.0, 1.0, 1.2))):
         for view in VIEWS.values():
             framed = view.framing((low, high))
-            for corner in product(*zip(low, high, strict=True)):
-                at = framed.project(corner, 800, 500)
+            for x, y, z in product(*zip(low, high, strict=True)):
+                at = framed.project((x, y, z), 800, 500)
                 assert at is not None
                 assert -20 < at[0] < 820
                 assert -20 < at[1] < 520
