@@ -11,6 +11,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
+from smsl_studio.front.bundled_report import REPORT, bundled_report
 from smsl_studio.front.signed_files import UNSIGNED, SignedPaths, bytes_of, signed_files
 from smsl_studio.front.verifier import content_texts, verifier_file
 from smsl_studio.smsl.document import Document
@@ -36,8 +37,10 @@ records/      what people have signed about the blueprint, if anybody has
 policy.toml   whose signatures are needed, with register.json, the register of persons that it names
 keys.json     the public halves of keys that have signed records, or the head of a log. They count
               where no register says whose they are
+report.html   the blueprint in sentences, for people. It loads nothing. Its day is that of the last
+              log, or else of the newest signature. It is made from the blueprint; verify.py does
+              not look at it, so believe the files, not the page.
 verify.py     the checks. It is short, and a list in it says what it does not check.
-report.html   is absent: this version of the program does not write it.
 
 How to read verify.py aloud, from its top to its end. Its short names:
 
@@ -82,11 +85,11 @@ def bundle(
 ) -> None:
     """Write a bundle of evidence: a ``.zip`` that can be checked without this program.
 
-    It has the blueprint, logs of its runs, its record, its policy, and the program ``verify.py``
-    that checks them. If no ``record`` is given, the record beside the blueprint's file is used, if
-    there is one. Equal input gives equal bytes. UsageError if ``output`` does not end in ``.zip``.
-    ReadError if a log, the record or the policy cannot be read. SaveError if the bundle cannot be
-    written.
+    It has the blueprint, its report, logs of its runs, its record, its policy, and the program
+    ``verify.py`` that checks them. If no ``record`` is given, the record beside the blueprint's
+    file is used, if there is one. Equal input gives equal bytes. UsageError if ``output`` does not
+    end in ``.zip``. ReadError if a log, the record or the policy cannot be read. SaveError if the
+    bundle cannot be written.
 
     >>> bundle(read("hfsm.json"), "evidence.zip", logs=["run.jsonl"])
     """
@@ -109,6 +112,8 @@ def bundled(
     told = dict(_log_files(logs))
     files.update(told)
     files.update(signed_files(blueprint, signed, tuple(told.values())))
+    records = [raw for name, raw in files.items() if name.startswith("records/")]
+    files[REPORT] = bundled_report(blueprint, tuple(told.values()), records)
     files["verify.py"] = verifier_file().read_bytes()
     files["README.txt"] = _README.encode("ascii")
     return _zipped(files)

@@ -50,10 +50,10 @@ def report(
     """
     suffix = report_form(output)
     told = told_since(blueprint, record, reader)
-    pictures = tuple(_pictures(blueprint))
     day = datetime.now(UTC).date().isoformat()
     said = [line if line.endswith(".") else f"{line}." for line in approval_words(blueprint).lines]
-    save_document(_bytes(told, suffix, (day, said), pictures), output, made_of=files_of(blueprint))
+    page = report_page if suffix == ".html" else _sheet
+    save_document(page(told, day, blueprint, said), output, made_of=files_of(blueprint))
     return told
 
 
@@ -82,20 +82,23 @@ def files_of(blueprint: Blueprint) -> tuple[str, ...]:
     return tuple(document.file for document in blueprint.documents)
 
 
-def _bytes(
-    told: BlueprintReading,
-    suffix: str,
-    now: tuple[str, Sequence[str]],
-    pictures: tuple[Illustration, ...],
+def report_page(
+    told: BlueprintReading, day: str, blueprint: Blueprint, said: Sequence[str] = ()
 ) -> bytes:
-    day, said = now
-    if suffix == ".pdf":
-        from smsl_studio.inspection.reading.reading_sheet import reading_sheet
+    """Return a reading with the pictures of its blueprint as one HTML file.
 
-        return reading_sheet(told, day, pictures, said)
+    ``day`` is the date that it bears, such as ``2026-11-26``, or empty. ``said`` are sentences
+    about who has signed the blueprint, the badge first.
+    """
     from smsl_studio.inspection.reading.reading_page import reading_page
 
-    return reading_page(told, day, pictures, said).encode("utf-8", "replace")
+    return reading_page(told, day, tuple(_pictures(blueprint)), said).encode("utf-8", "replace")
+
+
+def _sheet(told: BlueprintReading, day: str, blueprint: Blueprint, said: Sequence[str]) -> bytes:
+    from smsl_studio.inspection.reading.reading_sheet import reading_sheet
+
+    return reading_sheet(told, day, tuple(_pictures(blueprint)), said)
 
 
 def _pictures(blueprint: Blueprint) -> Iterator[Illustration]:

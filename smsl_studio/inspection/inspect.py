@@ -22,6 +22,7 @@ from smsl_studio.inspection.rules import (
     reach,
     recovery,
     reverses,
+    titles,
 )
 from smsl_studio.inspection.rules import text as writing
 from smsl_studio.inspection.rules.finding import Finding, Remark
@@ -63,6 +64,7 @@ ALL = (
     Rule("R23", "a loop without a bound", loop.r23_unbounded_loop),
     Rule("R28", "an operation without its reverse", reverses.r28_missing_reverse),
     Rule("R29", "an annotation not understood", writing.r29_annotations),
+    Rule("R31", "a title that a report needs", titles.r31_missing_titles),
 )
 PROVED = {
     "R19": "a combination of facts that must not be",

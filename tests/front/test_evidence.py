@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import io
+import json
 import re
 import subprocess
 import sys
@@ -98,8 +99,8 @@ def test_what_is_not_checked_is_said_and_is_little() -> None:
         for node in tree.body
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "NOT_CHECKED"
     ]
-    words = ["routes", "words that move nothing", "code", "imported records"]
-    assert list(said) == ["reception over MQTT", *words]
+    words = ["routes", "words that move nothing", "code", "imported records", "report.html"]
+    assert list(said) == ["MQTT", *words]
 
 
 def test_true_runs_of_every_end_are_believed(runs: list[ToldRun]) -> None:
@@ -257,7 +258,10 @@ def test_a_bundle_is_checked_by_a_bare_python(tmp_path: Path) -> None:
     assert (folder / "blueprint/registration.json").read_bytes() == file.read_bytes()
     assert (folder / "logs/run.jsonl").read_bytes() == (tmp_path / "run.jsonl").read_bytes()
     assert (folder / "verify.py").read_bytes() == verifier_file().read_bytes()
-    assert "report.html" in (folder / "README.txt").read_text()
+    assert "report.html   the blueprint in sentences" in (folder / "README.txt").read_text()
+    page = (folder / "report.html").read_text("utf-8")
+    day = json.loads((tmp_path / "run.jsonl").read_bytes().splitlines()[0])["wall_time"][:10]
+    assert f"registration.json, read on {day}." in page
     _every_function_is_explained((folder / "README.txt").read_text())
     status, said = _checked(folder)
     assert status == 0
@@ -266,6 +270,18 @@ def test_a_bundle_is_checked_by_a_bare_python(tmp_path: Path) -> None:
     status, said = _checked(folder)
     assert status == 1
     assert "logs/run.jsonl: its blueprint is not here" in said
+
+
+def test_the_report_of_a_bundle_has_no_day_that_nothing_in_the_bundle_tells(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "odd.jsonl").write_bytes(b'{"wall_time": "<script>x"}\n')
+    for logs in ([], [str(tmp_path / "odd.jsonl")]):
+        raw = bundled(smsl.read(samples_dir() / "hanoi-2.json"), "out.zip", logs)
+        page = (_unpacked(tmp_path / f"{len(logs)}", raw) / "report.html").read_text("utf-8")
+        assert '<p class="about">hanoi-2.json. Not a medical device.</p>' in page
+        assert "Made by SMSL Studio from hanoi-2.json. " in page
+        assert "script" not in page
 
 
 def _every_function_is_explained(readme: str) -> None:

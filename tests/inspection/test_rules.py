@@ -261,6 +261,19 @@ PLANTED = [
     ("R29", "W", "SB", "no predicate says when it is 0, so it is never sensed", """{"SB": {
   "_facts": {"0": {"sources": {"force": "N"}, ^"predicate": {"1": "force > 2 N"}}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R31", "I", "SB/State_1/b", "2 operations (b and c) have no title", """{"SB": {
+  "_operations": {"a": {"title": "Wash the hands"}},
+  "_facts": {"0": {"name": "Hands washed"}}, "State_0": {"a": "State_1"},
+  "State_1": {^"b": "State_0", "a": "State_1", "c": "State_0"}}}"""),
+    ("R31", "I", "SB", "1 fact (2) has no name", """{^"SB": {
+  "_states": {"State_00": {"title": "Nothing is done"}},
+  "_operations": {"a": {"title": "Wash the hands"}, "b": {"title": "Begin"}},
+  "_facts": {"0": {"name": "Hands washed"}},
+  "State_00": {"a": "State_11"}, "State_11": {"b": "State_00"}}}"""),
+    ("R31", "I", "SB/ready", "1 state (ready) has no title", """{"SB": {
+  "_states": {"at work": {"title": "At work"}},
+  "_operations": {"a": {"title": "Wash the hands"}, "b": {"title": "Begin"}},
+  ^"ready": {"a": "at work"}, "at work": {"b": "ready"}}}"""),
 ]  # fmt: skip
 
 
@@ -316,6 +329,22 @@ def test_a_fix_takes_the_finding_away_and_brings_no_new_error() -> None:
         fixed_rules.add(finding.rule)
     expected = "R01 R02 R03 R04 R05 R07 R08 R10 R17 R20 R21 R23 R28"
     assert fixed_rules == set(expected.split())
+
+
+def test_titles_are_missed_only_where_somebody_has_begun_to_write_them() -> None:
+    edges = '"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}'
+    named = '"_facts": {"0": {"name": "Hands washed"}}'
+    assert not inspect(read(f'{{"SB": {{{edges}}}}}'), ["R31"])
+    assert not inspect(read(f'{{"SB": {{{named}, {edges}}}}}'), ["R31"])
+    titles = '"_operations": {"a": {"title": "Wash"}, "State_1/b": {"title": "Begin"}}'
+    assert not inspect(read(f'{{"SB": {{{named}, {titles}, {edges}}}}}'), ["R31"])
+    other = f'"Other": {{{edges}}}'
+    found = inspect(read(f'{{"SB": {{{named}, {titles}, {edges}}}, {other}}}'), ["R31"])
+    assert [str(one.address) for one in found] == ["Other", "Other/State_0/a"]
+    assert [[str(spot.address) for spot in one.others] for one in found] == [
+        [],
+        ["Other/State_1/b"],
+    ]
 
 
 def test_a_reverse_that_leads_astray_is_led_back_and_not_doubled() -> None:

@@ -35,7 +35,7 @@ def reading_page(
     pictures: Sequence[Illustration] = (),
     approval: Sequence[str] = (),
 ) -> str:
-    """Return the page. ``date`` is the day on which it was made, such as ``2026-11-26``.
+    """Return the page. ``date`` is the day that it bears, such as ``2026-11-26``, or empty.
 
     ``approval`` has sentences that say whether people have signed the blueprint, the badge first.
     """
@@ -46,6 +46,7 @@ def _page(
     reading: BlueprintReading, date: str, pictures: Sequence[Illustration], approval: Sequence[str]
 ) -> Iterator[str]:
     title = markup(reading.title)
+    read_on, made_on = (f", read on {markup(date)}", f" on {markup(date)}") if date else ("", "")
     yield "<!DOCTYPE html>"
     yield '<html lang="en"><head><meta charset="utf-8">'
     yield '<meta http-equiv="Content-Security-Policy" '
@@ -53,7 +54,7 @@ def _page(
     yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
     yield f"<title>{title}</title><style>{_style()}</style></head><body><main>"
     yield f"<header><h1>{title}</h1><p class=lead>{markup(reading.purpose)}</p>"
-    yield f'<p class="about">{markup(reading.file)}, read on {markup(date)}. {NOTICE}.</p>'
+    yield f'<p class="about">{markup(reading.file)}{read_on}. {NOTICE}.</p>'
     if approval:
         badge, *reasons = map(markup, approval)
         yield f'<p class="about"><span class="flag">{badge}</span> {" ".join(reasons)}</p>'
@@ -62,7 +63,7 @@ def _page(
     for section in reading.sections:
         yield from _section(section)
     yield from _pictures(pictures)
-    yield f"<footer>Made by SMSL Studio from {markup(reading.file)} on {markup(date)}. "
+    yield f"<footer>Made by SMSL Studio from {markup(reading.file)}{made_on}. "
     yield f"{NOTICE}.</footer></main></body></html>"
 
 
