@@ -23,6 +23,8 @@ class Import:
     document: Document
     chain: tuple[str, ...]
     path: Path
+    stored: str = ""
+    """The closure digest by which it was found in the user's store, empty for any other file."""
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,13 @@ from typing import Any
 from smsl_studio.blueprint.imported_files import KEY, Import, ImportFailure, Imports
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.blueprint.project import project_of, real_path, refusal_of_name, refusal_of_place
+from smsl_studio.blueprint.stored import (
+    PREFIX,
+    digest_named,
+    project_in_store,
+    stored_file,
+    stored_place,
+)
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.document.budget import share_of_budget
@@ -41,16 +48,18 @@ Branches = dict[str, StateBranch]
 
 
 def follow(document: Document, known: Mapping[str, Document]) -> Imports:
-    """Find everything that ``document`` imports, directly or not, within its project.
+    """Find everything that ``document`` imports, directly or not, within its project, and what it
+    names in the user's store.
 
     A file in ``known`` (by its real path) is used as it is in memory. Any other file is read.
     """
-    root, project = real_path(document.file), project_of(document.file)
+    root = real_path(document.file)
+    project = project_in_store(document.file) or project_of(document.file)
     files: list[Import] = []
     failures: list[ImportFailure] = []
     seen: set[object] = {root}
     asked, share = 0, share_of_budget(document)
-    waiting = list(_listed(document, (root,), failures))[::-1]
+    waiting = list(_listed(document, (root,), project, failures))[::-1]
     while waiting:
         entry = waiting.pop()
         asked += 1
@@ -58,7 +67,7 @@ def follow(document: Document, known: Mapping[str, Document]) -> Imports:
             failures.append(entry.failure(most, "Import fewer files."))
             break
         try:
-            real = _place_of(entry, project)
+            real = _place_of(entry)
         except _Refused as refused:
             if (entry.home, entry.name) not in seen:
                 seen.add((entry.home, entry.name))
@@ -72,15 +81,16 @@ def follow(document: Document, known: Mapping[str, Document]) -> Imports:
             continue
         seen.add(real)
         try:
-            found = known[real] if real in known else _read(entry, real, project)
+            found = known[real] if real in known else _read(entry, real)
         except _Refused as refused:
             sentence, advice = refused.args
             failures.append(replace(entry.failure(sentence, advice, real), wanted=real))
             continue
         chain = (*entry.chain, real)
-        files.append(Import(found, chain, entry.path))
+        files.append(Import(found, chain, entry.path, entry.stored))
         share += share_of_budget(found)
-        waiting.extend(list(_listed(found, chain, failures))[::-1])
+        inside = project_in_store(real) if entry.stored else entry.project
+        waiting.extend(list(_listed(found, chain, inside, failures))[::-1])
     return Imports(root, tuple(files), tuple(failures))
 
 
@@ -125,6 +135,13 @@ class _Entry:
     folder: str
     path: Path
     chain: tuple[str, ...]
+    project: str
+    """The folder that must contain the file."""
+
+    @property
+    def stored(self) -> str:
+        """The digest in ``store:DIGEST``, empty for a name in the project."""
+        return digest_named(self.name)
 
     @property
     def home(self) -> str:
@@ -139,7 +156,7 @@ class _Entry:
 
 
 def _listed(
-    document: Document, chain: tuple[str, ...], failures: list[ImportFailure]
+    document: Document, chain: tuple[str, ...], project: str, failures: list[ImportFailure]
 ) -> Iterator[_Entry]:
     """Yield each import that a document names. Wrong entries are added to ``failures``."""
     listed: Any = document.values.get(KEY)
@@ -153,7 +170,7 @@ def _listed(
     for index, name in enumerate(listed[: MOST_WRITTEN + 1]):
         path = (KEY, str(index))
         if isinstance(name, str) and name:
-            yield _Entry(name, folder, path, chain)
+            yield _Entry(name, folder, path, chain, project)
         else:
             words = "an import is the name of a file"
             failures.append(ImportFailure(words, chain[-1], path, chain, "Write it in quotes."))
@@ -168,23 +185,38 @@ def _too_many(files: list[Import], failures: list[ImportFailure], asked: int, sh
     return f"more than {MOST} imports fail" if len(failures) >= MOST else ""
 
 
-def _place_of(entry: _Entry, project: str) -> str:
+def _place_of(entry: _Entry) -> str:
     """Return the real path of an import. _Refused if it must not be imported."""
+    if entry.name.startswith(PREFIX):
+        return _place_in_store(entry)
     refusal = refusal_of_name(entry.name)
     if refusal is None:
         real = real_path(os.path.join(entry.folder, entry.name))  # noqa: PTH118
-        refusal = refusal_of_place(real, project)
+        refusal = refusal_of_place(real, entry.project)
         if refusal is None:
             return real
     raise _Refused(refusal.sentence, refusal.advice)
 
 
-def _read(entry: _Entry, real: str, project: str) -> Document:
+def _place_in_store(entry: _Entry) -> str:
+    if not entry.stored:
+        words = "the import names no digest of the store"
+        raise _Refused(words, "Write store: and the closure digest that store list shows.")
+    real = stored_file(entry.stored)
+    place = stored_place(real) if real else None
+    if place is None or place.digest != entry.stored:
+        words = "the import is not in the store of this user"
+        raise _Refused(words, "Add it with smsl-studio store add FILE.")
+    return real
+
+
+def _read(entry: _Entry, real: str) -> Document:
     """Return the document in a file, under the simplest name that leads to it.
 
     A message names the place of a fault and never the content there, because the file may be any.
     """
-    written = os.path.join(entry.folder, entry.name)  # noqa: PTH118
+    written = real if entry.stored else os.path.join(entry.folder, entry.name)  # noqa: PTH118
+    project = project_in_store(real) if entry.stored else entry.project
     plain = os.path.normpath(written)
     file = plain if real_path(plain) == real else written
     try:

@@ -7,15 +7,19 @@ of the wrong kind. Everything else opens, and inspection reports it.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import chain, compress
 from operator import is_not
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from smsl_studio.blueprint.elements import EMPTY, Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_NAME
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.imported_files import Imports
 
 Json = Any
 HEADER = "HEADER"
@@ -46,7 +50,28 @@ def read_blueprint(
         return gather(document, imports, own)
     known = imports.known if imports else {}
     known.update((real_path(one.file), one) for one in opened)
-    return gather(document, follow(document, known), own)
+    return gather(document, _as_named(follow(document, known)), own)
+
+
+def _as_named(imports: Imports) -> Imports:
+    """Return the imports without those of the store whose content is not what their digest says."""
+    if not any(item.stored for item in imports.files):
+        return imports
+    from smsl_studio.blueprint.digests import digests
+    from smsl_studio.blueprint.imported_files import ImportFailure
+
+    everything = [item.document for item in imports.files]
+    good, failures = [], list(imports.failures)
+    for item in imports.files:
+        if item.stored:
+            part = read_blueprint(item.document, opened=everything)
+            if digests(part).closure != item.stored:
+                words = "the store holds something else under this digest"
+                at = (item.chain[-2], item.path, item.chain)
+                failures.append(ImportFailure(words, *at, "Add the file to the store again."))
+                continue
+        good.append(item)
+    return replace(imports, files=tuple(good), failures=tuple(failures))
 
 
 def read_gathered(documents: Sequence[Document]) -> Blueprint:

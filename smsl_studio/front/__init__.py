@@ -41,12 +41,14 @@ if TYPE_CHECKING:
     from smsl_studio.front.recovery import recoverability
     from smsl_studio.front.reports import report
     from smsl_studio.front.request import RunRequest
+    from smsl_studio.front.revocations import dependants_of
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
     from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
     from smsl_studio.front.signatures import ApprovalRequest, approve
     from smsl_studio.front.single_edge import try_edge
+    from smsl_studio.front.store_shelf import add_blueprint, find_stored, shown_stored
     from smsl_studio.front.suitable_worlds import worlds_for
     from smsl_studio.front.sweeps import sweep
     from smsl_studio.front.verdicts import verify_approval
@@ -56,17 +58,20 @@ __all__ = [
     "Run",
     "RunRequest",
     "account",
+    "add_blueprint",
     "allow_plugin",
     "approve",
     "bundle",
     "convert",
     "converted",
+    "dependants_of",
     "diff",
     "diff_behaviour",
     "digest",
     "explore",
     "export_key",
     "extract",
+    "find_stored",
     "flatten",
     "fmt",
     "forbid_plugin",
@@ -97,6 +102,7 @@ __all__ = [
     "revoke_key",
     "run",
     "run_request",
+    "shown_stored",
     "sign_register",
     "sweep",
     "try_edge",
@@ -145,7 +151,10 @@ VERBS = {
                   "revoke_key")),
     "approve": Verb("sign what the check says about a blueprint", ("approve",)),
     "verify": Verb("say whether a blueprint is approved, and why not", ("verify_approval",)),
-    "store": Verb("revoke records and blueprints by their digests", ("revoke_digest",)),
+    "store": Verb(
+        "keep, find and revoke what was inspected, by content",
+        ("add_blueprint", "find_stored", "shown_stored", "dependants_of", "revoke_digest"),
+    ),
     "bundle": Verb("write evidence about runs that can be checked without this program",
                    ("bundle",)),
     "worlds": Verb("list the worlds there are", ("worlds",)),
@@ -195,6 +204,10 @@ _HOMES = {
     "sign_register": "key_ring",
     "revoke_key": "key_ring",
     "revoke_digest": "key_ring",
+    "add_blueprint": "store_shelf",
+    "find_stored": "store_shelf",
+    "shown_stored": "store_shelf",
+    "dependants_of": "revocations",
     "replay": "logs",
     "verify": "logs",
     "convert": "outputs",

@@ -10,6 +10,7 @@ from pathlib import Path, PurePath
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.stored import stored_place
 from smsl_studio.errors import SealError
 from smsl_studio.inspection.approval.case import TrustGrounds
 from smsl_studio.inspection.approval.policy import USUAL, TrustPolicy, read_policy
@@ -58,7 +59,13 @@ class RecordFile:
 
 
 def name_in(blueprint: Blueprint, file: str) -> str:
-    """Return the path of a file relative to the folder of the blueprint."""
+    """Return the path of a file relative to the folder of the blueprint.
+
+    A file of the store that is imported is called by its digest, which is the same everywhere.
+    """
+    place = stored_place(file) if file != blueprint.file else None
+    if place is not None:
+        return place.name
     folder = os.path.dirname(blueprint.file) or "."  # noqa: PTH120
     return PurePath(os.path.relpath(file, folder)).as_posix()
 

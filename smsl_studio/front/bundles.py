@@ -10,6 +10,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.stored import stored_place
 from smsl_studio.errors import UsageError
 from smsl_studio.front.bundled_report import REPORT, bundled_report
 from smsl_studio.front.signed_files import UNSIGNED, SignedPaths, bytes_of, signed_files
@@ -124,10 +125,13 @@ def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
 
     The names keep the folders, relative to the common folder of all files.
     """
-    paths = [_path(document) for document in blueprint.documents]
+    named = [(_path(document), document) for document in blueprint.documents]
+    paths = [path for path, _ in named if stored_place(path) is None] or [named[0][0]]
     folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
-    for path, document in zip(paths, blueprint.documents, strict=True):
-        name = _plain(PurePath(os.path.relpath(path, folder)).as_posix())
+    for path, document in named:
+        place = None if path in paths else stored_place(path)
+        way = os.path.relpath(path, folder) if place is None else f"store/{place.name[6:]}"
+        name = _plain(PurePath(way).as_posix())
         yield f"blueprint/{name}", document.encoded()
         own = document is blueprint.document
         one = blueprint if own else read_blueprint(document, opened=blueprint.documents)

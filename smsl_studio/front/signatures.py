@@ -11,6 +11,7 @@ from typing import Literal
 
 from smsl_studio.blueprint.digests import content_of
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.stored import digest_named, stored_file
 from smsl_studio.errors import ApprovalRefused, UsageError
 from smsl_studio.front.approval_files import (
     RecordFile,
@@ -254,7 +255,8 @@ def _relied(asked: ApprovalRequest, parts: Sequence[tuple[str, Blueprint]]) -> s
     real = {os.path.realpath(part.file): name for name, part in parts[1:]}
     found = set()
     for file in asked.relies_on:
-        name = real.get(os.path.realpath(file))
+        digest = digest_named(file)
+        name = real.get(os.path.realpath(stored_file(digest) if digest else file))
         if name is None:
             raise UsageError(
                 f"{asked.blueprint.file} does not import {file}",

@@ -43,6 +43,7 @@ def test_a_bundle_has_all_its_parts(shell: Shell, tmp_path: Path, log: Path) -> 
         *(f"{content}/{part}.json" for part in ("behaviour", "brought", "closure", "meaning")),
         "logs/run-2.jsonl",
         "logs/run.jsonl",
+        "report.html",
         "verify.py",
     ]
     done = subprocess.run([sys.executable, "verify.py"], cwd=tmp_path / "evidence", check=False)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import PurePath
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.blueprint.revision import revised
+from smsl_studio.blueprint.stored import stored_place
 from smsl_studio.errors import AddressError, EditRefused, did_you_mean
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.splice import reconcile
@@ -90,10 +92,20 @@ class Draft:
             after = reconcile(before, values)
             if after is before:
                 continue
+            _refuse_stored(before)
             if before.doubled and len(before.duplicates()) > len(after.duplicates()):
                 _refuse_loss(before, {path for path, _ in after.duplicates()})
             changed[before] = after
         return revised(self.before, changed) if changed else self.before
+
+
+def _refuse_stored(document: Document) -> None:
+    """Refuse to change what stands in the user's store under its own digest."""
+    if stored_place(document.file) is not None:
+        raise EditRefused(
+            f"{PurePath(document.file).name} stands in your store and cannot be changed there",
+            advice="Copy the file into your project, and import the copy.",
+        )
 
 
 def rename_keys(table: dict[str, Json], names: Mapping[str, str]) -> None:

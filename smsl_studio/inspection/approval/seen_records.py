@@ -63,8 +63,14 @@ def newest_seen(file: str, closure: str = "", person: str | None = None) -> Sign
     SealError if the stored record does not have the digest of its entry.
     """
     digest = newest_entry(file, closure, person)
-    if not digest:
-        return None
+    return seen_record(digest) if digest else None
+
+
+def seen_record(digest: str) -> SignedRecord:
+    """Return a record that was seen.
+
+    SealError if the stored record does not have the digest of its entry.
+    """
     path = records_folder() / f"{digest}{ENVELOPE}"
     found = SignedRecord.of(read_envelope(read_stored(path), PAYLOAD_TYPE))
     if found.digest != digest:

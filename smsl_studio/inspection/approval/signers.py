@@ -178,7 +178,8 @@ def _faults(case: ApprovalCase, record: SignedRecord, key: KnownKey) -> Iterator
 
 def _revoked(case: ApprovalCase, record: SignedRecord, who: str) -> Iterator[Refusal]:
     grounds, digests = case.grounds, record.statement.digests
-    named = (record.digest, digests.closure, digests.behaviour, digests.meaning)
+    parts = (one.digest.closure for one in record.statement.subject[1:])
+    named = (record.digest, digests.closure, digests.behaviour, digests.meaning, *parts)
     revoked = {one.removeprefix("record:") for one in grounds.policy.revoked}
     if any(f"sha256:{digest}" in revoked for digest in named):
         yield Refusal("record_revoked", f"the policy revokes {who}")
