@@ -46,6 +46,7 @@ BENCHES = (
     "soak",
     "stopping",
     "oracle",
+    "predicates",
     "bombs",
     "sequences",
     "undo",

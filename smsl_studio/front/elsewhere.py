@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import PluginError, UsageError, did_you_mean
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.errors import Place, PluginError, UsageError, did_you_mean
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host, SensorInfo
 from smsl_studio.host.remote import Remote, WithRemote
@@ -45,7 +45,8 @@ def with_remote(request: RunRequest, host: Host) -> Host:
         words = f"no broker is named for what is sensed elsewhere: {facts}"
         raise UsageError(words, file.place("mqtt"), advice)
     sensors = tuple(_sensors(blueprint, file))
-    reception = Reception(site, table.run, sensors)
+    measures = {(one.branch, one.digit, one.name) for one in sensors if one.unit}
+    reception = Reception(site, table.run, sensors, measures)
     rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
     values = {key: blueprint[key[0]].alphabet[key[1]] for key in rules}
     # paho is loaded only if a broker is named.
@@ -74,7 +75,23 @@ def _sensors(blueprint: Blueprint, file: BindingsFile) -> Iterator[SensorInfo]:
             if not source:
                 raise PluginError(f"[mqtt.facts] {key!r} names a source without a name",
                                   file.place(key), 'Write "SB/digit" = "name".')  # fmt: skip
-            yield SensorInfo(source, branch.name, digit, PERIOD, age, aggregation, remote=True)
+            unit = _unit(branch, digit, source, file.place(key))
+            yield SensorInfo(
+                source, branch.name, digit, PERIOD, age, aggregation, remote=True, unit=unit
+            )
+
+
+def _unit(branch: StateBranch, digit: int, source: str, place: Place | None) -> str:
+    """Return the unit of a source that predicates read, empty if the fact has none."""
+    sense = branch.notes.senses.get(digit)
+    if sense is None or sense.fault is not None:
+        return ""
+    units = sense.units
+    if source not in units:
+        words = f"[mqtt.facts] names {source!r}, which no predicate of the fact uses"
+        advice = did_you_mean(source, units) or f"Its sources are {', '.join(units)}."
+        raise PluginError(words, place, advice)
+    return units[source].text
 
 
 def _rule(blueprint: Blueprint, file: BindingsFile, key: FactKey) -> FactRule:

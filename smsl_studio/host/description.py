@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final, NoReturn
 
+from smsl_studio.blueprint.predicates.units import LONGEST as LONGEST_UNIT
 from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
 from smsl_studio.host.compound import mapped, mapping, optional, row, several
@@ -95,6 +96,7 @@ SENSOR = mapped(
         PATIENCE,
         PATIENCE,
         mapping(text(1000), sentence(200), 200),
+        text(LONGEST_UNIT),
     ),
     lambda one: (
         one.pattern.text,
@@ -103,6 +105,7 @@ SENSOR = mapped(
         one.period,
         one.max_age,
         one.words,
+        one.unit,
     ),
     lambda told: SensorEntry(
         AbsentCode(told[0]), _pattern(told[0], told[2]), _pattern(told[1], told[2]), *told[2:]

@@ -349,4 +349,5 @@ def _info(sensor: BoundSensor) -> SensorInfo:
         sensor.max_age,
         sensor.aggregation,
         dict(sensor.words),
+        unit=sensor.unit,
     )

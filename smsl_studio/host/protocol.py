@@ -64,7 +64,7 @@ class SensorInfo:
 
     ``digit`` is the fact's number in the SB, counted from 0. ``words`` explain values that no
     state has, such as ``h``: held. A ``remote`` sensor sends its samples over a network, at its
-    own times.
+    own times. A sensor with a ``unit`` measures, and predicates decide what its numbers mean.
     """
 
     name: str
@@ -75,6 +75,7 @@ class SensorInfo:
     aggregation: str = "single"
     words: Mapping[str, str] = field(default_factory=dict)
     remote: bool = False
+    unit: str = ""
 
 
 class Elsewhere(Protocol):

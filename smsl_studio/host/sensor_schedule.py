@@ -13,6 +13,7 @@ from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.host.brief import invalid, words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
+from smsl_studio.monitor.measured import measure_text
 from smsl_studio.monitor.sample import BAD, GOOD, LONGEST, Sample, SensorRound, sample_of
 
 _REMEMBERED = 1000
@@ -82,7 +83,8 @@ class SensorSchedule:
                 sensor = self._sensors[index]
                 key = (sensor.branch, sensor.digit)
                 seed = f"{self._seed} {fact_text(*key)} {sensor.name}"
-                self._disturbed[index] = DisturbedSensor(self._values(key), seed)
+                values = () if sensor.unit else self._values(key)
+                self._disturbed[index] = DisturbedSensor(values, seed)
             self._disturbed[index].switch(kind, parameter)
         return tuple(self._sensors[index].name for index in met)
 
@@ -163,9 +165,19 @@ class SensorSchedule:
 
 def _ready(sensor: BoundSensor) -> Callable[[Any], Any]:
     """Return the function of a sensor with its arguments, to be called with the world."""
-    if not sensor.arguments:
-        return sensor.function
-    return partial(sensor.function, **sensor.arguments)
+    plain = partial(sensor.function, **sensor.arguments) if sensor.arguments else sensor.function
+    return partial(_measured, plain, sensor.scale) if sensor.unit else plain
+
+
+def _measured(function: Callable[[Any], Any], scale: float, subject: Any) -> str | None:
+    """Return what a sensor measures as a sample carries it. ValueError if it is no number."""
+    value = function(subject)
+    if value is None:
+        return None
+    text = measure_text(value, scale)
+    if text is None:
+        raise ValueError("it returned no finite number and no position of three")
+    return text
 
 
 def _ticks(period: float, tick: float) -> int:

@@ -5,18 +5,21 @@ For an edge, the first of these decides: the bindings file by ``State/Operation`
 name, a plugin's plain name, a plugin's pattern. Of several patterns the one with more fixed
 characters counts, then the one that was registered first. A binding that does not fit is a fault:
 its edge stays unbound, and no weaker binding replaces it. For a fact, the first of these decides:
-the bindings file, ``_facts`` (``sensors``), the sensors that declare the fact themselves.
+the bindings file, ``_facts`` (``sensors``), the sensors that declare the fact themselves. A fact
+with predicates has the sensors that measure what the predicates name, and no others.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
 from smsl_studio.blueprint.annotations import Binding
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.predicates import FactSense, read_unit
 from smsl_studio.errors import Place, PluginError, did_you_mean
 from smsl_studio.library.bindings_file import BindingsFile, BoundFunction, WorldTable
 from smsl_studio.library.bound import (
@@ -208,7 +211,10 @@ class _Binder:
         order."""
         for branch, digit in leaf_facts(self.blueprint):
             key = fact_text(branch.name, digit)
-            note = branch.fact_note(digit)
+            note, sense = branch.fact_note(digit), branch.notes.senses.get(digit)
+            if sense is not None:
+                yield from self._measures(branch, digit, sense)
+                continue
             given = self.table.facts.get(key)
             names = (given,) if isinstance(given, str) else given or (note.sensors if note else ())
             place = self.file.place(key) if given else None
@@ -224,6 +230,23 @@ class _Binder:
                 if bound is not None:
                     yield bound
 
+    def _measures(self, branch: StateBranch, digit: int, sense: FactSense) -> Iterator[BoundSensor]:
+        """Yield the sensors that measure what the predicates of a fact name."""
+        elsewhere = self.file.mqtt.sources(fact_text(branch.name, digit))
+        for spec in sense.sources:
+            if spec.name in elsewhere:
+                continue
+            bound = self._named_sensor(branch, digit, spec.name, None, measures=True)
+            if bound is None:
+                continue
+            unit = read_unit(bound.unit)
+            if unit.fits(spec.unit):
+                yield replace(bound, unit=spec.unit.text, scale=float(unit.to(spec.unit)))
+                continue
+            words = f"the sensor {spec.name!r} measures {unit.text}, not {spec.unit.text}"
+            error = PluginError(words, None, "Name a unit of its kind")
+            self._fault(f"fact {branch.name}/{digit}", error)
+
     def _offered(self, branch: StateBranch, digit: int) -> Iterator[BoundSensor]:
         """Yield the sensors whose own declaration names this fact."""
         for plugin in self.plugins:
@@ -234,16 +257,24 @@ class _Binder:
                     yield self._sensor(branch, digit, (plugin, entry), name, texts)
 
     def _named_sensor(
-        self, branch: StateBranch, digit: int, name: str, place: Place | None
+        self,
+        branch: StateBranch,
+        digit: int,
+        name: str,
+        place: Place | None,
+        *,
+        measures: bool = False,
     ) -> BoundSensor | None:
         for plugin in self.plugins:
             for entry in plugin.library.sensors:
                 texts = entry.pattern.match(name)
-                if texts is not None:
+                if texts is not None and bool(entry.unit) == measures:
                     return self._sensor(branch, digit, (plugin, entry), name, texts)
-        known = [entry.pattern.text for p in self.plugins for entry in p.library.sensors]
+        entries = [entry for p in self.plugins for entry in p.library.sensors]
+        known = [entry.pattern.text for entry in entries if bool(entry.unit) == measures]
+        what = "sensor that measures" if measures else "sensor"
         error = PluginError(
-            f"the world {self.world!r} has no sensor {name!r}", place, did_you_mean(name, known)
+            f"the world {self.world!r} has no {what} {name!r}", place, did_you_mean(name, known)
         )
         self._fault(f"fact {branch.name}/{digit}", error)
         return None
@@ -269,6 +300,7 @@ class _Binder:
             entry.signature.converted(texts),
             plugin.location,
             entry.words,
+            entry.unit,
         )
 
     def unknown_keys(self) -> Iterator[BindingFault]:

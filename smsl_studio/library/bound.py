@@ -52,6 +52,9 @@ class BoundSensor:
     arguments: Mapping[str, Any]
     location: str = ""
     words: Mapping[str, str] = field(default_factory=dict)
+    unit: str = ""
+    scale: float = 1.0
+    """A sensor with a ``unit`` measures. Its numbers times ``scale`` are in this unit."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,7 +37,13 @@ from typing import Any, TypeVar
 from smsl_studio.errors import PluginError
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature, signature_of
-from smsl_studio.library.terms import proper_name, seconds, truth, words_of_values
+from smsl_studio.library.terms import (
+    proper_name,
+    seconds,
+    truth,
+    unit_of_measure,
+    words_of_values,
+)
 from smsl_studio.world.engines import ENGINES, TABLE, USUAL
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
@@ -107,7 +113,8 @@ class OperationEntry:
 class SensorEntry:
     """A sensing function with the patterns of its sensors' names and of their facts.
 
-    ``period`` and ``max_age`` are in simulated seconds.
+    ``period`` and ``max_age`` are in simulated seconds. With a ``unit`` it measures: it returns a
+    number, and the predicates of a blueprint decide what it means.
     """
 
     function: Callable[..., Any]
@@ -117,6 +124,7 @@ class SensorEntry:
     period: float
     max_age: float
     words: Mapping[str, str]
+    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,6 +209,8 @@ class OperationLibrary:
         period: float = 0.02,
         max_age: float = 0.3,
         words: Mapping[str, str] = NO_WORDS,
+        *,
+        unit: str = "",
     ) -> Callable[[FunctionT], FunctionT]:
         """Register a sensor (paper, Sensor Representation). The decorated ``f(world, ...) -> str |
         None`` reads facts. None means that there is no valid reading.
@@ -208,12 +218,14 @@ class OperationLibrary:
         ``fact`` is the pattern of the facts: ``"SB/{n}"``, or ``"{n}"`` for the only root of a
         file. Here facts count from 1. Without ``fact`` the sensor reads only the facts that are
         bound to it. ``period`` and ``max_age`` are in simulated seconds. ``words`` explain values
-        that no state has, such as ``{"h": "held"}``.
+        that no state has, such as ``{"h": "held"}``. With a ``unit`` the function returns a number,
+        or three for a position, in this unit. Such a sensor reads no fact by itself: predicates of
+        a blueprint name it under ``sources``.
         """
         name = proper_name(name, "a sensor")
         fact = proper_name(fact, "a fact") if fact else ""
         period, max_age = seconds(period, "period"), seconds(max_age, "max_age")
-        told = words_of_values(words)
+        told, unit = words_of_values(words), unit_of_measure(unit, fact)
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the sensor. PluginError if names and parameters do not fit."""
@@ -223,7 +235,7 @@ class OperationLibrary:
             _must_name_all(pattern, signature)
             if fact and set(where.parameters) != set(pattern.parameters):
                 raise PluginError(f"{name!r} and {fact!r} do not name the same parameters")
-            entry = SensorEntry(function, pattern, where, signature, period, max_age, told)
+            entry = SensorEntry(function, pattern, where, signature, period, max_age, told, unit)
             self.sensors.append(entry)
             return function
 

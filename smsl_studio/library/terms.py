@@ -8,7 +8,8 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Mapping
 
-from smsl_studio.errors import PluginError
+from smsl_studio.blueprint.predicates import read_unit
+from smsl_studio.errors import FormulaError, PluginError
 from smsl_studio.legible import DIRECTIONS
 
 LONGEST = 300
@@ -74,3 +75,23 @@ def words_of_values(words: Mapping[str, str]) -> dict[str, str]:
         if type(value) is not str or type(word) is not str:
             raise PluginError("words does not map texts to texts")
     return found
+
+
+def unit_of_measure(value: object, fact: str) -> str:
+    """Return the unit of a sensor that measures, empty for any other. PluginError if it is no unit,
+    or if the sensor also names a ``fact``, whose values are no numbers.
+    """
+    if type(value) is not str:
+        raise PluginError(f"unit is a value of type {type(value).__name__[:60]!r}, not a text")
+    if not value:
+        return ""
+    try:
+        read_unit(value)
+    except FormulaError as error:
+        raise PluginError(error.sentence, advice=error.advice) from None
+    if fact:
+        raise PluginError(
+            f"a sensor in {value} cannot tell {fact!r} by itself",
+            advice="Leave fact out, and let predicates of the blueprint decide.",
+        )
+    return value

@@ -21,7 +21,7 @@ from smsl_studio.monitor.aggregate import NOBODY, Aggregate, FactRule, SourceVal
 from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.monitor.rounds import Rounds
 from smsl_studio.monitor.sample import Sample
-from smsl_studio.monitor.sensed_fact import SensedFact
+from smsl_studio.monitor.sensed_fact import DECIDED, SensedFact
 from smsl_studio.monitor.speaker import HAIR
 
 NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
@@ -289,12 +289,14 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
 
 def _sensed(fact: _Fact, sensed: SensedFact, now: float, live: float) -> Reading:
     """Return what the predicates say, or the answer of a person where one counts."""
-    said = sensed.said(now, live)
-    rule = fact.rule
-    if not rule.people:
-        return Reading(said.value, said.reason, said.age)
+    found = sensed.decided(now, live)
+    if not fact.rule.people:
+        if found.age == 0.0 and found.value is not None:
+            return fresh_reading(found.value)
+        return Reading(found.value, found.reason, found.age)
+    said = SourceValue(DECIDED, found.value, found.reason, found.age, contested=sensed.contested)
     answers = [_answered(fact, now)] if fact.answer else []
-    verdict = aggregate(rule, [said, *answers])
+    verdict = aggregate(fact.rule, [said, *answers])
     return Reading(verdict.value, verdict.reason, verdict.age)
 
 

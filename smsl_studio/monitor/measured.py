@@ -17,22 +17,23 @@ LONGEST = 100
 _SHOWN = 24
 
 
-def measure_text(value: object) -> str | None:
-    """Return a number, or a position of three, as a sample carries it. None if it is neither.
+def measure_text(value: object, scale: float = 1.0) -> str | None:
+    """Return a number, or a position of three, times ``scale`` as a sample carries it. None if it
+    is neither.
 
     The text has the same double again when it is read. A number that is not finite is none.
     """
     if isinstance(value, Sequence) and not isinstance(value, str):
-        texts = [measure_text(one) for one in value] if len(value) == 3 else [None]
+        texts = [measure_text(one, scale) for one in value] if len(value) == 3 else [None]
         # A position inside a position would have spaces in it.
         return (
             None if any(one is None or " " in one for one in texts) else " ".join(map(str, texts))
         )
     if type(value) is int and abs(value) < 2**53:
         value = float(value)
-    if not isinstance(value, float) or not isfinite(value):
+    if not isinstance(value, float) or not isfinite(value * scale):
         return None
-    return repr(float(value))
+    return repr(float(value) * scale)
 
 
 def measure_of(text: str, position: bool | None) -> Measure | str:

@@ -15,6 +15,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
+from smsl_studio.monitor.measured import measure_text
 from smsl_studio.monitor.sample import BAD, GOOD, UNCERTAIN, Sample
 from smsl_studio.monitor.topics import FactTopic
 from smsl_studio.seal.strict_json import strict_decoder
@@ -50,17 +51,23 @@ def read_status(payload: bytes) -> Status:
 
 
 def read_fact(
-    topic: FactTopic, payload: bytes, received: float | None = None
+    topic: FactTopic, payload: bytes, received: float | None = None, *, measures: bool = False
 ) -> tuple[str, Sample]:
     """Read a fact message. Return the name of the node and the sample.
 
-    ``received`` is the time (s) of its arrival on the monotonic clock. UnreadableError if the
-    message is not valid.
+    The value of a source that ``measures`` is a number, or three for a position. ``received`` is
+    the time (s) of its arrival on the monotonic clock. UnreadableError if the message is not
+    valid.
     """
     said = _object(payload)
     if "value" not in said:
         raise UnreadableError("value is missing")
     value = said["value"]
+    if measures and value is not None:
+        text = measure_text(value)
+        if text is None:
+            raise UnreadableError(f"value is {_shown(value)}, not a number, three or null")
+        value = text
     if value is not None and not _is_text(value):
         raise UnreadableError(f"value is {_shown(value)}, not a text or null")
     quality = said.get("quality", GOOD)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.monitor.bus import FactBus, SourceKey, too_long
@@ -78,13 +78,23 @@ class RemoteView:
 
 
 class Reception:
-    """Receives the messages of the declared sources, for one run of one site."""
+    """Receives the messages of the declared sources, for one run of one site.
 
-    def __init__(self, site: str, run: str, sources: Iterable[FactSource]) -> None:
+    Those in ``measures`` say numbers, all others a value of their fact.
+    """
+
+    def __init__(
+        self,
+        site: str,
+        run: str,
+        sources: Iterable[FactSource],
+        measures: Collection[SourceKey] = (),
+    ) -> None:
         self.site, self.run = site, run
         self._declared: Mapping[SourceKey, float] = {
             (source.branch, source.digit, source.name): source.max_age for source in sources
         }
+        self._measures = frozenset(measures)
         topics = (FactTopic(site, run, *key) for key in self._declared)
         self.topics: Mapping[str, FactTopic] = {str(topic): topic for topic in topics}
         """The topics of the declared sources."""
@@ -166,7 +176,7 @@ class Reception:
             self._refuse(RETAINED, _who(topic))
         else:
             try:
-                node, said = read_fact(topic, payload, now)
+                node, said = read_fact(topic, payload, now, measures=key in self._measures)
             except UnreadableError as error:
                 self._refuse(PAYLOAD, f"{_who(topic)}: {error}")
                 return

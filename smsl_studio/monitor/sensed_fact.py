@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from smsl_studio.blueprint.predicates import FactSense
-from smsl_studio.monitor.aggregate import SourceValue
+from smsl_studio.monitor.aggregate import Aggregate
 from smsl_studio.monitor.decision import Decider
 from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.monitor.measured import measure_of
@@ -26,24 +26,29 @@ class SensedFact:
         ages = {name: ledger.max_age for name, ledger, _ in self._read}
         self._decider = Decider(sense, ages)
         self._seen: dict[str, Sample | None] = dict.fromkeys(ages)
+        self.contested = False
+        """Whether several programs spoke for one of its sources at the last look."""
 
-    def said(self, now: float, live: float) -> SourceValue:
-        """Return the value of the fact, or None with the reason. ``live`` is the same instant on
-        the monotonic clock, which counts if one source is elsewhere.
+    def decided(self, now: float, live: float) -> Aggregate:
+        """Return the value of the fact, or None with the reason. It is called once for each look.
+
+        ``live`` is the same instant on the monotonic clock, which counts if a source is elsewhere.
         """
-        elsewhere = any(ledger.live for _, ledger, _ in self._read)
-        clock, contested = (live if elsewhere else now), ""
-        for name, ledger, position in self._read:
-            sample, age, doubt = ledger.newest(now, live)
+        heard = [ledger.newest(now, live) for _, ledger, _ in self._read]
+        clock = now
+        for sample, _, _ in heard:
+            if sample is not None and sample.received is not None:
+                clock = live
+        self.contested = False
+        for (name, _, position), (sample, age, doubt) in zip(self._read, heard, strict=True):
             if doubt:
-                contested = contested or doubt
+                self.contested = True
                 self._seen[name] = None
                 self._decider.take(name, None, clock, doubt)
             elif sample is not None and sample is not self._seen[name]:
                 self._seen[name] = sample
                 self._take(name, sample, position, clock - age)
-        found = self._decider.look(clock)
-        return SourceValue(DECIDED, found.value, found.reason, found.age, contested=bool(contested))
+        return self._decider.look(clock)
 
     def _take(self, name: str, sample: Sample, position: bool | None, at: float) -> None:
         if sample.value is None or sample.quality != GOOD:
