@@ -17,6 +17,7 @@ import gc
 from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer
+from shiboken6 import isValid
 
 PAUSE, SOON = 50, 10
 """Milliseconds between two looks at how much was made: as a rule, and while much is made."""
@@ -82,5 +83,6 @@ class Sweeper(QObject):
         if self._all_wanted:
             self.sweep_all()
         pause = SOON if self.sweep() else PAUSE
-        if self._timer.interval() != pause:
+        # The sweep may have freed this object itself, if nobody else held it any more.
+        if isValid(self._timer) and self._timer.interval() != pause:
             self._timer.setInterval(pause)
