@@ -178,7 +178,8 @@ class Toast(QWidget):
         """Show a message. ``words`` are those of its button; it has none if they are empty."""
         self.severity = severity
         self._of_step = self._fresh = False
-        self.button.setText(words)
+        # Hidden it keeps its words, because a screen reader finds it, too.
+        self.button.setText(words or self.button.text())
         self.button.setVisible(bool(words))
         sentence, advice = brief(sentence), brief(advice)
         self._sentence.setText(sentence)

@@ -105,7 +105,8 @@ class ConfirmBox(QFrame):
         self._buttons.setDirection(way.LeftToRight if beside else way.TopToBottom)
         words = metrics.elidedText(verb, Qt.TextElideMode.ElideMiddle, first - AROUND)
         self.do.setText(as_it_is(words))
-        self.do.setAccessibleName(verb)
+        # A screen reader finds it where it is hidden, too.
+        self.do.setAccessibleName(verb or "Do it")
         self.do.setToolTip(tip_text("" if words == verb else verb))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
