@@ -54,6 +54,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--against", metavar="OTHER", help="tell what has changed since this version, or record"
     )
+    parser.add_argument(
+        "--explain",
+        metavar="ADDRESS",
+        help="write an element, or a fact as SB/digit, in the notation of the paper",
+    )
     add_world(parser, required=False)
     add_format(parser, "sarif")
 
@@ -77,10 +82,14 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             one = _with_changes(one, other, options.rule)
         elif "R27" in (options.rule or ("R27",)):
             one = _since_record(one, against)
+        if options.explain is not None:
+            one = one._replace(explained=_explained(blueprint, options.explain))
         worst = max(worst, one.status)
         if options.format == "text":
             _print(one, out)
             _print_recoveries(one, out)
+            for line in one.explained or ():
+                out.line(one_line(line))
         else:
             checked.append(one)
     if options.format == "json":
@@ -93,12 +102,14 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 class _Checked(NamedTuple):
-    """What was found out about one file. ``recoveries`` is None if it was not asked for."""
+    """What was found out about one file. ``recoveries`` and ``explained`` are None if they were
+    not asked for."""
 
     blueprint: Blueprint
     findings: tuple[Finding, ...]
     verdicts: tuple[PropertyVerdict, ...] = ()
     recoveries: tuple[FailureRecovery, ...] | None = None
+    explained: tuple[str, ...] | None = None
 
     @property
     def status(self) -> int:
@@ -135,6 +146,13 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
             note(f"{blueprint.file}: recoverability is not known everywhere: {bound}")
         one = one._replace(recoveries=recoveries)
     return one
+
+
+def _explained(blueprint: Blueprint, address: str) -> tuple[str, ...]:
+    """Return an element in the notation of the paper. It is loaded only if somebody asks."""
+    from smsl_studio.blueprint.notation import notation_of
+
+    return notation_of(blueprint, address)
 
 
 def _is_record(file: str) -> bool:
@@ -198,7 +216,7 @@ def _has_properties(blueprint: Blueprint) -> bool:
 
 
 def _as_json(checked: _Checked) -> dict[str, Any]:
-    blueprint, findings, verdicts, recoveries = checked
+    blueprint, findings, verdicts, recoveries, explained = checked
     runs = {one.address: one.counterexample for one in verdicts if one.counterexample}
     told = []
     for finding in findings:
@@ -215,6 +233,8 @@ def _as_json(checked: _Checked) -> dict[str, Any]:
     }
     if recoveries is not None:
         found["recoverability"] = [one.as_json() for one in recoveries]
+    if explained is not None:
+        found["explained"] = list(explained)
     return found
 
 
