@@ -12,7 +12,8 @@ from smsl_studio.errors import UsageError
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``open``, for its help."""
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
-    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
+    modes = ("draw", "run", "supervise", "review")
+    parser.add_argument("--mode", choices=modes, default="draw", help="the mode to show")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:

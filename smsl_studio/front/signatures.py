@@ -316,6 +316,12 @@ def _refuse_open(answer: CheckAnswer, dispositions: Sequence[Disposition], apart
         )
 
 
+def open_warnings(request: ApprovalRequest) -> tuple[Finding, ...]:
+    """Return the warnings about which a signer must say something. No passphrase is needed."""
+    answer = _answer(request, _surveys(request))
+    return tuple(answer.of(Severity.WARNING, set()))
+
+
 def _rules(answer: CheckAnswer, options: InspectionOptions) -> list[SignedRule]:
     """Return each rule that was checked, with the digest of its code and its worst finding."""
     words = {Severity.ERROR: "failed", Severity.WARNING: "warned", Severity.NOTE: "noted"}

@@ -236,7 +236,7 @@ def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None
     assert not stop.isVisible()
 
 
-@pytest.mark.parametrize("mode", ["draw", "run", "supervise"])
+@pytest.mark.parametrize("mode", ["draw", "run", "supervise", "review"])
 def test_everything_has_a_name_and_nothing_is_cut_at_1280(sit: Sit, mode: str) -> None:
     person = sit(REGISTRATION, (1280, 800))
     window = person.window

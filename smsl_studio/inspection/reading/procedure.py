@@ -140,7 +140,12 @@ class Procedure:
             about=(asked.address,),
             inner=tuple(inner),
             unnumbered=(title, *own, titled) if order else (),
+            starts=self._starts(at),
         )
+
+    def _starts(self, at: int) -> tuple[Address, ...]:
+        """Return the states in which the step at a place begins."""
+        return tuple(Address(name, state) for name, state in self._before[at].items())
 
     def _titles(self, first: int, last: int) -> str:
         """Return the titles of the steps between two places, both included."""
@@ -197,6 +202,7 @@ class Procedure:
             check=self._words.check(edge.address, edge.target),
             about=(edge.address,),
             unnumbered=(f"{title} {self._titles(at, end - 1)}", *text),
+            starts=self._starts(at),
         )
 
     def _possible(self, here: Mapping[str, str], taken: Edge) -> Iterator[tuple[Edge, JointStep]]:

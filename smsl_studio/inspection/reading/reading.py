@@ -27,6 +27,7 @@ class ReadingLine:
     of the blueprint that it tells. ``inner`` are the lines of a sub-procedure. ``unnumbered`` is
     the heading with the text where both name other steps by their titles and not by their numbers,
     empty where no number stands in them. ``key`` stays as long as the line means the same.
+    ``starts`` are the states in which a step of the way begins, one for each SB.
     """
 
     heading: str
@@ -39,6 +40,7 @@ class ReadingLine:
     inner: tuple[ReadingLine, ...] = ()
     unnumbered: tuple[str, ...] = ()
     key: str = ""
+    starts: tuple[Address, ...] = ()
 
     @property
     def words(self) -> tuple[str, ...]:

@@ -45,13 +45,11 @@ class ReviewAuthor:
                 advice="Write why it may stay as it is, or write a comment.",
             )
         when = self._after(review, now)
-        closings = [self._to(CLOSED, one.entry, "", when) for one in at.open_comments]
-        own = [
-            closing
-            for closing, one in zip(closings, at.open_comments, strict=True)
-            if may_close(closing, one.entry)
-        ]
-        return (*own, self._on(APPROVED, at, note.strip(), when))
+        own = [one.entry for one in at.open_comments if self.may_close(one)]
+        return (
+            *(self._to(CLOSED, one, "", when) for one in own),
+            self._on(APPROVED, at, note.strip(), when),
+        )
 
     def take_back(
         self, review: Review, at: ReviewedLine, now: datetime | None = None
@@ -79,15 +77,18 @@ class ReviewAuthor:
         self, review: Review, comment: ReviewComment, now: datetime | None = None
     ) -> tuple[ReviewEntry, ...]:
         """Close a comment. Only its writer, or a person with the role of the writer, can do so."""
-        one = self._to(CLOSED, comment.entry, "", self._after(review, now))
-        if not may_close(one, comment.entry):
+        if not self.may_close(comment):
             who = comment.entry.person
             role = f" or another {comment.entry.role}" if comment.entry.role else ""
             raise UsageError(
                 f"the comment of {who} can only be closed by {who}{role}",
                 advice="Answer it. The writer of the comment then closes it.",
             )
-        return (one,)
+        return (self._to(CLOSED, comment.entry, "", self._after(review, now)),)
+
+    def may_close(self, comment: ReviewComment) -> bool:
+        """Return whether this person may close a comment."""
+        return may_close(replace(comment.entry, person=self.person, role=self.role), comment.entry)
 
     def _after(self, review: Review, now: datetime | None) -> str:
         """Return the time of a new entry. It is later than all entries of this person, so that the

@@ -68,6 +68,11 @@ class ReviewedReading:
         placed = {one.entry.id for line in self.lines for one in line.comments}
         return tuple(one for one in self.review.comments if one.entry.id not in placed)
 
+    @property
+    def sections(self) -> tuple[ReadingSection, ...]:
+        """The parts with lines that need an answer."""
+        return tuple(one for one in self.reading.sections if one.key != SINCE and one.lines)
+
     def of_section(self, key: str) -> tuple[ReviewedLine, ...]:
         """Return the lines of a section."""
         return tuple(one for one in self.lines if one.section.key == key)

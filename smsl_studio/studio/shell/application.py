@@ -129,7 +129,8 @@ def main(argv: Sequence[str]) -> int:
     """The command ``open``: files and ``--mode``."""
     parser = argparse.ArgumentParser(prog="smsl-studio open", description="Open the window.")
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
-    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
+    modes = ("draw", "run", "supervise", "review")
+    parser.add_argument("--mode", choices=modes, default="draw", help="the mode to show")
     given = parser.parse_intermixed_args(list(argv))
     return open_window(given.files, given.mode)
 

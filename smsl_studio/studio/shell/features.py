@@ -22,6 +22,7 @@ from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
+from smsl_studio.studio.features.review.feature import ReviewFeature
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.settings.feature import SettingsFeature
 from smsl_studio.studio.features.start.feature import StartFeature
@@ -81,6 +82,8 @@ class Features(QObject):
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
+        self.review = ReviewFeature(parts, shell, windows.persons)
+        self._connect_review()
         self.inspection.play = self._play_script
         self.inspection.start_at = self._start_at
         self._connect_shapes()
@@ -94,7 +97,7 @@ class Features(QObject):
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
         yield from (self.start,)
-        yield from (self.export, self.run, self.supervise, self.people, self.monitor)
+        yield from (self.export, self.run, self.supervise, self.review, self.people, self.monitor)
         yield from (self.replay, self.tour, self.help, self.settings)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
@@ -103,6 +106,24 @@ class Features(QObject):
     def _play_script(self, text: str, name: str) -> None:
         self._shell.set_mode("run")
         self.run.pane.play_script(text, name)
+
+    def _connect_review(self) -> None:
+        """Let Review sign, play steps, and ask the engineer in Draw."""
+        review = self.review
+        self.approval.told = review.show_approval
+        review.signed = self.approval.look_again
+        review.change_person = self.people.edit_persons
+        review.play = self.run.play_step
+        review.run = lambda: self.run.pane.run
+        review.asked_changed = self._show_asked
+        review.words_changed = self.said.emit
+        self.draw.findings.asked_wanted.connect(review.answer)
+
+    def _show_asked(self) -> None:
+        """Show the open comments of the review among the findings."""
+        tidings = self.draw.tidings
+        tidings.asked = self.review.asked
+        tidings.show_asked()
 
     def _connect_shapes(self) -> None:
         """Let the page Inspection use the feature Draw to compare versions and to merge states."""
@@ -156,6 +177,8 @@ class Features(QObject):
         """The texts of the status line: about the replay in its mode, else about the run."""
         if mode == "replay":
             return self.replay.verbs.pane.words
+        if mode == "review":
+            return self.review.words
         pane = self.run.part.made
         return pane.words if pane is not None else ((), ())
 
@@ -202,8 +225,8 @@ class Features(QObject):
         """End all work, because the window closes. The run ends first."""
         self.end_run()
         for feature in (
-            self.replay, self.export, self.approval, self.merge, self.inspection, self.draw,
-            self.start,
+            self.replay, self.export, self.approval, self.review, self.merge, self.inspection,
+            self.draw, self.start,
         ):  # fmt: skip
             feature.stop()
 

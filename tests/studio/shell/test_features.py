@@ -101,7 +101,7 @@ def test_every_mode_panel_and_action_comes_from_one_feature(window: Window) -> N
     modes = [mode for feature in features for mode in feature.pages]
     panels = [panel.name for feature in features for panel in feature.panels]
     actions = [action.id for feature in features for action in feature.actions()]
-    assert set(modes) == {"start", "draw", "run", "supervise", "replay"}
+    assert set(modes) == {"start", "draw", "run", "supervise", "review", "replay"}
     for names in (modes, panels, actions):
         assert max(Counter(names).values()) == 1
     assert set(actions) < set(window.actions_table.table)

@@ -42,6 +42,8 @@ class ApprovalFeature(Feature):
         self.badge.clicked.connect(self.show)
         self.badges = (self.badge,)
         self.compare: Callable[[], None] = lambda: None
+        self.told: Callable[[ApprovalWords], None] = lambda said: None
+        """Hears what the badge says, whenever it says something else."""
         self.ask_file: Callable[[Path], Path | None] = self._asked
         self._beside = Beside(parts.window)
         self._later = QTimer(parts.window)
@@ -87,6 +89,10 @@ class ApprovalFeature(Feature):
         self.card.none_wanted.connect(self.drop_policy)
         self.card.changes_wanted.connect(lambda: self.compare())
         self.card.open_below(self.badge)
+
+    def look_again(self) -> None:
+        """Verify the record again, because somebody has signed."""
+        self._wait()
 
     def choose_policy(self) -> None:
         """Ask for the trust policy of the project. Runs start only if it is met."""
@@ -150,3 +156,4 @@ class ApprovalFeature(Feature):
 
     def _show(self, said: ApprovalWords) -> None:
         self.badge.show_words(said)
+        self.told(said)

@@ -59,6 +59,8 @@ class Tidings(QObject):
         findings.check_wanted.connect(self.check)
         session.opened.connect(self._opened)
         session.broken_changed.connect(self._broken)
+        self.asked: Callable[[], tuple[Finding, ...]] = lambda: ()
+        """Returns the open comments of a review, as findings."""
         self._salvaged: Blueprint | None = None
         self._inspector, self._files = inspector, parts.files
         self._checked = False
@@ -79,6 +81,12 @@ class Tidings(QObject):
     def _is_draft(self) -> bool:
         """Whether somebody is just drawing, and has not asked for a check yet."""
         return self._files.is_draft and not self._checked
+
+    def show_asked(self) -> None:
+        """Show the findings again, because the comments of a review are others now."""
+        if self._inspector.current:
+            self._found(self._inspector.findings)
+            self._then()
 
     def forget(self) -> None:
         """Remove all findings, because another file was opened."""
@@ -137,6 +145,7 @@ class Tidings(QObject):
         self._findings.proving = self._inspector.proving
         if self._is_draft:
             findings = quiet(findings)
+        findings = (*findings, *self.asked())
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))

@@ -23,6 +23,7 @@ MODES = {
     "draw": HelpPlace("engineer.md", "2-draw-it"),
     "run": HelpPlace("engineer.md", "4-run-it"),
     "supervise": _window("supervise"),
+    "review": _window("review"),
     "replay": _window("replay"),
 }
 """By mode: what is explained if no row of ``PARTS`` fits what has the focus."""
@@ -52,6 +53,8 @@ PARTS = {
     "Timeline": _panel("Timeline"),
     "Transport": HelpPlace("engineer.md", "4-run-it"),
     "StepIn": _window("supervise", "Deciding"),
+    "SignDialog": _window("review", "Signing"),
+    "CommentDialog": _window("review", "Comments"),
     "TaskCard": _window("people", "The card"),
     "Continuum": _window("people", "Human and automation"),
     "SettingsDialog": _window("settings"),

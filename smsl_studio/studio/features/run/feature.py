@@ -93,6 +93,21 @@ class RunFeature(Feature):
         """Start a run, or continue the present one."""
         self.pane.play()
 
+    def play_step(self, starts: tuple[str, ...], goal: str) -> str:
+        """Start a run from these states to a goal, in the chosen world (addresses).
+
+        Returns why it does not begin; empty if it does.
+        """
+        pane = self.pane
+        if pane.run.exists:
+            return "There is a run already. Stop ends it."
+        if pane.next.loaded is None:
+            return "The plugins are being loaded. Ask again in a moment."
+        pane.next.step = starts, goal
+        pane.play()
+        pane.next.step = None
+        return "" if pane.run.exists else "It cannot be played now. Run says why."
+
     def pause(self) -> None:
         """Pause the run."""
         if self.part.made is not None:

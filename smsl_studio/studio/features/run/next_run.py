@@ -33,6 +33,8 @@ class NextRun:
         self._offered = False
         self._given: tuple[str, ...] = ()
         self.loaded: Loaded | None = None
+        self.step: tuple[tuple[str, ...], str] | None = None
+        """Start states and goal of one step that somebody wants to see; None for a usual run."""
 
     @property
     def wanted(self) -> Wanted | None:
@@ -53,6 +55,8 @@ class NextRun:
         """The present choice for the next run."""
         transport = self._transport
         start = transport.start.currentData() or ""
+        if self.step is not None:
+            return self._of_step(*self.step)
         return RunChoice(
             world=transport.world.currentData(),
             start="" if start == GIVEN else start,
@@ -62,6 +66,13 @@ class NextRun:
             by_hand=transport.by_hand.isChecked(),
             levels=self._levels.set,
         )
+
+    def _of_step(self, starts: tuple[str, ...], goal: str) -> RunChoice:
+        """The choice for one step, in the chosen world."""
+        transport = self._transport
+        seed = int(transport.seed.text() or 0)
+        world = transport.world.currentData()
+        return RunChoice(world, goal=goal, seed=seed, levels=self._levels.set, starts=starts)
 
     @property
     def is_fixed(self) -> bool:

@@ -38,7 +38,7 @@ TIGHT = 760
 """Below this width of the bar, the buttons of four modes leave room for the word of the run."""
 WORDS = 560
 """The width of the drawing tools from which their buttons have words (pixels)."""
-MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
+MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_review", "mode_replay")
 NO_TOOLS = ("start",)
 PAGES = ("merge",)
 """Pages of Draw on which nothing is drawn."""

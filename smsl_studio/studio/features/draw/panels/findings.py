@@ -28,6 +28,8 @@ from smsl_studio.studio.features.draw.panels.unfinished import sum_of, to_finish
 MOST = 6
 """The panel lists this many faults of a broken text; the source marks all of them."""
 
+ASKED = "ask"
+"""Stands in place of the rule at a comment of a review."""
 PROVING = "Hazards and properties are not answered yet"
 NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
@@ -38,6 +40,8 @@ class Findings(Panel):
     count_changed = Signal(int)
     claim_wanted = Signal(object)
     """Address: the finding is about this hazard or property, which stands on no canvas."""
+    asked_wanted = Signal(object)
+    """Finding: a comment of a review, which somebody wants to answer."""
     check_wanted = Signal()
     """Show what is missing in an unfinished drawing as mistakes."""
 
@@ -267,7 +271,9 @@ class Findings(Panel):
 
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
-        if finding.address.branch in ("_hazards", "_properties"):
+        if finding.rule == ASKED:
+            self.asked_wanted.emit(finding)
+        elif finding.address.branch in ("_hazards", "_properties"):
             self.claim_wanted.emit(finding.address)
         else:
             self._session.jump(finding.address)

@@ -1,0 +1,65 @@
+"""The field in which a person writes a comment, a reply or a note, at the line that it is about."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.inspection.review.review_file import LONGEST
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label, row
+
+_RETURN = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class AnswerField(QWidget):
+    """A text of several lines. Ctrl+Enter keeps it, Escape leaves it."""
+
+    given = Signal(str)
+    left = Signal()
+
+    def __init__(self, question: str, verb: str) -> None:
+        super().__init__()
+        self.text = _Text(self)
+        self.text.setProperty("role", "field")
+        self.text.setAccessibleName(plain_text(question))
+        self.text.setPlaceholderText(plain_text(question))
+        self.text.setTabChangesFocus(True)
+        self.text.setFixedHeight(84)
+        self.keep = QPushButton(verb)
+        self.keep.setProperty("role", "primary")
+        self.keep.setEnabled(False)
+        self.cancel = QPushButton("Cancel")
+        hint = label("Ctrl+Enter keeps it", "readSmall")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 4, 0, 0)
+        column.addWidget(self.text)
+        column.addLayout(row(self.keep, self.cancel, hint, None))
+        self.text.textChanged.connect(self._typed)
+        self.keep.clicked.connect(self.give)
+        self.cancel.clicked.connect(self.left)
+
+    def give(self) -> None:
+        """Hand over what is written, if there is something."""
+        text = self.text.toPlainText().strip()
+        if text:
+            self.given.emit(text[:LONGEST])
+
+    def _typed(self) -> None:
+        self.keep.setEnabled(bool(self.text.toPlainText().strip()))
+
+
+class _Text(QPlainTextEdit):
+    def __init__(self, field: AnswerField) -> None:
+        super().__init__()
+        self._field = field
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keep the text, leave it, or type."""
+        if event.key() == Qt.Key.Key_Escape:
+            self._field.left.emit()
+        elif event.key() in _RETURN and event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self._field.give()
+        else:
+            super().keyPressEvent(event)

@@ -1,0 +1,151 @@
+"""The dialog in which a person signs: the key, the passphrase, and what the signature means."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.front.signatures import ApprovalRequest, SignedApproval, approve, open_warnings
+from smsl_studio.inspection.approval.key_store import StoredKey, stored_keys
+from smsl_studio.inspection.approval.known_keys import name_of
+from smsl_studio.inspection.approval.statement import APPROVED, MEANINGS, REJECTED
+from smsl_studio.inspection.review.review_file import LONGEST
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.base.controls import Combo, label
+from smsl_studio.studio.base.words import capital
+
+NO_KEY = (
+    "You have no key yet. Make one in a terminal: smsl-studio keys make --person NAME --role ROLE. "
+    "Then open this dialog again."
+)
+WARNS = "The check warns. Write why this may stay, and type the passphrase again."
+MOST = 6
+"""At most so many lines of a refusal are shown."""
+BUSY = "The whole check runs, and then it is signed."
+
+
+class SignDialog(QDialog):
+    """Signs the blueprint as it stands in the file. The passphrase is asked for here and is not
+    kept."""
+
+    signed = Signal(object)
+    """SignedApproval: the record was written."""
+
+    def __init__(self, blueprint: Blueprint, person: str, rejects: bool, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._blueprint, self._rejects = blueprint, rejects
+        self._beside = Beside(self)
+        self.setWindowTitle("Reject this procedure" if rejects else "Sign this procedure")
+        self.setMinimumWidth(460)
+        self.key = Combo()
+        self.key.setAccessibleName("Key")
+        for key in _keys(person):
+            self.key.addItem(plain_text(f"{key.person}, {key.role} ({key.id})"), key.id)
+        self.passphrase = QLineEdit()
+        self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
+        self.passphrase.setAccessibleName("Passphrase")
+        self.passphrase.setPlaceholderText("Passphrase of the key")
+        self.note = QPlainTextEdit()
+        self.note.setProperty("role", "field")
+        self.note.setAccessibleName("Why the warnings may stay")
+        self.note.setPlaceholderText("Why the warnings may stay")
+        self.note.setTabChangesFocus(True)
+        self.note.setFixedHeight(72)
+        self.note.hide()
+        self.refusal = label("", "refusal")
+        self.meaning = label(MEANINGS[REJECTED if rejects else APPROVED], "")
+        self.meaning.setWordWrap(True)
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        verb = "Sign the rejection" if rejects else "Sign"
+        self.sign = self.buttons.addButton(verb, QDialogButtonBox.ButtonRole.AcceptRole)
+        self.sign.setDefault(True)
+        self.buttons.accepted.connect(self._sign)
+        self.buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(20, 16, 20, 16)
+        column.setSpacing(10)
+        words = label("Key", "second"), label("Passphrase", "second")
+        parts: tuple[QWidget, ...] = (self.meaning, words[0], self.key, words[1], self.passphrase)
+        for part in (*parts, self.refusal, self.note, self.buttons):
+            column.addWidget(part)
+        if not self.key.count():
+            self.refusal.setText(NO_KEY)
+            for part in (self.key, self.passphrase, self.sign):
+                part.setEnabled(False)
+        else:
+            self.passphrase.setFocus()
+
+    def done(self, result: int) -> None:
+        """Close, and forget the passphrase."""
+        self.passphrase.clear()
+        self._beside.stop()
+        super().done(result)
+
+    def _sign(self) -> None:
+        request = ApprovalRequest(
+            self._blueprint,
+            self.key.currentData(),
+            self.passphrase.text().encode(),
+            verdict=REJECTED if self._rejects else APPROVED,
+        )
+        self.passphrase.clear()
+        self._show_busy(True)
+        note = self.note.toPlainText().strip()
+        self._beside.do(partial(_signed, request, note), self._came)
+
+    def _came(self, came: SignedApproval | StudioError) -> None:
+        self._show_busy(False)
+        if isinstance(came, StudioError):
+            self._refuse(came)
+            return
+        self.signed.emit(came)
+        self.accept()
+
+    def _refuse(self, error: StudioError) -> None:
+        warns = "has no disposition" in error.sentence
+        if warns:
+            rows = error.sentence.splitlines()
+            more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
+            told = "\n".join(rows[:MOST]) + more
+            self.refusal.setText(f"{WARNS}\n{told}")
+            self.note.show()
+        else:
+            self.refusal.setText(f"{capital(error.sentence)}. {error.advice}".strip())
+        (self.note if warns and not self.note.toPlainText() else self.passphrase).setFocus()
+        self.adjustSize()
+
+    def _show_busy(self, busy: bool) -> None:
+        self.refusal.setText(BUSY if busy else "")
+        for part in (self.key, self.passphrase, self.sign):
+            part.setEnabled(not busy)
+
+
+def _signed(request: ApprovalRequest, note: str) -> SignedApproval | StudioError:
+    try:
+        if note:
+            warned = open_warnings(request)
+            said = tuple(f"{one.rule}@{one.address}={note[:LONGEST]}" for one in warned)
+            request = replace(request, dispositions=said)
+        return approve(request)
+    except StudioError as error:
+        return error
+
+
+def _keys(person: str) -> list[StoredKey]:
+    """The keys with which somebody here can sign, those of this person first."""
+    keys = [key for key in stored_keys().values() if key.box is not None and not key.revoked]
+    keys = [key for key in keys if not key.known.is_automatic]
+    return sorted(keys, key=lambda key: (name_of(key.person) != name_of(person), key.id))

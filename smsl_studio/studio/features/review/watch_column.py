@@ -1,0 +1,79 @@
+"""The run beside the text: the drawing of the run, its facts, and how to leave it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.front.views.fact_rows import as_they_were, fact_rows
+from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.running.facts_table import FactsTable
+from smsl_studio.studio.running.frames import split
+from smsl_studio.studio.running.run_canvas import RunCanvas
+from smsl_studio.studio.running.run_session import RunSession
+
+STARTING = "The world is being opened."
+
+
+class WatchColumn(QWidget):
+    """Shows the run of this window, in which the step at hand is played."""
+
+    left = Signal()
+
+    def __init__(self, session: Session, run: RunSession, tokens: Tokens) -> None:
+        super().__init__()
+        self._run = run
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setProperty("role", "side")
+        self.title, self.said = label("", "sideStrong"), label("", "sideText")
+        for words in (self.title, self.said):
+            words.setWordWrap(True)
+        self.leave = QPushButton("Back to the changes")
+        self.leave.clicked.connect(self.left)
+        self.canvas = RunCanvas(session, run, tokens)
+        self.facts = FactsTable(tokens)
+        head = QWidget()
+        above = QVBoxLayout(head)
+        above.setContentsMargins(16, 12, 16, 8)
+        above.addLayout(row(label("Watch it run", "sideTitle"), None, self.leave))
+        above.addWidget(self.title)
+        above.addWidget(self.said)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(head)
+        parts = split(Qt.Orientation.Vertical, (self.canvas, self.facts), (340, 220), (1, 1))
+        column.addWidget(parts, 1)
+        run.changed.connect(self.refresh)
+        run.progressed.connect(lambda: self.canvas.show_time(run.shown_time))
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self.canvas.set_tokens(tokens)
+        self.facts.set_tokens(tokens)
+
+    def show_step(self, words: str) -> None:
+        """Say which step is played."""
+        self.title.setText(words)
+        self.refresh()
+
+    def say(self, words: str) -> None:
+        """Say why nothing is played."""
+        self.said.setText(words)
+
+    def refresh(self) -> None:
+        """Show the present state of the run."""
+        if self.isHidden():
+            return
+        run = self._run
+        self.canvas.refresh()
+        if run.status is None or run.blueprint is None:
+            self.facts.show_rows(())
+            self.said.setText(STARTING if run.exists else capital(run.sentence))
+            return
+        rows = fact_rows(run.blueprint, run.status, run.phase == "failed")
+        self.facts.show_rows(rows if run.exists else as_they_were(rows))
+        self.said.setText(capital(run.sentence) or "The step is being carried out.")

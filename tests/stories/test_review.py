@@ -1,0 +1,296 @@
+"""Review: two people on two computers read, ask, answer, change, read again, sign and run."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog
+
+from smsl_studio.front import read
+from smsl_studio.front.key_ring import make_key
+from smsl_studio.front.reviews import keep_answers, review_of
+from smsl_studio.front.verdicts import verify_approval
+from smsl_studio.inspection.review.entry import COMMENT
+from smsl_studio.studio.features.review.comment_dialog import CommentDialog
+from smsl_studio.studio.features.review.feature import ReviewFeature
+from smsl_studio.studio.features.review.page import ReviewPage
+from smsl_studio.studio.running.persons import Person as Somebody
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+
+DOOR: dict[str, Any] = {
+    "_hazards": [{"name": "Open at the end", "facts": {"DOOR/0": "1", "DOOR/1": "1"}}],
+    "DOOR": {
+        "HEADER": {"INITIAL": "S00", "ACTIVATING": "S11", "NUM_FACTS": 2},
+        "_facts": {
+            "0": {"name": "Door", "values": {"0": "shut", "1": "open"}},
+            "1": {"name": "Lamp", "values": {"0": "off", "1": "on"}},
+        },
+        "_states": {"S00": {"title": "Closed"}, "S11": {"title": "Ready"}},
+        "_operations": {
+            "open": {"title": "Open the door"},
+            "light": {"title": "Light the lamp"},
+        },
+        "S00": {"open": "S10"},
+        "S10": {"light": "S11"},
+        "S11": {},
+    },
+}
+SURGEON, ENGINEER = Somebody("M. Reyes", "surgeon"), Somebody("J. Lindqvist", "engineer")
+PASSPHRASE = b"correct horse"
+
+
+def door_at(folder: Path, hazards: bool = False) -> Path:
+    folder.mkdir(exist_ok=True)
+    values = {key: one for key, one in DOOR.items() if hazards or key != "_hazards"}
+    file = folder / "door.json"
+    file.write_text(json.dumps(values, indent=1), "utf-8")
+    return file
+
+
+class Reader:
+    """A person in Review, with the keyboard alone."""
+
+    def __init__(self, person: Person) -> None:
+        self.person = person
+
+    @property
+    def feature(self) -> ReviewFeature:
+        return self.person.window.features.review
+
+    @property
+    def page(self) -> ReviewPage:
+        return self.feature.page
+
+    def enter(self) -> None:
+        self.person.ctrl(Qt.Key.Key_4)
+        self.wait_for_the_reading()
+        self.person.press(Qt.Key.Key_Up)
+
+    def wait_for_the_reading(self) -> None:
+        self.person.qtbot.waitUntil(lambda: self.feature.review.seen is not None, timeout=60_000)
+
+    def answer_all(self) -> None:
+        """Approve every line, an open point with a note."""
+        seen = self.feature.review.seen
+        assert seen is not None
+        for _ in range(3 * len(seen.lines)):
+            self.person.press(Qt.Key.Key_Right)
+            line = self.page.line
+            assert line is not None
+            if line.is_answered:
+                return
+            self.person.press(Qt.Key.Key_Y)
+            if line.line.open_point:
+                self.write("It is watched by the nurse.")
+        raise AssertionError("there is always another open line")
+
+    def write(self, text: str) -> None:
+        QTest.keyClicks(self.person._focus(), text)
+        self.person.ctrl(Qt.Key.Key_Return)
+
+    def go_to(self, heading: str) -> None:
+        seen = self.feature.review.seen
+        assert seen is not None
+        for _ in range(len(seen.lines)):
+            line = self.page.line
+            assert line is not None
+            if line.line.heading == heading:
+                return
+            self.person.press(Qt.Key.Key_Down)
+        raise AssertionError(heading)
+
+    def sign(self) -> None:
+        self.person.click(self.page.side.sign)
+        dialog = self.feature.signing
+        assert dialog is not None
+        self.person.qtbot.waitUntil(dialog.isVisible)
+        QTest.keyClicks(dialog.passphrase, PASSPHRASE.decode())
+        QTest.keyClick(dialog.passphrase, Qt.Key.Key_Return)
+        self.person.qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=120_000)
+        self.person.come_back()
+        review = self.feature.review
+        self.person.qtbot.waitUntil(lambda: not review.is_making, timeout=60_000)
+
+
+def sit_as(sit: Sit, who: Somebody, file: Path) -> Reader:
+    person = sit(file)
+    if person.windows.persons.named(who.name) is None:
+        person.windows.persons.put(who)
+    person.windows.persons.choose(who)
+    return Reader(person)
+
+
+def test_two_people_review_ask_answer_change_review_again_sign_and_run(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    theirs, mine = door_at(tmp_path / "surgeon"), door_at(tmp_path / "engineer")
+    key = make_key(SURGEON.name, SURGEON.role, PASSPHRASE)
+
+    # The surgeon reads and asks.
+    surgeon = sit_as(sit, SURGEON, theirs)
+    surgeon.enter()
+    assert not surgeon.page.side.sign.isEnabled()
+    surgeon.answer_all()
+    assert surgeon.page.side.sign.isEnabled()
+    surgeon.go_to("Light the lamp")
+    surgeon.person.press(Qt.Key.Key_C)
+    surgeon.write("Who sees that it is lit?")
+    assert not surgeon.page.side.sign.isEnabled()
+    assert "1 comment is open, of M. Reyes." in surgeon.page.side.why.text()
+    assert theirs.read_text("utf-8") == mine.read_text("utf-8")
+
+    # The engineer, on another computer, gets the answers and finds the question in Draw.
+    shutil.copy(f"{theirs}.review.json", f"{mine}.review.json")
+    engineer = sit_as(sit, ENGINEER, mine)
+    findings = engineer.person.window.findings
+    engineer.person.qtbot.waitUntil(
+        lambda: any(one.rule == "ask" for one in findings.findings), timeout=30_000
+    )
+    engineer.person.click_row(findings.list, "Who sees that it is lit?")
+    dialog = engineer.person.window.findChild(CommentDialog)
+    assert dialog is not None
+    engineer.person.qtbot.waitUntil(dialog.isVisible)
+    QTest.keyClicks(dialog.field.text, "The nurse sees it.")
+    QTest.keyClick(dialog.field.text, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    assert "(answered)" in str(engineer.person.row(findings.list, "Who sees").data())
+
+    # The engineer also changes the step.
+    values = json.loads(mine.read_text("utf-8"))
+    values["DOOR"]["_operations"]["light"]["title"] = "Light the lamp, seen by the nurse"
+    mine.write_text(json.dumps(values, indent=1), "utf-8")
+    shutil.copy(mine, theirs)
+    keep_answers(str(theirs), review_of(str(mine)).entries)
+
+    # The surgeon reads again: the changed line has no answer, and its comment went along.
+    again = sit_as(sit, SURGEON, theirs)
+    again.enter()
+    again.go_to("Light the lamp, seen by the nurse")
+    line = again.page.line
+    assert line is not None
+    assert line.approval is None
+    (comment,) = line.open_comments
+    assert [one.text for one in comment.replies] == ["The nurse sees it."]
+    again.answer_all()
+    assert not again.feature.review.review.open_comments
+    again.sign()
+    verdict = verify_approval(read(str(theirs)))
+    assert (verdict.verdict, verdict.signers[0].key.person) == ("approved", key.person)
+
+    # What was signed runs: a step is played beside the text.
+    again.go_to("Open the door")
+    again.person.press(Qt.Key.Key_W)
+    run = again.person.window.features.run.pane.run
+    again.person.qtbot.waitUntil(lambda: run.status is not None and not run.exists, timeout=120_000)
+    assert run.status is not None
+    assert run.status.configuration["DOOR"] == "S10"
+
+
+def test_the_keys_of_the_page_lead_through_all_lines_and_change_the_text(
+    sit: Sit, tmp_path: Path
+) -> None:
+    reader = sit_as(sit, SURGEON, door_at(tmp_path, hazards=True))
+    reader.enter()
+    seen = reader.feature.review.seen
+    assert seen is not None
+    first = reader.page.line
+    visited = {reader.page.reading.at}
+    for _ in seen.lines:
+        reader.person.press(Qt.Key.Key_Down)
+        visited.add(reader.page.reading.at)
+    assert visited == {one.line.key for one in seen.lines}
+    for _ in seen.lines:
+        reader.person.press(Qt.Key.Key_Up)
+    assert reader.page.line == first
+    for key, size in ((Qt.Key.Key_Plus, 1.25), (Qt.Key.Key_Minus, 1.0)):
+        reader.person.ctrl(key)
+        assert reader.page.reading.size_factor == size
+    # An open point asks for a note, and Escape leaves it.
+    hazards = [one for one in seen.lines if one.section.key == "hazards"]
+    assert [one.line.open_point for one in hazards] == [True]
+    reader.go_to(hazards[0].line.heading)
+    reader.person.press(Qt.Key.Key_Y)
+    card = reader.page.reading.card(reader.page.reading.at)
+    assert card is not None
+    assert card.field is not None
+    reader.person.press(Qt.Key.Key_Escape)
+    assert card.field is None
+    assert reader.page.line == hazards[0]
+    assert not review_of(str(tmp_path / "door.json")).entries
+
+
+def test_an_undo_takes_the_approval_back(sit: Sit, tmp_path: Path) -> None:
+    file = door_at(tmp_path)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.go_to("Open the door")
+    for approved in (True, False):
+        reader.person.press(Qt.Key.Key_Y)
+        line = reader.page.line
+        assert line is not None
+        assert (line.approval is not None) == approved
+        # The keyboard stays at the line.
+        card = reader.page.reading.card(line.line.key)
+        assert card is not None
+        assert QApplication.focusWidget() is card
+    assert len(review_of(str(file)).entries) == 2
+
+
+def test_nothing_to_review_is_said(sit: Sit) -> None:
+    person = sit()
+    person.ctrl(Qt.Key.Key_4)
+    page = person.window.features.review.page
+    assert "Nothing to review yet" in page.reading.hint.text()
+    assert page.reading.hint.isVisible()
+    assert not page.side.sign.isEnabled()
+    person.press(Qt.Key.Key_Y)
+    person.press(Qt.Key.Key_C)
+
+
+def test_a_file_of_answers_that_is_no_review_is_told_and_kept(sit: Sit, tmp_path: Path) -> None:
+    file = door_at(tmp_path)
+    answers = Path(f"{file}.review.json")
+    answers.write_text("{}", "utf-8")
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.person.press(Qt.Key.Key_Y)
+    assert answers.read_text("utf-8") == "{}"
+    assert "not of the form" in reader.page.side.why.text()
+    assert not reader.page.side.sign.isEnabled()
+
+
+def test_answers_of_another_computer_are_added(sit: Sit, tmp_path: Path) -> None:
+    theirs, mine = door_at(tmp_path / "theirs"), door_at(tmp_path / "mine")
+    reader = sit_as(sit, SURGEON, theirs)
+    reader.enter()
+    reader.person.press(Qt.Key.Key_C)
+    reader.write("What is this for?")
+    other = sit_as(sit, ENGINEER, mine)
+    other.feature.add_from(f"{theirs}.review.json")
+    assert "1 answer added" in other.person.window.toast.words
+    assert [one.kind for one in review_of(str(mine)).entries] == [COMMENT]
+
+
+def test_a_wrong_passphrase_signs_nothing(sit: Sit, tmp_path: Path) -> None:
+    file = door_at(tmp_path)
+    make_key(SURGEON.name, SURGEON.role, PASSPHRASE)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.answer_all()
+    reader.person.click(reader.page.side.sign)
+    dialog = reader.feature.signing
+    assert dialog is not None
+    QTest.keyClicks(dialog.passphrase, "wrong")
+    QTest.keyClick(dialog.passphrase, Qt.Key.Key_Return)
+    reader.person.qtbot.waitUntil(lambda: dialog.sign.isEnabled(), timeout=60_000)
+    assert dialog.refusal.text()
+    assert not dialog.passphrase.text()
+    assert not Path(f"{file}.record.json").exists()
+    dialog.reject()
+    assert isinstance(dialog, QDialog)
