@@ -18,6 +18,7 @@ from smsl_studio.front.reviews import keep_answers, review_of
 from smsl_studio.front.verdicts import verify_approval
 from smsl_studio.inspection.review.entry import COMMENT
 from smsl_studio.studio.features.review.comment_dialog import CommentDialog
+from smsl_studio.studio.features.review.comment_view import CommentView
 from smsl_studio.studio.features.review.feature import ReviewFeature
 from smsl_studio.studio.features.review.page import ReviewPage
 from smsl_studio.studio.running.persons import Person as Somebody
@@ -294,3 +295,22 @@ def test_a_wrong_passphrase_signs_nothing(sit: Sit, tmp_path: Path) -> None:
     assert not Path(f"{file}.record.json").exists()
     dialog.reject()
     assert isinstance(dialog, QDialog)
+
+
+def test_a_comment_on_a_line_that_is_gone_is_shown_and_can_be_closed(
+    sit: Sit, tmp_path: Path
+) -> None:
+    file = door_at(tmp_path)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.go_to("Lamp")
+    reader.person.press(Qt.Key.Key_C)
+    reader.write("Which lamp?")
+    values = json.loads(file.read_text("utf-8"))
+    values["DOOR"]["_facts"]["1"]["name"] = "Signal"
+    file.write_text(json.dumps(values, indent=1), "utf-8")
+    again = sit_as(sit, SURGEON, file)
+    again.enter()
+    (view,) = again.page.reading.findChildren(CommentView)
+    again.person.click(view.close_button)
+    assert not again.feature.review.review.open_comments

@@ -149,11 +149,9 @@ class ReviewedReading:
 def stands_for(entry: ReviewEntry, section: ReadingSection, line: ReadingLine) -> bool:
     """Return whether a line tells what an entry was about, perhaps in other words.
 
-    It is about the same elements, or (if the line names none) it has the same heading.
+    It has the same heading, or it is about the same operation or situation.
     """
     if entry.section != section.key:
         return False
-    about = {str(one) for one in line.about}
-    if entry.about or about:
-        return not about.isdisjoint(entry.about)
-    return entry.heading == line.heading
+    about = {str(one) for one in line.about if one.state}
+    return entry.heading == line.heading or not about.isdisjoint(entry.about)

@@ -16,6 +16,7 @@ from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.review.comment_view import CommentView
 from smsl_studio.studio.features.review.line_card import LineCard, LineLooks
 
 _LINES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right)
@@ -28,6 +29,8 @@ class LinesColumn(QScrollArea):
 
     card_made = Signal(object)
     """LineCard: a line was made, so that somebody can listen to it."""
+    close_wanted = Signal(object)
+    """ReviewComment: close a comment on a line that is gone."""
     next_wanted = Signal()
     size_wanted = Signal()
 
@@ -81,6 +84,8 @@ class LinesColumn(QScrollArea):
         title.setAlignment(self.size_button, Qt.AlignmentFlag.AlignTop)
         above.addLayout(title)
         above.addWidget(self._lead)
+        self._gone = QVBoxLayout()
+        above.addLayout(self._gone)
         above.addSpacing(10)
         above.addWidget(self._section)
         above.addWidget(self._about)
@@ -124,6 +129,7 @@ class LinesColumn(QScrollArea):
         self._section.setText(section.heading)
         self._about.setText(section.lead)
         self._about.setVisible(bool(section.lead))
+        self._show_gone(seen.loose, closable)
         self._lines = seen.of_section(section.key)
         changed = matter.changed if matter.former else frozenset()
 
@@ -139,6 +145,22 @@ class LinesColumn(QScrollArea):
         if self.at not in {one.line.key for one in self._lines}:
             self.at = self._lines[0].line.key if self._lines else ""
         self._show_cards()
+
+    def _show_gone(
+        self, comments: tuple[ReviewComment, ...], closable: Callable[[ReviewComment], bool]
+    ) -> None:
+        """Show open comments on lines that the reading does not have any more."""
+        while (item := self._gone.takeAt(0)) is not None:
+            old = item.widget()
+            if old is not None:
+                old.hide()
+                old.deleteLater()
+        for comment in comments:
+            if comment.is_open:
+                view = CommentView(comment, closable(comment), comment.entry.heading)
+                view.reply.hide()
+                view.close_wanted.connect(self.close_wanted)
+                self._gone.addWidget(view)
 
     def show_next(self, section: ReadingSection | None, lines: int) -> None:
         """Say which part comes next."""

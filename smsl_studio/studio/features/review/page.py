@@ -73,6 +73,7 @@ class ReviewPage(QWidget):
         self.contents.print_wanted.connect(self.print_wanted)
         self.reading.card_made.connect(self._listen)
         self.reading.next_wanted.connect(self._to_next_section)
+        self.reading.close_wanted.connect(self._review.close)
         self.reading.size_wanted.connect(self.next_size)
         self.bar.previous_wanted.connect(lambda: self.step(-1))
         self.bar.next_wanted.connect(self.next_open)
