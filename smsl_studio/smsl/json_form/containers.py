@@ -22,6 +22,11 @@ from smsl_studio.smsl.json_form.style import JsonStyle, render, scalar, style_of
 Json = Any
 Values = dict[str, Json]
 
+SHORT = 400
+"""The most characters of an object that is written anew as a whole."""
+MOST_ODD = 100
+"""After so many objects that are not written as new ones would be, no others are compared."""
+
 
 class Written(NamedTuple):
     """The values as they are in the new text, and the replaced pieces in order."""
@@ -38,6 +43,8 @@ class Splicer:
         assert isinstance(spans, JsonSpans)
         self.text, self.newline, self.spans = document.text, document.newline, spans
         self._document, self._given = document, style
+        self._odd = 0
+        """The number of short objects that are not written as new ones would be."""
         self._rows: dict[Path, MemberRow] = {}
         self._moved: dict[Path, str | None] = {}
 
@@ -56,7 +63,8 @@ class Splicer:
         if same(old, new):
             return None
         if isinstance(old, dict) and isinstance(new, dict):
-            return self.container(path, member.value_start, old, new)
+            anew = self._anew(path, member, old, new, indent)
+            return anew or self.container(path, member.value_start, old, new)
         if isinstance(old, list) and isinstance(new, list):
             # A list is handled as an object whose keys are the indices of its old elements.
             before = {str(index): value for index, value in enumerate(old)}
@@ -67,6 +75,24 @@ class Splicer:
             pieces = [Piece(member.value_start, member.value_end, text)]
         self.move(path, None)
         return Written(new, pieces)
+
+    def _anew(
+        self, path: Path, member: Member, old: Values, new: Values, indent: str
+    ) -> Written | None:
+        """Write a short object of the file's notes as a whole, such as a hazard on one line.
+
+        Member by member takes several times as long and writes the same, if the object is written
+        as a new one would be. None if it is not, so that what is written otherwise stays so.
+        """
+        start, end, depth = member.value_start, member.value_end, len(path)
+        short = end - start <= SHORT and depth > 1 and path[0].startswith("_")
+        if not (short and old and new and self._odd < MOST_ODD):
+            return None
+        text, style = self.text[start:end], self.style
+        if style.newline in text or text != render(old, style, indent, depth):
+            self._odd += 1
+            return None
+        return Written(new, [Piece(start, end, render(new, style, indent, depth))])
 
     def container(self, path: Path, start: int, old: Values, new: Values) -> Written:
         """Give the object (or list) at ``path``, which opens at ``start``, other values."""
