@@ -19,11 +19,10 @@ def may_be_crowded(picture: Picture) -> bool:
 
 
 def is_crowded(geometry: Geometry) -> bool:
-    """Return whether names have no room on their lines. ``geometry`` is that of full nodes, with a
-    line for each operation.
+    """Return whether a name has no room, or more than one in ten stand away from their lines.
+    ``geometry`` is that of full nodes, with a line for each operation.
     """
     edges = range(len(geometry.picture.operations))
     geometry.prepare(edges)
-    return any(
-        geometry.is_hidden(edge) or isinstance(geometry.label(edge), AsideRect) for edge in edges
-    )
+    away = sum(isinstance(geometry.label(edge), AsideRect) for edge in edges)
+    return 10 * away > len(edges) or any(map(geometry.is_hidden, edges))

@@ -115,11 +115,11 @@ def _side_by_side(
     """Yield for each edge (or only ``only``): its number, whether it leads from ``pair.a`` to
     ``pair.b``, and its offset from the middle.
 
-    Between full nodes, forward edges are on top or at the left. Between compact nodes, edges keep
-    to the right, as traffic does.
+    Forward edges are on top or at the left, at every zoom: a line that a person follows must not
+    change places with another one.
     """
     ways = [(pair.there, True), (pair.back, False)]
-    if is_forward(source, target) == style.compact:
+    if not is_forward(source, target):
         ways.reverse()
     step, first = _step(pair, source, target, style), -(len(pair) - 1) / 2
     for edges, there in ways:

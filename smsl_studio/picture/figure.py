@@ -98,11 +98,25 @@ class Figure:
                     break
                 self._enlarge(_LARGER)
         self.geometry = self._geometry()
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Enlarge a small SB until all labels have a place. Labels away from their lines are a
+        reason as long as it makes them half as many: some lines have others on both sides at any
+        size.
+        """
+        hidden, away = self._without_place()
         for _ in range(_STEPS if self.picture.small else 0):
-            if not self._hidden():
+            if not hidden and not away:
                 break
+            before, geometry, scale = self.at, self.geometry, self.scale
             self._enlarge(_LARGER)
             self.geometry = self._geometry()
+            found = self._without_place()
+            if not hidden and (found[0] or 2 * found[1] > away):
+                self.at, self.geometry, self.scale = before, geometry, scale
+                break
+            hidden, away = found
 
     def _enlarge(self, factor: float) -> None:
         self.at, self.scale = self.at * factor, self.scale * factor
@@ -132,10 +146,11 @@ class Figure:
             return self._layouts
         return {edge: layout.scaled(self.scale) for edge, layout in self._layouts.items()}
 
-    def _hidden(self) -> bool:
+    def _without_place(self) -> tuple[int, int]:
+        """Return how many labels are hidden, and how many stand away from their lines."""
         edges = range(len(self.picture.operations))
-        places = map(self.geometry.label, edges)
-        return any(place is None or isinstance(place, AsideRect) for place in places)
+        places = list(map(self.geometry.label, edges))
+        return places.count(None), sum(isinstance(place, AsideRect) for place in places)
 
     @property
     def height(self) -> float:

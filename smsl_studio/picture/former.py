@@ -14,6 +14,7 @@ import numpy as np
 from smsl_studio.picture.curves import Between, breadth
 from smsl_studio.picture.detours import GAP, most_passed
 from smsl_studio.picture.kept_routing import HeldPair, Routing
+from smsl_studio.picture.label_candidates import FARTHEST
 from smsl_studio.picture.label_rooms import LabelRooms, meeting
 from smsl_studio.picture.labels import AsideRect, Rect, meet
 from smsl_studio.picture.picture import Picture
@@ -62,8 +63,12 @@ class FormerLines:
 
     def moved(self, rects: Iterable[Rect | None]) -> None:
         """Note that something has appeared or disappeared at these places."""
-        m = NEAR * self._now.style.unit
-        self._far += [(r[0] - m, r[1] - m, r[2] + m, r[3] + m) for r in rects if r is not None]
+        for r in rects:
+            if r is not None:
+                # The leader of a label away from its line leads so far beyond it at most.
+                far = NEAR + (FARTHEST if isinstance(r, AsideRect) else 0.0)
+                m = far * self._now.style.unit
+                self._far.append((r[0] - m, r[1] - m, r[2] + m, r[3] + m))
 
     # Lines
 

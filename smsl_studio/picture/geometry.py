@@ -14,6 +14,7 @@ from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.edge_lines import EdgeLines
 from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.label_seats import LabelSeats, LabelSize
+from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox
 from smsl_studio.picture.state_loops import StateLoops
@@ -49,7 +50,7 @@ class Geometry:
         """The routing of a small picture, for the picture after the next edit."""
         self.dragged = False
         """Whether lines were dropped that lay elsewhere before."""
-        self._pieces = labels.LinePieces({})
+        self._pieces = LinePieces({})
         if self.small:
             whole = WholeRouting(self._lines, self._seats, self._loops, former)
             self.routing, self.mark_shift = whole.routing, whole.mark_shift

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from smsl_studio.picture.labels import LinePieces, Rect
+from smsl_studio.picture.line_pieces import LinePieces, Rect
 from smsl_studio.picture.shape import NodeBox
 
 NEAR, FAR, HALF = 2.0, 26.0, 5.0

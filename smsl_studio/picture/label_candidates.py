@@ -23,10 +23,14 @@ their edges, so they do not meet.
 LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
 FARTHEST = 40.0
-ASIDE_GAPS, ASIDE_SHARES = (14.0, 26.0, FARTHEST), (0.5, 0.36, 0.64, 0.22, 0.78)
+ASIDE_GAPS = 9.0, 14.0, 20.0, 26.0, 33.0, FARTHEST
+ASIDE_SHARES = 0.5, 0.36, 0.64, 0.22, 0.78, 0.43, 0.57, 0.29, 0.71, 0.14, 0.86
 """The distances (pixels of a mark) from its line at which a label without a place on it is shown,
 and the shares of the line where it is shown.
 """
+ON_ROOM, OFF_ROOM = 1.0, 6.0
+"""How far other lines are away from a label on its line, and from one beside it (pixels of a mark).
+The latter is so far from its own line at most."""
 _ON, _BESIDE, _OUTSIDE, _MIDDLE = range(4)
 _LEADING = ("line", "curve", "bent", "detour")
 """The kinds of lines that lead from one node to another, except lanes."""
@@ -65,14 +69,15 @@ class LabelCandidates(NamedTuple):
     """The possible places of the labels of n edges, k for each. The place of the lowest cost is the
     first.
 
-    ``costs`` is (n, k) and ``rects`` is (n, k, 4). ``fits``, (n, k), tells whether enough of the
-    line can be seen beside the label.
+    ``costs`` is (k,) and ``rects`` is (n, k, 4). ``fits``, (n, k), tells whether enough of the
+    line can be seen beside the label. ``rooms``, (k,), is how far other lines must be away.
     """
 
     edges: Sequence[int]
     costs: Floats
     rects: Floats
     fits: NDArray[np.bool_]
+    rooms: Floats
 
 
 def candidates(
@@ -85,19 +90,26 @@ def candidates(
     alike: dict[tuple[str, bool], list[tuple[int, Size]]] = {}
     for (edge, shape), size in zip(shapes.items(), sizes, strict=True):
         way = shape.way if shape.way in (*_LEADING, "lane") else ""
-        alike.setdefault((way, bool(shape.side) and not compact), []).append((edge, size))
+        alike.setdefault((way, bool(shape.side)), []).append((edge, size))
     found = []
     for (way, beside), group in alike.items():
         pattern = _pattern(way, beside, compact)
         lines = _LineArrays([shapes[edge] for edge, _ in group])
         wide = np.array([size for _, size in group], dtype=np.float64)
         rects, fits = _places(lines, wide, pattern, unit, way == "lane")
-        found.append(LabelCandidates([edge for edge, _ in group], pattern.costs, rects, fits))
+        off = (pattern.kinds == _OUTSIDE) | (pattern.kinds == _BESIDE)
+        rooms = np.where(off, OFF_ROOM, ON_ROOM) * unit
+        edges = [edge for edge, _ in group]
+        found.append(LabelCandidates(edges, pattern.costs, rects, fits, rooms))
     return found
 
 
-def aside(shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float) -> Floats:
-    """Return the places of some labels away from their lines, (n, k, 4), the nearest first."""
+def aside(
+    shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float
+) -> tuple[Floats, Floats, Floats]:
+    """Return the places of some labels away from their lines, (n, k, 4), the nearest first, and
+    both ends of their leaders, (n, k, 2): on the line and at the label.
+    """
     lines, half = _LineArrays(shapes), np.array(sizes)[:, None, :] / 2
     along = lines.length * np.array(ASIDE_SHARES)
     feet, across = lines.at(along), lines.direction(along)[:, :, ::-1] * (-1.0, 1.0)
@@ -106,7 +118,9 @@ def aside(shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float) -> Fl
     # In order of gap, then of share, then of side.
     off = (across[:, None] * reach[..., None])[:, :, :, None] * np.array([[1.0], [-1.0]])
     centres = (feet[:, None, :, None] + off).reshape(len(shapes), -1, 2)
-    return np.concatenate([centres - half, centres + half], axis=2)
+    starts = np.broadcast_to(feet[:, None, :, None], off.shape).reshape(centres.shape)
+    ends = np.clip(starts, centres - half, centres + half)
+    return np.concatenate([centres - half, centres + half], axis=2), starts, ends
 
 
 def points_along(shapes: Sequence[EdgeShape], shares: Sequence[float]) -> Floats:

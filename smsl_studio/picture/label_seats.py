@@ -33,8 +33,6 @@ class LabelSeats:
         """The sizes of labels that were asked for."""
         self.former: FormerLines | None = None
         """The labels before an edit, while those that it did not touch are taken over."""
-        self.pieces: labels.LinePieces | None = None
-        """The pieces of all lines of a small picture, once they are drawn."""
         self._places: labels.LabelPlaces | None = None
         self._choice: labels.LabelChoice | None = None
 
@@ -65,9 +63,11 @@ class LabelSeats:
         places = labels.LabelPlaces(lines.boxes, lines.style.unit)
         if readable is None:
             readable = readable_of(lines.picture, lines.boxes, lines.style, lines.box)
-        for rect in (*readable, *self.rects.values()):
+        for words in readable:
+            places.take(words)
+        for edge, rect in self.rects.items():
             if rect is not None:
-                places.take(rect)
+                places.take_label(lines.shapes[edge], rect)
         bends.keep_clear(lines.drawn.values(), places)
         return places
 
@@ -117,7 +117,8 @@ class LabelSeats:
         shapes = {edge: lines.shapes[edge] for edge in edges}
         sizes, careful = list(map(self.size, shapes)), lines.picture.careful
         found = labels.LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
-        found.beside, found.lines = self._beside, self.pieces
+        if not lines.picture.small:
+            found.beside = self._beside
         return found
 
     def _beside(self, edge: int) -> list[EdgeShape]:

@@ -1,14 +1,14 @@
 """Labels: the place of each label on its line, so that it covers no node and no other label.
 
-A label slides along its edge to a free place, or stands away from it with a leader. Without a place
-it is hidden until the edge is hovered, selected or lit. It does not evade the lines of other edges:
-it would jump whenever one of them comes or goes, and people find an operation where they last saw
-it. Lines between the same two states are the exception: they move together anyway, and nobody could
-tell whose label it is. Pure geometry.
+A label slides along its edge to a free place, or stands away from it with a leader. It is nearer to
+its own line than to any other line, and covers none, because people take the word in the gap of an
+arrow for its name. Without such a place it is hidden until the edge is hovered, selected or lit.
+Pure geometry.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -16,17 +16,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
-from smsl_studio.picture.label_candidates import aside, candidates
+from smsl_studio.picture.label_candidates import ON_ROOM, aside, candidates
+from smsl_studio.picture.line_pieces import LinePieces, Rect
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
-Rect = tuple[float, float, float, float]
-"""Left, top, right, bottom."""
+__all__ = [
+    "FOOT",
+    "AsideRect",
+    "LabelChoice",
+    "LabelPlaces",
+    "Rect",
+    "by_hand",
+    "centred",
+    "leader",
+    "meet",
+    "outside",
+    "rank_of",
+]
+
 _RECTS_AT_ONCE = 4_000
 """The number of places that are compared with all nodes at once. It limits the memory."""
 _RECTS_AT_A_LOOK = 8
 FOOT = 2.0
 """The radius of the dot on its line where the leader of a label begins (pixels of a mark). It tells
 to which of several lines the label belongs."""
+FOOT_ROOM = 4.0
+"""How far another line is away from such a dot (pixels of a mark)."""
 _RANKS = {"loop": 0, "line": 1, "curve": 2, "bent": 2, "detour": 2, "stub": 3, "lane": 4}
 
 
@@ -57,6 +72,10 @@ class LabelPlaces:
 
     def __init__(self, boxes: Floats, unit: float) -> None:
         self.unit = unit
+        self.lines = LinePieces({})
+        """All lines that a label may not cover, except its own."""
+        self.loops: list[Rect] = []
+        """The bounds of the loops that are drawn. Labels of further loops may not cover them."""
         self._cell = 96.0 * unit
         self._cells: dict[tuple[int, int], list[Rect]] = {}
         self._waiting: list[Rect] = []
@@ -72,6 +91,31 @@ class LabelPlaces:
         """Keep a rectangle free of labels from now on."""
         m = margin * self.unit
         self._waiting.append((rect[0] - m, rect[1] - m, rect[2] + m, rect[3] + m))
+
+    def take_label(self, shape: EdgeShape, rect: Rect) -> None:
+        """Keep the place of the label of a line free, and its leader if it has one."""
+        self.take(rect)
+        if isinstance(rect, AsideRect):
+            for dot in self._dots(shape, rect):
+                self.take(dot)
+
+    def is_led(self, edge: int, shape: EdgeShape, rect: Rect) -> bool:
+        """Return whether the leader of a label away from its line meets no label and no node, and
+        begins on its line alone.
+        """
+        foot, room = leader(shape, rect)[0], FOOT_ROOM * self.unit
+        if self.lines.covered(edge, [centred(foot, (2.0 * room, 2.0 * room))])[0]:
+            return False
+        dots = self._dots(shape, rect)
+        return all(map(self.is_untaken, dots)) and bool(self.off_nodes(np.array(dots)).all())
+
+    def _dots(self, shape: EdgeShape, rect: Rect) -> list[Rect]:
+        """Return small rectangles along the leader of a label."""
+        (ax, ay), (bx, by) = leader(shape, rect)
+        half = FOOT * self.unit
+        count = max(1, math.ceil(math.hypot(bx - ax, by - ay) / (2.0 * half)))
+        spots = ((ax + (bx - ax) * at / count, ay + (by - ay) * at / count) for at in range(count))
+        return [(x - half, y - half, x + half, y + half) for x, y in spots]
 
     def is_free(self, rect: Rect) -> bool:
         """Return whether a rectangle covers no node and no taken place."""
@@ -117,48 +161,6 @@ class LabelPlaces:
         return [(x, y) for x in range(left, right + 1) for y in range(top, bottom + 1)]
 
 
-class LinePieces:
-    """The straight pieces of all lines in one array, to count the lines that a label covers."""
-
-    def __init__(self, shapes: Mapping[int, EdgeShape]) -> None:
-        pieces = [shape.pieces for shape in shapes.values()]
-        found = np.concatenate(pieces) if pieces else np.zeros((0, 4))
-        self._owners = np.repeat(np.array(list(shapes), dtype=int), [len(p) for p in pieces])
-        self._start, end = found[:, :2], found[:, 2:]
-        step = end - self._start
-        self._step = np.where(np.abs(step) < 1e-9, 1e-9, step)
-        self._low, self._high = np.minimum(self._start, end), np.maximum(self._start, end)
-
-    def covered(self, edge: int, rects: Sequence[Rect]) -> list[int]:
-        """Return for each rectangle how many pieces of other lines than ``edge`` it covers."""
-        if not len(self._owners):
-            return [0] * len(rects)
-        left, top, right, bottom = zip(*rects, strict=True)
-        near = self._near((min(left), min(top)), (max(right), max(bottom)))
-        near = near[self._owners[near] != edge]
-        if not len(near):
-            return [0] * len(rects)
-        box = np.array(rects)[:, None]
-        counts: list[int] = self._covers(box, near[None]).sum(axis=1).tolist()
-        return counts
-
-    def _near(self, low: Point, high: Point) -> NDArray[np.intp]:
-        """Return the pieces of lines whose bounds overlap a rectangle."""
-        near = self._high[:, 0] > low[0]
-        near &= self._low[:, 0] < high[0]
-        near &= self._high[:, 1] > low[1]
-        near &= self._low[:, 1] < high[1]
-        return np.nonzero(near)[0]
-
-    def _covers(self, box: Floats, piece: NDArray[np.intp]) -> NDArray[np.bool_]:
-        start, step = self._start[piece], self._step[piece]
-        t1, t2 = (box[..., :2] - start) / step, (box[..., 2:] - start) / step
-        enter = np.minimum(t1, t2).max(axis=-1)
-        leave = np.maximum(t1, t2).min(axis=-1)
-        hits: NDArray[np.bool_] = (enter < leave) & (leave > 0.0) & (enter < 1.0)
-        return hits
-
-
 MOST_BESIDE = 8
 """Of more lines between two states no label can be told apart at a glance. Then they are not
 compared, because that takes the square of their number."""
@@ -184,10 +186,7 @@ class LabelChoice:
     """
 
     beside: Beside = staticmethod(lambda _: ())
-    """The lines from which a label must be told apart."""
-    lines: LinePieces | None = None
-    """All lines of a small picture. A label that leaves its line for those beside it covers none of
-    them; else it stays on its line."""
+    """The lines from which a label must be told apart in a large picture."""
 
     def __init__(
         self,
@@ -203,7 +202,7 @@ class LabelChoice:
         self._lines = dict(zip(shapes, zip(shapes.values(), sizes, strict=True), strict=True))
         self._found: dict[int, Floats] = {}
         for some in candidates(shapes, sizes, places.unit, compact):
-            free = some.fits.copy()
+            free = some.fits & places.lines.clear(some.edges, some.rects, some.rooms)
             free[free] = places.off_nodes(some.rects[free])
             for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
                 self._found[edge] = rects[ok]
@@ -220,9 +219,11 @@ class LabelChoice:
         if found is None and self._aside:
             if edge not in self._beside:
                 self._look_aside([edge])
-            found = self._best(edge, self._beside[edge])
+            places, shape = self._places, self._lines[edge][0]
+            led = (rect for rect in self._beside[edge] if places.is_led(edge, shape, rect))
+            found = self._best(edge, led)
         if found is not None:
-            self._places.take(found)
+            self._places.take_label(self._lines[edge][0], found)
         return found
 
     def _best(self, edge: int, rects: Iterable[Rect]) -> Rect | None:
@@ -234,19 +235,10 @@ class LabelChoice:
         if len(beside) > MOST_BESIDE:
             beside = ()
         for rect in filter(self._places.is_untaken, rects):
-            if not beside or self._tells(edge, rect, beside):
+            if not beside or tells_apart(rect, self._lines[edge][0], beside):
                 return rect
             first = first or rect
         return first
-
-    def _tells(self, edge: int, rect: Rect, beside: Sequence[EdgeShape]) -> bool:
-        own = self._lines[edge][0]
-        if not tells_apart(rect, own, beside):
-            return False
-        x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
-        if self.lines is None or own.distance(x, y) < 0.5 * self._places.unit:
-            return True
-        return not self.lines.covered(edge, [rect])[0]
 
     def _look_aside(self, edges: Sequence[int]) -> None:
         """Find the places of some labels away from their lines that cover no node, the nearest
@@ -256,10 +248,16 @@ class LabelChoice:
             return
         lines = [self._lines[edge] for edge in edges]
         places = self._places
-        rects = aside([shape for shape, _ in lines], [size for _, size in lines], places.unit)
+        shapes, sizes = [shape for shape, _ in lines], [size for _, size in lines]
+        rects, feet, ends = aside(shapes, sizes, places.unit)
         free = places.off_nodes(rects.reshape(-1, 4)).reshape(rects.shape[:2])
-        for edge, own, ok in zip(edges, rects, free, strict=True):
-            self._beside[edge] = [AsideRect(*rect) for rect in own[ok].tolist()]
+        room = np.full(rects.shape[1], ON_ROOM * places.unit)
+        free &= places.lines.clear(edges, rects, room)
+        alone = places.lines.uncrossed(edges, feet, ends)
+        # A line between two others has its label beyond them, if need be.
+        for edge, own, ok, better in zip(edges, rects, free, alone, strict=True):
+            best = [*own[ok & better].tolist(), *own[ok & ~better].tolist()]
+            self._beside[edge] = [AsideRect(*rect) for rect in best]
 
 
 def _each(rects: Floats) -> Iterator[Rect]:

@@ -10,7 +10,7 @@ from smsl_studio.picture.bundle_svg import draw_bundle, draw_count
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
 from smsl_studio.picture.guards import needs_words
-from smsl_studio.picture.hidden_names import RADIUS, HiddenNames, hidden_names
+from smsl_studio.picture.hidden_names import HiddenNames, hidden_names
 from smsl_studio.picture.labels import FOOT, AsideRect, leader
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import Point
@@ -56,6 +56,9 @@ def draw_labels(
         if edge in bundles.members:
             yield from draw_count(figure, edge, colours)
     places = {e: figure.geometry.label(e) for e in edges if e not in bundles.first}
+    # Without room, a mark lies below the names.
+    for names in hidden_names(figure.geometry, places):
+        yield from _hidden(figure, names, colours)
     # All grounds lie below all labels, because labels of neighbouring lines may overlap.
     for left, top, right, bottom in filter(None, places.values()):
         yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
@@ -64,8 +67,6 @@ def draw_labels(
             joined = leader(figure.geometry.shape(edge), place)
             yield polyline(joined, colours["edge"], 0.8, "2 2")
             yield circle(joined[0], FOOT, colours["edge"])
-    for names in hidden_names(figure.geometry, places):
-        yield from _hidden(figure, names, colours)
     for edge, place in places.items():
         if place is not None:
             yield from _label(figure, edge, place, colours, signs.get(edge, ""))
@@ -131,10 +132,13 @@ def _label(
 
 def _hidden(figure: Figure, names: HiddenNames, colours: Colours) -> Iterator[str]:
     """Yield the mark in place of names without room, with the names in its title."""
+    if not names.radius:
+        return
     x, y = names.at
     yield f"<g><title>{markup(', '.join(map(figure.label, names.edges)))}</title>"
-    yield circle(names.at, RADIUS, colours["canvas"], colours["edge"])
-    yield text((x, y + 3.4), names.words, 9.5, colours["tx2"], 600)
+    yield circle(names.at, names.radius, colours["canvas"], colours["edge"])
+    if names.large:
+        yield text((x, y + 3.4), names.words, 9.5, colours["tx2"], 600)
     yield "</g>"
 
 

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
-from smsl_studio.picture.labels import LabelPlaces, LinePieces, Rect, meet
+from smsl_studio.picture.label_candidates import OFF_ROOM
+from smsl_studio.picture.labels import LabelPlaces, Rect, meet
 from smsl_studio.picture.labels import by_hand as moved
+from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 
 STEP, ALONE, LEAST, CLOSER = 5.0, 14.0, 8.0, 2.0
@@ -59,7 +61,9 @@ def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
     x = box.x + (box.w - radius - 4 * unit) * (-1 if left else 1)
     y = box.y + (box.h + 5 * unit) * (-1 if up else 1)
     label_x = x + (radius + 7 * unit) * (-1 if left else 1)
-    label_y = y + 8 * unit * (-1 if up else 1)
+    # Several labels stand beside the arcs, not below them where another line may be nearer.
+    rise = (8.0 if count == 1 else 2.0) * unit
+    label_y = y + rise * (-1 if up else 1)
     return Corner(name, x, y, inner, radius, label_x, label_y, left, up)
 
 
@@ -84,6 +88,7 @@ def best_corner(
         around = (corner.x - reach, corner.y - reach, corner.x + reach, corner.y + reach)
         cost = order * 0.7 + sum(2.0 * n for n in lines.covered(-1, [around]))
         cost += sum(6.0 for rect in rects if not places.is_free(rect))
+        cost += 0.0 if places.is_untaken(around) else 40.0
         cost += 6.0 if mark is not None and meet(around, mark) else 0.0
         cost += sum(float(n) for n in lines.covered(-1, rects))
         if best is None or cost < best[0]:
@@ -105,19 +110,32 @@ def placed(
 
     ``sizes`` has the size of each loop's label. ``lines`` has the other lines of the node.
     ``by_hand`` has the labels that a person has moved. ``mark`` is a mark below the node. A label
-    for which there is no free place gets None.
+    whose place beside the loops covers something gets None.
     """
     wanted, found = list(sizes.values()), dict[int, tuple[EdgeShape, Rect | None]]()
     corner = best_corner(box, wanted, places, lines, mark)
     stacked = label_boxes(corner, wanted, places.unit)
+    outer = arc(corner, box, len(sizes) - 1, places.unit)
     for rank, (edge, beside) in enumerate(zip(sizes, stacked, strict=True)):
         shape, at = arc(corner, box, rank, places.unit), by_hand.get(edge)
         rect = beside if at is None else moved(shape, at, sizes[edge])
-        free = sizes[edge][0] > 0.0 and (at is not None or places.is_free(rect))
+        clear = at is not None or (places.is_free(rect) and not _is_crossed(places, outer, rect))
+        free = sizes[edge][0] > 0.0 and clear
         found[edge] = shape, rect if free else None
         if free:
             places.take(rect)
+    places.loops.extend(shape.bounds for shape, _ in found.values())
     return found
+
+
+def _is_crossed(places: LabelPlaces, loop: EdgeShape, rect: Rect) -> bool:
+    """Return whether a line of another state is as near to the place of a label as its loop is."""
+    if any(meet(rect, other) for other in places.loops):
+        return True
+    beside = np.maximum(np.maximum(rect[:2] - loop.points, loop.points - rect[2:]), 0.0)
+    own = float(np.hypot(beside[:, 0], beside[:, 1]).min())
+    room = np.array([max(OFF_ROOM * places.unit, own + places.unit)])
+    return not places.lines.clear([-1], np.array([[rect]]), room)[0, 0]
 
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:

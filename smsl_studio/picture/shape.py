@@ -105,13 +105,20 @@ class EdgeShape:
 
     @cached_property
     def pieces(self) -> Floats:
-        """The straight pieces of the line, (n, 4). A curve is approximated by every fourth
-        point.
+        """The straight pieces of the line, (n, 4). Of a curve, so many points are left out that
+        no piece is farther than about half a pixel from it.
         """
         points = self.points
         if self.way in ("curve", "loop"):
-            points = np.concatenate([points[:-1:4], points[-1:]])
+            step = 2 if self.way == "loop" else self._spared()
+            points = np.concatenate([points[:-1:step], points[-1:]])
         return np.concatenate([points[:-1], points[1:]], axis=1)
+
+    def _spared(self) -> int:
+        """Return of how many points of a curve one is enough, by how much it bends."""
+        (ax, ay), (x, y), (bx, by) = self.points[[0, len(self.points) // 2, -1]].tolist()
+        bend = math.hypot(x - (ax + bx) / 2, y - (ay + by) / 2)
+        return 4 if bend <= 32.0 else 2 if bend <= 128.0 else 1
 
     def distance(self, x: float, y: float) -> float:
         """Return the distance of a point from the line."""

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from smsl_studio.picture import loops
 from smsl_studio.picture.edge_lines import EdgeLines
 from smsl_studio.picture.former import FormerLines
 from smsl_studio.picture.label_seats import LabelSeats
-from smsl_studio.picture.labels import LinePieces
+from smsl_studio.picture.labels import AsideRect
+from smsl_studio.picture.line_pieces import LinePieces, Rect
 from smsl_studio.picture.readable import stub_at
 
 
@@ -28,12 +31,14 @@ class StateLoops:
         box, places = lines.box(state), seats.places if seats.begun else seats.fresh_places()
         former = self.former
         if former is not None and former.has_loops(state, own, list(sizes.values()), box):
-            for edge in own:
-                lines.shapes[edge], rect = former.loop(edge)
-                seats.rects[edge] = rect
-                if rect is not None:
-                    places.take(rect)
-            return
+            held = {edge: former.loop(edge) for edge in own}
+            if all(map(self._is_beside, own, (rect for _, rect in held.values()))):
+                for edge, (shape, rect) in held.items():
+                    lines.shapes[edge], seats.rects[edge] = shape, rect
+                    if rect is not None:
+                        places.take(rect)
+                    places.loops.append(shape.bounds)
+                return
         # A line of other states that comes or goes must not move a loop.
         others = [edge for edge in at_state if edge not in ends] if picture.small else []
         lines.draw(others)
@@ -42,6 +47,26 @@ class StateLoops:
         mark = stub_at(picture, state, box, lines.style.unit)
         found = loops.placed(sizes, box, places, pieces, by_hand, mark)
         for edge, (shape, rect) in found.items():
-            lines.shapes[edge], seats.rects[edge] = shape, rect
+            lines.shapes[edge] = shape
+            if self._is_beside(edge, rect):
+                seats.rects[edge] = rect
         if former is not None:
             former.loops_moved(state, found)
+
+    def give_way(self) -> None:
+        """Take the label of a loop from its place if a loop that was drawn later covers it. It gets
+        a place after the others, with a leader.
+        """
+        seats, picture = self._seats, self._lines.picture
+        for edge, rect in list(seats.rects.items()):
+            if rect is None or self._lines.shapes[edge].way != "loop" or edge in self._lines.drawn:
+                continue
+            lines = seats.places.lines
+            if not lines.clear([edge], np.array([[rect]]), np.zeros(1), picture.source.item)[0, 0]:
+                del seats.rects[edge]
+
+    def _is_beside(self, edge: int, rect: Rect | None) -> bool:
+        """Return whether a label has its place beside its loop, or is not to be shown at all."""
+        return self._seats.size(edge)[0] <= 0.0 or (
+            rect is not None and not isinstance(rect, AsideRect)
+        )

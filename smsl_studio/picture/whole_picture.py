@@ -13,6 +13,7 @@ from smsl_studio.picture.former import FormerLines
 from smsl_studio.picture.kept_routing import Routing
 from smsl_studio.picture.label_seats import LabelSeats
 from smsl_studio.picture.lanes import Passing, in_lanes
+from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.readable import readable_of
 from smsl_studio.picture.state_loops import StateLoops
 
@@ -42,7 +43,7 @@ class WholeRouting:
             self._former = held if held.fits else None
         lines.former = seats.former = loops.former = self._former
         states = self._draw_lines()
-        self.pieces = labels.LinePieces(lines.shapes)
+        self.pieces = LinePieces(lines.shapes)
         """The pieces of all lines."""
         self._place_first()
         self._draw_loops(states)
@@ -107,6 +108,7 @@ class WholeRouting:
         """Place the mark of the initial state, and the labels that somebody has moved."""
         lines, seats = self._lines, self._seats
         places = seats.begin(self._work.readable)
+        places.lines = self.pieces
         state = lines.picture.index.get(lines.picture.branch.initial, -1)
         if state >= 0:
             found = initial_mark.placed(lines.box(state), self.pieces, lines.style.unit)
@@ -122,12 +124,12 @@ class WholeRouting:
         for state in states:
             self._loops.draw(state)
         if states:
-            self.pieces = labels.LinePieces(self._lines.shapes)
+            self.pieces = self._seats.places.lines = LinePieces(self._lines.shapes)
+            self._loops.give_way()
 
     def _place_labels(self) -> None:
         """Place all labels that have no place yet, in the order of their ranks."""
         seats, shapes, former = self._seats, self._lines.shapes, self._former
-        seats.pieces = self.pieces
         ranks = {edge: labels.rank_of(edge, shape) for edge, shape in shapes.items()}
         order = [edge for edge in sorted(ranks, key=ranks.__getitem__) if edge not in seats.rects]
         kept = frozenset[int]()
@@ -143,7 +145,7 @@ class WholeRouting:
             else:
                 rect = seats.rects[edge] = former.label(edge)
                 if rect is not None:
-                    seats.places.take(rect)
+                    seats.places.take_label(shapes[edge], rect)
 
     def _kept(self) -> Routing:
         """Return the result in copies that a drag does not change."""

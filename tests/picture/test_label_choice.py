@@ -9,6 +9,7 @@ import pytest
 
 from smsl_studio.picture.label_candidates import candidates
 from smsl_studio.picture.labels import LabelChoice, LabelPlaces, Rect, meet
+from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.shape import EdgeShape, rounded
 
 WAYS = ["line", "curve", "lane", "detour", "bent", "stub"]
@@ -62,13 +63,23 @@ def test_a_label_on_a_line_lies_where_the_line_is() -> None:
                 assert shapes[edge].distance(*middle) == pytest.approx(0.0, abs=1e-6)
 
 
-def test_a_label_stays_where_it_is_when_a_line_comes_to_run_below_it() -> None:
+def test_a_label_gives_way_to_a_line_that_comes_to_run_below_it() -> None:
     shapes = {0: EdgeShape(np.array([[0.0, 0.0], [200.0, 0.0]]))}
     alone = LabelChoice(shapes, [(40.0, 15.0)], LabelPlaces(NO_NODES, 1.0), False).take(0)
     shapes[1] = EdgeShape(np.array([[96.0, -90.0], [96.0, 90.0]]))
-    choice = LabelChoice(shapes, [(40.0, 15.0)] * 2, LabelPlaces(NO_NODES, 1.0), False)
-    assert alone is not None
-    assert choice.take(0) == alone
-    other = choice.take(1)
-    assert other is not None
-    assert not meet(alone, other)
+    places = LabelPlaces(NO_NODES, 1.0)
+    places.lines = LinePieces(shapes)
+    choice = LabelChoice(shapes, [(40.0, 15.0)] * 2, places, False)
+    first, second = choice.take(0), choice.take(1)
+    assert first is not None
+    assert second is not None
+    assert first != alone, "a word in the gap of an arrow is taken for its name"
+    assert first[2] < 96.0 or first[0] > 96.0
+    assert not meet(first, second)
+
+
+def test_a_way_is_crossed_by_other_lines_alone() -> None:
+    pieces = LinePieces({7: EdgeShape(np.array([[0.0, 10.0], [50.0, 10.0]]))})
+    starts, ends = np.array([[[5.0, 0.0], [60.0, 0.0]]]), np.array([[[5.0, 20.0], [60.0, 20.0]]])
+    assert pieces.uncrossed([3], starts, ends).tolist() == [[False, True]]
+    assert pieces.uncrossed([7], starts, ends).tolist() == [[True, True]]

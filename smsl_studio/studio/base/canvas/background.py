@@ -106,11 +106,12 @@ class EdgePainter:
         painter.save()
         painter.scale(unit, unit)
         names = self.names(sheet, rest)
+        # Without room, a mark lies below the names.
+        self._marks.paint_hidden(painter, sheet, edges)
         self._marks.paint(painter, sheet, names)
         for edge, rect in names.items():
             centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
             paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
-        self._marks.paint_hidden(painter, sheet, edges)
         paint_counts(painter, sheet, bundles_among(sheet, edges))
         painter.restore()
 

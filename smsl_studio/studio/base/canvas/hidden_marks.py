@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 
 from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QPainter
 
 from smsl_studio.picture import labels
-from smsl_studio.picture.hidden_names import RADIUS, HiddenMarks
+from smsl_studio.picture.hidden_names import HiddenMarks
 from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.paint.ink import pen
+
+THIN = 1.05
+"""The width of a leader (pixels of a mark). Qt draws thinner lines otherwise where only a part is
+repainted."""
+DASH = 1.6
+"""The length of the dashes of a leader, and of the gaps between them (pixels of a mark)."""
 
 
 class NameMarks:
@@ -19,8 +26,8 @@ class NameMarks:
 
     def __init__(self) -> None:
         self._marks: HiddenMarks | None = None
-        self._leaders: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
-        self._older: dict[tuple[EdgeShape, labels.Rect, float], QLineF] = {}
+        self._leaders: dict[tuple[EdgeShape, labels.Rect, float], tuple[QLineF, ...]] = {}
+        self._older: dict[tuple[EdgeShape, labels.Rect, float], tuple[QLineF, ...]] = {}
         """The leaders before the last change. Lines that did not change are the same objects."""
 
     def paint(self, painter: QPainter, sheet: Sheet, names: Mapping[int, labels.Rect]) -> None:
@@ -33,22 +40,25 @@ class NameMarks:
             for edge, rect in names.items()
             if isinstance(rect, labels.AsideRect)
         ]
-        painter.setPen(pen(sheet.ink.tokens.edge, 0.8, (2.0, 2.0)))
-        painter.drawLines(lines)
+        painter.setPen(pen(sheet.ink.tokens.edge, THIN))
+        painter.drawLines([dash for line in lines for dash in line])
         foot = pen(sheet.ink.tokens.edge, 2.0 * labels.FOOT)
         foot.setCapStyle(Qt.PenCapStyle.RoundCap)
         painter.setPen(foot)
-        painter.drawPoints([line.p1() for line in lines])
+        painter.drawPoints([line[0].p1() for line in lines])
 
     def paint_hidden(self, painter: QPainter, sheet: Sheet, edges: Iterable[int]) -> None:
         """Paint the marks in place of the names of these edges that have no room (mark pixels)."""
         ink, unit = sheet.ink, sheet.unit
         for names in self._look_at(sheet).of(edges):
+            if not names.radius:
+                continue
             x, y = names.at[0] / unit, names.at[1] / unit
             painter.setPen(pen(ink.tokens.edge, 1.0))
             painter.setBrush(ink.tokens.canvas)
-            painter.drawEllipse(QPointF(x, y), RADIUS, RADIUS)
-            ink.count.draw(painter, x, y, names.words, ink.tokens.tx2)
+            painter.drawEllipse(QPointF(x, y), names.radius, names.radius)
+            if names.large:
+                ink.count.draw(painter, x, y, names.words, ink.tokens.tx2)
 
     def _look_at(self, sheet: Sheet) -> HiddenMarks:
         if self._marks is not sheet.labels.hidden:
@@ -56,13 +66,20 @@ class NameMarks:
             self._older, self._leaders = self._leaders, {}
         return self._marks
 
-    def _leader(self, sheet: Sheet, edge: int, rect: labels.Rect) -> QLineF:
+    def _leader(self, sheet: Sheet, edge: int, rect: labels.Rect) -> tuple[QLineF, ...]:
+        """The dashes of a leader. Qt would begin a dashed line anew where a part is repainted."""
         shape, unit = sheet.geometry.shape(edge), sheet.unit
         key = shape, rect, unit
         found = self._leaders.get(key) or self._older.get(key)
         if found is None:
             (ax, ay), (bx, by) = labels.leader(shape, rect)
-            found = QLineF(ax / unit, ay / unit, bx / unit, by / unit)
+            line = QLineF(ax / unit, ay / unit, bx / unit, by / unit)
+            whole, dash = max(line.length(), DASH), DASH
+            starts = [dash * at for at in range(0, math.ceil(whole / dash), 2)]
+            found = tuple(
+                QLineF(line.pointAt(at / whole), line.pointAt(min((at + dash) / whole, 1.0)))
+                for at in starts
+            )
         self._leaders[key] = found
         return found
 

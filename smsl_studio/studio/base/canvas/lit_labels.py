@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from smsl_studio.picture import labels
+from smsl_studio.picture.label_candidates import aside
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import COMPACT_SIZE, Level
 from smsl_studio.picture.shape import EdgeShape
@@ -172,6 +173,9 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         ]
         covered = sheet.geometry.covered(edge, rects)
         rects = [rects[at] for at in sorted(range(len(rects)), key=lambda at: covered[at])]
+        own = sheet.geometry.label(edge) if sheet.level >= Level.COMPACT else None
+        # Its usual place is at no other line. Without any it stands away, with a leader.
+        rects = [*([own] if own else []), *rects, *_away(sheet, shape, size)]
         if not (look.trail or look.planned or look.hovered):
             # A merely possible operation is named only where there is room; the list of operations
             # has the rest.
@@ -182,8 +186,16 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             ]
         if sheet.level < Level.COMPACT and not look.hovered:
             rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
-        return _first(sheet, edge, text, rects, taken, False) if rects else None
+        found = _first(sheet, edge, text, rects, taken, False) if rects else None
+        return replace(found, ground=True) if found and found.rect == own else found
     return _plain(sheet, edge, taken)
+
+
+def _away(sheet: Sheet, shape: EdgeShape, size: tuple[float, float]) -> list[Rect]:
+    """Places away from a line, the nearest first; none in a far picture."""
+    if sheet.level < Level.COMPACT:
+        return []
+    return [labels.AsideRect(*rect) for rect in aside([shape], [size], sheet.unit)[0][0].tolist()]
 
 
 def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:

@@ -13,6 +13,7 @@ from smsl_studio.studio.base.canvas.bundle_layer import (
     paint_bundles,
     paint_counts,
 )
+from smsl_studio.studio.base.canvas.hidden_marks import NameMarks
 from smsl_studio.studio.base.canvas.lane_hover import LaneHover
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
 from smsl_studio.studio.base.canvas.sheet import Sheet
@@ -38,6 +39,7 @@ class LitLayer(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         self.labels = LitLabels()
+        self._marks = NameMarks()
         self.lane = LaneHover()
         self.view: Rect = (0.0, 0.0, 0.0, 0.0)
         """The visible part of the scene: left, top, right, bottom (scene units)."""
@@ -95,7 +97,12 @@ class LitLayer(QGraphicsItem):
             if look.pruned or look.held_back or look.risky:
                 x, y = shape.at(shape.length / 2)
                 paint_sign(painter, x / unit, y / unit, look, sheet.ink)
-        for label in self.labels.of(sheet, self.view):
+        shown = self.labels.of(sheet, self.view)
+        if sheet.level >= Level.COMPACT and not looks.marks.dimmed:
+            # A line that is lit would strike through the mark on it.
+            self._marks.paint_hidden(painter, sheet, order)
+        self._marks.paint(painter, sheet, {one.edge: one.rect for one in shown})
+        for label in shown:
             left, top, right, bottom = (value / unit for value in label.rect)
             middle = QPointF((left + right) / 2, (top + bottom) / 2)
             if label.pill:

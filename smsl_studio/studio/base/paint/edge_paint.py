@@ -200,7 +200,7 @@ def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tup
         return tokens.edge, 1.6, (2.0, 4.0)
     if look.held_back:
         return tokens.edge, 1.6, (6.0, 3.0)
-    if look.selected or look.joined or (look.out and not compact):
+    if look.selected or look.joined or look.out:
         return tokens.acc, 2.0, ()
     if look.planned:
         return tokens.acc, 1.6, (4.0, 4.0)
@@ -283,7 +283,7 @@ def paint_label(
     lit = (
         look.selected
         or look.joined
-        or (look.out and not text.mono)
+        or look.out
         or look.trail
         or look.planned
         or look.running is not None
