@@ -105,17 +105,21 @@ def candidates(
 
 
 def aside(
-    shapes: Sequence[EdgeShape], sizes: Sequence[Size], unit: float
+    shapes: Sequence[EdgeShape],
+    sizes: Sequence[Size],
+    unit: float,
+    distances: Sequence[float] = ASIDE_GAPS,
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the places of some labels away from their lines, (n, k, 4), the nearest first, and
-    both ends of their leaders, (n, k, 2): on the line and at the label.
+    """Return the places of some labels at distances from their lines, (n, k, 4), the nearest first,
+    and both ends of their leaders, (n, k, 2): on the line and at the label.
+
+    They are in order of distance, then of ``ASIDE_SHARES``, then of side.
     """
     lines, half = _LineArrays(shapes), np.array(sizes)[:, None, :] / 2
     along = lines.length * np.array(ASIDE_SHARES)
     feet, across = lines.at(along), lines.direction(along)[:, :, ::-1] * (-1.0, 1.0)
-    gaps = np.array(ASIDE_GAPS)[:, None] * unit
+    gaps = np.array(distances)[:, None] * unit
     reach = (np.abs(across) * half).sum(axis=2)[:, None] + gaps
-    # In order of gap, then of share, then of side.
     off = (across[:, None] * reach[..., None])[:, :, :, None] * np.array([[1.0], [-1.0]])
     centres = (feet[:, None, :, None] + off).reshape(len(shapes), -1, 2)
     starts = np.broadcast_to(feet[:, None, :, None], off.shape).reshape(centres.shape)

@@ -9,6 +9,7 @@ import numpy as np
 from smsl_studio.picture import bends, labels
 from smsl_studio.picture.edge_lines import EdgeLines
 from smsl_studio.picture.former import FormerLines
+from smsl_studio.picture.label_choice import LabelChoice
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.readable import readable_of
 from smsl_studio.picture.shape import EdgeShape
@@ -34,7 +35,7 @@ class LabelSeats:
         self.former: FormerLines | None = None
         """The labels before an edit, while those that it did not touch are taken over."""
         self._places: labels.LabelPlaces | None = None
-        self._choice: labels.LabelChoice | None = None
+        self._choice: LabelChoice | None = None
 
     def size(self, edge: int) -> Size:
         """Return the size of an edge's label (scene units)."""
@@ -111,12 +112,12 @@ class LabelSeats:
         if self.former is not None:
             self.former.label_moved(edge, rect)
 
-    def _choice_of(self, edges: Iterable[int]) -> labels.LabelChoice:
+    def _choice_of(self, edges: Iterable[int]) -> LabelChoice:
         """Return the choice of label places for these edges, whose lines are known."""
         lines = self._lines
         shapes = {edge: lines.shapes[edge] for edge in edges}
         sizes, careful = list(map(self.size, shapes)), lines.picture.careful
-        found = labels.LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
+        found = LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
         if not lines.picture.small:
             found.beside = self._beside
         return found

@@ -9,21 +9,18 @@ Pure geometry.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.edge_layout import LabelPlace
-from smsl_studio.picture.label_candidates import ON_ROOM, aside, candidates
 from smsl_studio.picture.line_pieces import LinePieces, Rect
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 __all__ = [
     "FOOT",
     "AsideRect",
-    "LabelChoice",
     "LabelPlaces",
     "Rect",
     "by_hand",
@@ -36,7 +33,6 @@ __all__ = [
 
 _RECTS_AT_ONCE = 4_000
 """The number of places that are compared with all nodes at once. It limits the memory."""
-_RECTS_AT_A_LOOK = 8
 FOOT = 2.0
 """The radius of the dot on its line where the leader of a label begins (pixels of a mark). It tells
 to which of several lines the label belongs."""
@@ -76,7 +72,7 @@ class LabelPlaces:
         """All lines that a label may not cover, except its own."""
         self.loops: list[Rect] = []
         """The bounds of the loops that are drawn. Labels of further loops may not cover them."""
-        self._cell = 96.0 * unit
+        self._cell = 40.0 * unit
         self._cells: dict[tuple[int, int], list[Rect]] = {}
         self._waiting: list[Rect] = []
         """The places that are taken and not in their cells yet. Many together are put there
@@ -96,22 +92,26 @@ class LabelPlaces:
         """Keep the place of the label of a line free, and its leader if it has one."""
         self.take(rect)
         if isinstance(rect, AsideRect):
-            for dot in self._dots(shape, rect):
+            for dot in self._dots(*leader(shape, rect)):
                 self.take(dot)
+
+    def may_lead(self, foot: Point, end: Point) -> bool:
+        """Return whether a leader between these points meets no label."""
+        return all(map(self.is_untaken, self._dots(foot, end)))
 
     def is_led(self, edge: int, shape: EdgeShape, rect: Rect) -> bool:
         """Return whether the leader of a label away from its line meets no label and no node, and
         begins on its line alone.
         """
-        foot, room = leader(shape, rect)[0], FOOT_ROOM * self.unit
-        if self.lines.covered(edge, [centred(foot, (2.0 * room, 2.0 * room))])[0]:
+        foot, end = leader(shape, rect)
+        dots, room = self._dots(foot, end), FOOT_ROOM * self.unit
+        if not (all(map(self.is_untaken, dots)) and self.off_nodes(np.array(dots)).all()):
             return False
-        dots = self._dots(shape, rect)
-        return all(map(self.is_untaken, dots)) and bool(self.off_nodes(np.array(dots)).all())
+        return not self.lines.covered(edge, [centred(foot, (2.0 * room, 2.0 * room))])[0]
 
-    def _dots(self, shape: EdgeShape, rect: Rect) -> list[Rect]:
-        """Return small rectangles along the leader of a label."""
-        (ax, ay), (bx, by) = leader(shape, rect)
+    def _dots(self, foot: Point, end: Point) -> list[Rect]:
+        """Return small rectangles along a leader."""
+        (ax, ay), (bx, by) = foot, end
         half = FOOT * self.unit
         count = max(1, math.ceil(math.hypot(bx - ax, by - ay) / (2.0 * half)))
         spots = ((ax + (bx - ax) * at / count, ay + (by - ay) * at / count) for at in range(count))
@@ -125,9 +125,13 @@ class LabelPlaces:
         """Return whether a rectangle covers no place that is taken."""
         if self._waiting:
             self._settle()
-        for cell in self._over(rect):
-            if any(meet(rect, other) for other in self._cells.get(cell, ())):
-                return False
+        left, top, right, bottom = rect
+        cell, cells = self._cell, self._cells
+        for x in range(int(left // cell), int(right // cell) + 1):
+            for y in range(int(top // cell), int(bottom // cell) + 1):
+                for a, b, c, d in cells.get((x, y), ()):
+                    if left < c and a < right and top < d and b < bottom:
+                        return False
         return True
 
     def off_nodes(self, rects: Floats) -> NDArray[np.bool_]:
@@ -155,118 +159,6 @@ class LabelPlaces:
             for x in range(left, right + 1):
                 for y in range(top, bottom + 1):
                     self._cells.setdefault((x, y), []).append(rect)
-
-    def _over(self, rect: Rect) -> list[tuple[int, int]]:
-        left, top, right, bottom = (int(v // self._cell) for v in rect)
-        return [(x, y) for x in range(left, right + 1) for y in range(top, bottom + 1)]
-
-
-MOST_BESIDE = 8
-"""Of more lines between two states no label can be told apart at a glance. Then they are not
-compared, because that takes the square of their number."""
-Beside = Callable[[int], Sequence[EdgeShape]]
-"""Returns the other lines between the two states of an edge."""
-
-
-def tells_apart(rect: Rect, own: EdgeShape, beside: Sequence[EdgeShape]) -> bool:
-    """Return whether a label at this place belongs to its own line at a glance: it covers no line
-    ``beside``, and its middle is nearer to its own.
-    """
-    if any(LinePieces({0: line}).covered(-1, [rect])[0] for line in beside):
-        return False
-    x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
-    away = own.distance(x, y)
-    return all(line.distance(x, y) > away for line in beside)
-
-
-class LabelChoice:
-    """The choice of a place for each label of some lines.
-
-    ``shapes`` has all lines whose label may be asked for, ``sizes`` the sizes of the labels.
-    """
-
-    beside: Beside = staticmethod(lambda _: ())
-    """The lines from which a label must be told apart in a large picture."""
-
-    def __init__(
-        self,
-        shapes: Mapping[int, EdgeShape],
-        sizes: Sequence[tuple[float, float]],
-        places: LabelPlaces,
-        compact: bool,
-        away: bool = False,
-    ) -> None:
-        """``away`` says that labels may stand away from their lines."""
-        self._places, self._aside = places, away
-        self._beside: dict[int, list[AsideRect]] = {}
-        self._lines = dict(zip(shapes, zip(shapes.values(), sizes, strict=True), strict=True))
-        self._found: dict[int, Floats] = {}
-        for some in candidates(shapes, sizes, places.unit, compact):
-            free = some.fits & places.lines.clear(some.edges, some.rects, some.rooms)
-            free[free] = places.off_nodes(some.rects[free])
-            for edge, rects, ok in zip(some.edges, some.rects, free, strict=True):
-                self._found[edge] = rects[ok]
-        if away:
-            self._look_aside([edge for edge, own in self._found.items() if not len(own)])
-
-    def knows(self, edge: int) -> bool:
-        """Return whether the label of an edge may be asked for."""
-        return edge in self._found
-
-    def take(self, edge: int) -> Rect | None:
-        """Take and return the best free place of one label, or None if there is none."""
-        found = self._best(edge, _each(self._found[edge]))
-        if found is None and self._aside:
-            if edge not in self._beside:
-                self._look_aside([edge])
-            places, shape = self._places, self._lines[edge][0]
-            led = (rect for rect in self._beside[edge] if places.is_led(edge, shape, rect))
-            found = self._best(edge, led)
-        if found is not None:
-            self._places.take_label(self._lines[edge][0], found)
-        return found
-
-    def _best(self, edge: int, rects: Iterable[Rect]) -> Rect | None:
-        """Return the first free place that tells the line of the label from those beside it, or the
-        first free one.
-        """
-        first: Rect | None = None
-        beside = self.beside(edge)
-        if len(beside) > MOST_BESIDE:
-            beside = ()
-        for rect in filter(self._places.is_untaken, rects):
-            if not beside or tells_apart(rect, self._lines[edge][0], beside):
-                return rect
-            first = first or rect
-        return first
-
-    def _look_aside(self, edges: Sequence[int]) -> None:
-        """Find the places of some labels away from their lines that cover no node, the nearest
-        first.
-        """
-        if not edges:
-            return
-        lines = [self._lines[edge] for edge in edges]
-        places = self._places
-        shapes, sizes = [shape for shape, _ in lines], [size for _, size in lines]
-        rects, feet, ends = aside(shapes, sizes, places.unit)
-        free = places.off_nodes(rects.reshape(-1, 4)).reshape(rects.shape[:2])
-        room = np.full(rects.shape[1], ON_ROOM * places.unit)
-        free &= places.lines.clear(edges, rects, room)
-        alone = places.lines.uncrossed(edges, feet, ends)
-        # A line between two others has its label beyond them, if need be.
-        for edge, own, ok, better in zip(edges, rects, free, alone, strict=True):
-            best = [*own[ok & better].tolist(), *own[ok & ~better].tolist()]
-            self._beside[edge] = [AsideRect(*rect) for rect in best]
-
-
-def _each(rects: Floats) -> Iterator[Rect]:
-    """Yield the rectangles of an array, (n, 4). Mostly the first ones are enough, so few are made
-    at once.
-    """
-    for first in range(0, len(rects), _RECTS_AT_A_LOOK):
-        some = rects[first : first + _RECTS_AT_A_LOOK].tolist()
-        yield from ((left, top, right, bottom) for left, top, right, bottom in some)
 
 
 def leader(shape: EdgeShape, rect: Rect) -> tuple[Point, Point]:

@@ -132,10 +132,14 @@ def _is_crossed(places: LabelPlaces, loop: EdgeShape, rect: Rect) -> bool:
     """Return whether a line of another state is as near to the place of a label as its loop is."""
     if any(meet(rect, other) for other in places.loops):
         return True
-    beside = np.maximum(np.maximum(rect[:2] - loop.points, loop.points - rect[2:]), 0.0)
-    own = float(np.hypot(beside[:, 0], beside[:, 1]).min())
-    room = np.array([max(OFF_ROOM * places.unit, own + places.unit)])
+    room = np.array([max(OFF_ROOM * places.unit, away(loop, rect) + places.unit)])
     return not places.lines.clear([-1], np.array([[rect]]), room)[0, 0]
+
+
+def away(loop: EdgeShape, rect: Rect) -> float:
+    """Return how far a loop is from a rectangle (scene units)."""
+    beside = np.maximum(np.maximum(rect[:2] - loop.points, loop.points - rect[2:]), 0.0)
+    return float(np.hypot(beside[:, 0], beside[:, 1]).min())
 
 
 def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:

@@ -54,15 +54,19 @@ class StateLoops:
             former.loops_moved(state, found)
 
     def give_way(self) -> None:
-        """Take the label of a loop from its place if a loop that was drawn later covers it. It gets
-        a place after the others, with a leader.
+        """Take the label of a loop from its place if a loop that was drawn later is as near to it.
+        It gets a place after the others, with a leader.
         """
-        seats, picture = self._seats, self._lines.picture
+        seats, picture, shapes = self._seats, self._lines.picture, self._lines.shapes
+        lines, unit = seats.places.lines, seats.places.unit
         for edge, rect in list(seats.rects.items()):
-            if rect is None or self._lines.shapes[edge].way != "loop" or edge in self._lines.drawn:
+            if rect is None or shapes[edge].way != "loop" or edge in self._lines.drawn:
                 continue
-            lines = seats.places.lines
-            if not lines.clear([edge], np.array([[rect]]), np.zeros(1), picture.source.item)[0, 0]:
+            state = picture.source[edge]
+            own = [e for e in picture.edges_of(state) if e in shapes and picture.target[e] == state]
+            near = min(loops.away(shapes[e], rect) for e in own if shapes[e].way == "loop")
+            room = np.array([near + unit])
+            if not lines.clear([edge], np.array([[rect]]), room, picture.source.item)[0, 0]:
                 del seats.rects[edge]
 
     def _is_beside(self, edge: int, rect: Rect | None) -> bool:

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from smsl_studio.picture.label_candidates import candidates
-from smsl_studio.picture.labels import LabelChoice, LabelPlaces, Rect, meet
+from smsl_studio.picture.label_choice import LabelChoice
+from smsl_studio.picture.labels import LabelPlaces, Rect, meet
 from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.shape import EdgeShape, rounded
 
