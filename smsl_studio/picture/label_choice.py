@@ -81,10 +81,11 @@ class LabelChoice:
             first, rest = slice(0, _RECTS_AT_A_LOOK), slice(_RECTS_AT_A_LOOK, None)
             lines, edges = places.lines, some.edges
             free[:, first] &= lines.clear(edges, some.rects[:, first], some.rooms[first])
-            none = np.nonzero(~free[:, first].any(axis=1) & free.any(axis=1))[0]
+            late = ~free[:, first].any(axis=1) & free.any(axis=1)
+            none: list[int] = np.nonzero(late)[0].tolist()
             own = [edges[row] for row in none]
             free[none, rest] &= lines.clear(own, some.rects[none, rest], some.rooms[rest])
-            all_known = set(none.tolist())
+            all_known = set(none)
             for row, edge in enumerate(edges):
                 known = free.shape[1] if row in all_known else _RECTS_AT_A_LOOK
                 self._found[edge] = some.rects[row, :known][free[row, :known]]
@@ -160,13 +161,11 @@ class LabelChoice:
         rects, feet, ends = aside(shapes, sizes, places.unit, _STAGES[stage])
         free = self._alone(edges, feet, len(_STAGES[stage]))
         free[free] = places.off_nodes(rects[free])
-        some = np.nonzero(free.any(axis=1))[0]
-        if not len(some):
+        some: list[int] = np.nonzero(free.any(axis=1))[0].tolist()
+        if not some:
             return
-        own, free, rects, feet, ends = (
-            [edges[row] for row in some],
-            *(of[some] for of in (free, rects, feet, ends)),
-        )
+        own = [edges[row] for row in some]
+        free, rects, feet, ends = free[some], rects[some], feet[some], ends[some]
         free &= places.lines.clear(own, rects, np.full(rects.shape[1], ON_ROOM * places.unit))
         alone = places.lines.uncrossed(own, feet, ends)
         # A line between two others has its label beyond them, if need be.
