@@ -17,7 +17,6 @@ import gc
 from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer
-from shiboken6 import isValid
 
 PAUSE, SOON = 50, 10
 """Milliseconds between two looks at how much was made: as a rule, and while much is made."""
@@ -80,9 +79,10 @@ class Sweeper(QObject):
             self._old, self._aside = 0, False
 
     def _look(self) -> None:
+        # While the timer calls, the search must free neither it nor the object that owns it.
+        owner = self.parent()
         if self._all_wanted:
             self.sweep_all()
         pause = SOON if self.sweep() else PAUSE
-        # The sweep may have freed this object itself, if nobody else held it any more.
-        if isValid(self._timer) and self._timer.interval() != pause:
+        if owner is not None and self._timer.interval() != pause:
             self._timer.setInterval(pause)
