@@ -80,7 +80,7 @@ NO_SUFFIX = "the import has no suffix of a blueprint"
         ("..\\secret.json", NOT_FROM_HERE),
         ("\\\\server\\share\\x.json", NOT_FROM_HERE),
         ("parts\\sub.json", NOT_FROM_HERE),
-        ("store:0123456789", NO_SUFFIX),
+        ("store:0123456789", "the import names no digest of the store"),
         ("parts", NO_SUFFIX),
         (".json", NO_SUFFIX),
         ("parts/sub.json.", NO_SUFFIX),

@@ -60,7 +60,8 @@ def test_each_is_one_named_error_and_the_others_are_there(
     said = capfd.readouterr()
     faults = _faults(told)
     assert {"lamp", "lantern", "hanoi"} <= set(told.worlds)
-    assert [plugin.name for plugin in told.plugins] == ["aa_good", "zz_good", "hanoi"]
+    names = [plugin.name for plugin in told.plugins]
+    assert names == ["aa_good", "zz_good", "hanoi", "registration"]
     assert {name: len(told) for name, told in faults.items()} == dict.fromkeys(words, 1)
     wrong = {name: told for name, told in faults.items() if not re.search(words[name], told[0])}
     assert wrong == {}

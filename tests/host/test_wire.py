@@ -124,7 +124,7 @@ def test_the_end_is_told(ends: Ends) -> None:
 
 def test_pickles_are_read_by_the_child_alone() -> None:
     """In the whole package: what a child tells is never unpickled, by no library either."""
-    reads = r"\b(pickle\.load|Unpickler|marshal|shelve|multiprocessing)"
+    reads = r"\b(pickle\.load|Unpickler|marshal|shelve\b|multiprocessing)"
     found = [
         (path.name, getattr(node, "name", "an import"))
         for path in Path(smsl_studio.__file__).parent.rglob("*.py")
