@@ -57,7 +57,7 @@ def add_blueprint(
     ``world`` asks for a sweep of its operations there with ``seeds`` seeds; ``by`` is who answers
     for it. ApprovalRefused if the check has an open error. SaveError if it cannot be written.
 
-    >>> stored = add_blueprint(read("hanoi-2.json"), world="table", by="L. Brandt")
+    >>> stored = add_blueprint(read("hanoi-2.json"), world=worlds()[0], by="L. Brandt")
     >>> stored.verified[0].words
     '24 of 24 passed in table, 1 seed, by L. Brandt'
     >>> [one.title for one in find_stored(["op_1c"])]

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from smsl_studio.inspection.approval.known_keys import name_of
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.inspection.review.entry import (
     APPROVED,
     CLOSED,
@@ -38,7 +38,7 @@ class ReviewComment:
     def is_answered(self) -> bool:
         """Whether the last word about the comment is that of somebody else."""
         last = self.replies[-1] if self.replies else self.entry
-        return name_of(last.person) != name_of(self.entry.person)
+        return same_name(last.person) != same_name(self.entry.person)
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class Review:
         """Return the approval of a line (its key) by a person, None if there is none that counts:
         the last word counts.
         """
-        last = self._words.get((line, name_of(person)))
+        last = self._words.get((line, same_name(person)))
         return last if last is not None and last.kind == APPROVED else None
 
     def approvals(self, line: str) -> tuple[ReviewEntry, ...]:
@@ -106,7 +106,7 @@ class Review:
     def _words(self) -> Mapping[tuple[str, str], ReviewEntry]:
         """The last approval, or the taking back of it, of each person for each line."""
         return {
-            (entry.line, name_of(entry.person)): entry
+            (entry.line, same_name(entry.person)): entry
             for entry in self.entries
             if entry.kind in (APPROVED, TAKEN_BACK)
         }
@@ -117,6 +117,6 @@ def may_close(closing: ReviewEntry, comment: ReviewEntry) -> bool:
 
     Nobody else can close it, so an engineer cannot close what a surgeon has asked.
     """
-    if name_of(closing.person) == name_of(comment.person):
+    if same_name(closing.person) == same_name(comment.person):
         return True
-    return bool(name_of(comment.role)) and name_of(closing.role) == name_of(comment.role)
+    return bool(same_name(comment.role)) and same_name(closing.role) == same_name(comment.role)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 
+from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.errors import UsageError
-from smsl_studio.inspection.approval.known_keys import name_of
 from smsl_studio.inspection.approval.times import read_time, written_time
 from smsl_studio.inspection.review.entry import (
     APPROVED,
@@ -95,7 +95,9 @@ class ReviewAuthor:
         person's last word counts even after the clock was set back.
         """
         when = now or datetime.now(UTC)
-        own = [one.time for one in review.entries if name_of(one.person) == name_of(self.person)]
+        own = [
+            one.time for one in review.entries if same_name(one.person) == same_name(self.person)
+        ]
         if own:
             when = max(when, read_time(max(own)) + timedelta(microseconds=1))
         return written_time(when)

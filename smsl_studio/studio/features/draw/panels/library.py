@@ -154,7 +154,9 @@ class Library(Panel):
             rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
         self.tools.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
-        rows += _template_rows(wanted)
+        # Plugins may offer many operations. The few templates stand above them.
+        above = len(here[:MOST]) + bool(here) + (len(here) > MOST)
+        rows[above:above] = _template_rows(wanted)
         self.list.show_rows(rows)
         hint = self._hint(bool(used), bool(rows))
         self.hint.setText(hint)
