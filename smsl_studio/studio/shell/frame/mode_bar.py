@@ -285,9 +285,14 @@ class Segments(QFrame):
         self.fit(self._room)
 
     def fit(self, room: int) -> None:
-        """Take less space beside the words if all modes are shown in a narrow bar (pixels)."""
+        """Take less space beside the words if all modes are shown in a narrow bar (pixels). There
+        Review, which is read at leisure, is in the menu View alone, so that Stop stays whole."""
         self._room = room
-        every = not any(button.isHidden() for button in self.buttons.values())
+        review = self.buttons.get("mode_review")
+        if review is not None:
+            review.setHidden(room < TIGHT and not review.isChecked())
+        shown = [one for one in self.buttons.values() if one is not review]
+        every = not any(button.isHidden() for button in shown)
         tight = every and room < TIGHT
         if tight != self._tight:
             self._tight = tight
