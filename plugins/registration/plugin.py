@@ -39,14 +39,7 @@ def plan_landmarks(site: Site) -> Work:
 
 
 def clear_landmarks(site: Site) -> Work:
-    """Forget the plan, and all that was made of it."""
-    yield from wait(SHORT)
-    site.navigation = site.navigation.without_plan()
-    return True
-
-
-def start_over(site: Site) -> Work:
-    """Forget all that was planned, measured and registered; what was saved stays."""
+    """Forget the plan, and all that was made of it; what was saved stays."""
     yield from wait(SHORT)
     site.navigation = site.navigation.without_plan()
     return True
@@ -134,8 +127,7 @@ def use_previous(site: Site) -> Generator[None, None, str]:
 
 OPERATIONS = {
     plan_landmarks: ("Op_PlanLandmarks", "Op_ReplanLandmarks", "LandmarksPlanned"),
-    clear_landmarks: ("Op_ClearLandmarks", "ClearLandmarks"),
-    start_over: ("ReinitState",),
+    clear_landmarks: ("Op_ClearLandmarks", "ClearLandmarks", "ReinitState"),
     plan_tool: ("Op_PlanToolPose", "Op_ReplanToolPose"),
     clear_tool: ("Op_ClearToolPose",),
     digitize_all: ("Op_DigitizeLandmarks", "DigitizeAllLandmarks"),

@@ -29,8 +29,7 @@ TEXTS = ("it is dry", "it is lit")
 LINES = ("persons = 2", "persons = 3", "roles = { engineer = 1 }",
          "roles = { engineer = 1, surgeon = 1 }", 'automatic = "may_sign"')  # fmt: skip
 HISTORIES = (2, 8, 9, 13, 33, 36)
-"""In these the two have differed once. Of 300 others they differ only where the store remembers a
-later record."""
+"""In these the two have differed once."""
 
 
 def sign(file: Path, key: str, random: Random) -> None:

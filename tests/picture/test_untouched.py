@@ -88,6 +88,7 @@ def assert_labels_stay(before: Geometry, after: Geometry, moved: list[int], far:
         rooms.append((left - wide, top - high, right + wide, bottom + high))
     alone = [room for room in rooms if not any(_passes(line, room) for line in lines)]
     assert len(alone) <= len(far) // 10
+    assert 2 * len(moved) <= len(far), "most names far from an edit stay"
 
 
 def _passes(line: Array, room: tuple[float, float, float, float]) -> bool:

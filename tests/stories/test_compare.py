@@ -310,7 +310,16 @@ def test_no_name_of_a_comparison_lies_on_another_one(
         names = canvas.ground.edges.names(canvas.sheet, rest)
         lit = canvas.lit_layer.shown()
         assert len(lit) == 1
-        assert len(names) > 50, "some have no room at their own line"
+        counted = {e for mark in canvas.sheet.labels.hidden.of(rest) for e in mark.edges}
+        places = {edge: canvas.sheet.geometry.label(edge) for edge in rest}
+        below = {
+            edge
+            for edge, place in places.items()
+            for one in lit.values()
+            if place is not None and meet(place, one.rect)
+        }
+        assert names.keys() | counted | below == set(rest), "a name is neither shown nor counted"
+        assert 2 * len(names) > len(rest), "most names have room"
         assert not [n for n in names.values() for one in lit.values() if meet(n, one.rect)]
 
 

@@ -17,6 +17,8 @@ from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.layout import is_placed, is_slow, place_states
 
 Position = tuple[float, float]
+Names = tuple[dict[str, str], set[str]]
+"""The names that an edit changed, each with its new name, and the new ones."""
 
 
 class Places:
@@ -75,13 +77,14 @@ class Places:
             bent = _is_bent(former, branch)
             if not missing:
                 continue
-            if former is not None and (held := self._held(former, branch)):
-                after = editing.set_layout(after, name, held)
-                self._follow_names(branch)
-                continue
-            if former is not None and not bent and _laid_out_alike(former, branch):
-                self._follow_names(branch)
-                continue
+            if former is not None:
+                names = _renamed(tuple(former.table), tuple(branch.table))
+                held = self._held(former, branch, names)
+                if held:
+                    after = editing.set_layout(after, name, held)
+                if held or (not bent and _laid_out_alike(former, branch, names)):
+                    self._follow_names(branch)
+                    continue
             kept = former is not None and set(layout.values()) <= set(former.notes.layout.values())
             places = self.of(branch)
             # Nobody waits for a layout that would most likely be another one.
@@ -104,16 +107,15 @@ class Places:
             self._follow_rename(branch, self._placed[branch.name])
             self._order[branch.name] = tuple(branch.table)
 
-    def _held(self, before: StateBranch, after: StateBranch) -> dict[str, Position]:
+    def _held(self, before: StateBranch, after: StateBranch, names: Names) -> dict[str, Position]:
         """The places to write, so that a renamed state stays where it stands.
 
         Its new name may be remembered at another place, which a deleted state comes back to. Then
         the places of all states without a written one are returned, else none.
         """
         remembered = self._placed.get(before.name, {})
-        old, new = tuple(before.table), tuple(after.table)
-        were, are = _renamed(old, new)
-        if len(old) != len(new) or remembered.keys().isdisjoint(are):
+        were, are = names
+        if len(before.table) != len(after.table) or remembered.keys().isdisjoint(are):
             return {}
         places = self.of(before)
         if all(remembered.get(now, places[was]) == places[was] for was, now in were.items()):
@@ -149,7 +151,7 @@ def _is_bent(before: StateBranch | None, after: StateBranch) -> bool:
     )
 
 
-def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
+def _laid_out_alike(a: StateBranch, b: StateBranch, names: Names) -> bool:
     """Whether everything that a layout depends on is equal.
 
     Comparing two layouts themselves would be too slow.
@@ -157,7 +159,7 @@ def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
     if a is b:
         return True
     # A name that stood at another place is remembered there.
-    were, are = _renamed(tuple(a.table), tuple(b.table))
+    were, are = names
     if _ends(a) != _ends(b) or not were.keys().isdisjoint(are):
         return False
     one, other = a.notes.layout, b.notes.layout
@@ -169,7 +171,7 @@ def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
     return len(b.table) > MOST_STATES or names_of(a) == names_of(b)
 
 
-def _renamed(before: tuple[str, ...], now: tuple[str, ...]) -> tuple[dict[str, str], set[str]]:
+def _renamed(before: tuple[str, ...], now: tuple[str, ...]) -> Names:
     """The names of states that changed, each with its new name, and the new ones."""
     pairs = dict(compress(zip(before, now, strict=False), map(ne, before, now)))
     return pairs, set(pairs.values())

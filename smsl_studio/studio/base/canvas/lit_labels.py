@@ -337,7 +337,10 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Re
     corners += [(x - width / 2, y + apart * unit) for apart in (-26.0, 26.0, -50.0, 50.0)]
     corners += _beside_boxes(lit_boxes(sheet), (x, y), (width, half), 5.0 * unit)
     rects = [(a, b - half, a + width, b + half) for a, b in corners]
-    inside = [r for r in rects if _lies_in(r, view)] or rects
+    # The pixel behind the last one of the view is not seen.
+    left, top, right, bottom = view
+    seen = left, top, right - 1.0 / sheet.zoom, bottom - 1.0 / sheet.zoom
+    inside = [r for r in rects if _lies_in(r, seen)] or rects
     # In a far picture it may cover small states, but none that is lit, and not its target.
     goal = int(sheet.picture.target[edge])
     clear = [r for r in inside if not any(labels.meet(r, other) for other in taken)] or inside
