@@ -86,3 +86,14 @@ def test_the_name_of_a_world_ends_where_the_buttons_begin(sit: Sit) -> None:
         for part in words:
             if on_screen(part).top() < on_screen(pane.fault).bottom():
                 assert not on_screen(part).intersects(on_screen(pane.fault)), part.text()
+
+
+def test_the_choices_of_a_run_are_read_whole_in_a_window_of_1280(sit: Sit) -> None:
+    """Beside four modes the state at the start was read as 0...0."""
+    person = sit(SAMPLES / "registration.json", (1280, 800))
+    person.ctrl(Key.Key_2)
+    transport = person.window.features.run.pane.transport
+    person.until(lambda: transport.isVisible() and transport.start.count() == 8)
+    for choice in (transport.world, transport.start, transport.goal):
+        words = choice.fontMetrics().horizontalAdvance(choice.currentText())
+        assert choice.width() >= words + 38, choice.currentText()

@@ -36,6 +36,8 @@ SEARCH = 248
 """Largest width of the search field; it becomes narrower in a narrow bar (pixels)."""
 TIGHT = 760
 """Below this width of the bar, the buttons of four modes leave room for the word of the run."""
+SNUG = 1360
+"""Below this width of the bar, the buttons of the modes leave room for the choices of a run."""
 WORDS = 560
 """The width of the drawing tools from which their buttons have words (pixels)."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_review", "mode_replay")
@@ -261,7 +263,7 @@ class Segments(QFrame):
         super().__init__()
         self.setObjectName("segments")
         self.setAccessibleName("Mode")
-        self._room, self._tight = QWIDGETSIZE_MAX, False
+        self._room, self._tight = QWIDGETSIZE_MAX, ""
         layout = row(spacing=0)
         layout.setContentsMargins(2, 2, 2, 2)
         self.buttons: dict[str, QToolButton] = {}
@@ -285,15 +287,19 @@ class Segments(QFrame):
         self.fit(self._room)
 
     def fit(self, room: int) -> None:
-        """Take less space beside the words if all modes are shown in a narrow bar (pixels). There
-        Review, which is read at leisure, is in the menu View alone, so that Stop stays whole."""
+        """Take less space beside the words in a narrow bar (pixels), and least
+        if all modes are shown in a very narrow one.
+
+        There Review, which is read at leisure, is in the menu View alone. So Stop stays whole.
+        """
         self._room = room
         review = self.buttons.get("mode_review")
         if review is not None:
             review.setHidden(room < TIGHT and not review.isChecked())
         shown = [one for one in self.buttons.values() if one is not review]
         every = not any(button.isHidden() for button in shown)
-        tight = every and room < TIGHT
+        snug = "snug" if room < SNUG else ""
+        tight = "tight" if every and room < TIGHT else snug
         if tight != self._tight:
             self._tight = tight
             self.setProperty("tight", tight)
