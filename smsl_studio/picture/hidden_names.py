@@ -129,10 +129,12 @@ class HiddenMarks:
         """Return for each rectangle, (n, k, 4), whether it covers no node; ``alone`` says that it
         may cover no line between other states than those of its line, either.
         """
-        places = self._geometry.places
+        places, picture = self._geometry.places, self._geometry.picture
         room = np.full(rects.shape[1], places.unit)
         found = places.off_nodes(rects.reshape(-1, 4)).reshape(rects.shape[:2])
-        return found & places.lines.clear(edges, rects, room, self._pair) if alone else found
+        if alone:
+            found &= places.lines.clear(edges, rects, room, picture.pair_numbers)
+        return found
 
 
 def hidden_names(geometry: Geometry, edges: Iterable[int]) -> list[HiddenNames]:

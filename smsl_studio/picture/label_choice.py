@@ -18,7 +18,7 @@ from smsl_studio.picture.label_candidates import (
     aside,
     candidates,
 )
-from smsl_studio.picture.labels import FOOT_ROOM, AsideRect, LabelPlaces
+from smsl_studio.picture.labels import FOOT_ROOM, AsideRect, LabelPlaces, leader
 from smsl_studio.picture.line_pieces import LinePieces, Rect
 from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
@@ -125,14 +125,14 @@ class LabelChoice:
             yield from _each(rects[clear])
 
     def _led(self, edge: int, stage: int) -> Iterator[Rect]:
-        """Yield the places of a label away from its line to which a leader can lead."""
+        """Yield the places of a label away from its line whose leader meets no label."""
         if edge not in self._away[stage]:
             self._look_away([edge], stage)
         places, shape = self._places, self._lines[edge][0]
         for rect, foot, end in self._away[stage][edge]:
             # The leader that is drawn can begin a little beside the foot that was looked for.
             free = places.is_untaken(rect) and places.may_lead(foot, end)
-            if free and places.is_led(edge, shape, rect):
+            if free and places.may_lead(*leader(shape, rect)):
                 yield rect
 
     def _best(self, edge: int, rects: Iterable[Rect]) -> Rect | None:
@@ -150,8 +150,9 @@ class LabelChoice:
         return first
 
     def _look_away(self, edges: Sequence[int], stage: int) -> None:
-        """Find the places of some labels away from their lines that cover no node and no line, the
-        nearest first. Those whose leader crosses another line come last.
+        """Find the places of some labels away from their lines that cover no node and no line, to
+        which a leader can lead, the nearest first. Those whose leader crosses another line come
+        last.
         """
         self._away[stage].update((edge, []) for edge in edges)
         if not edges:
@@ -173,6 +174,7 @@ class LabelChoice:
             best = np.concatenate(
                 [np.nonzero(free[row] & alone[row])[0], np.nonzero(free[row] & ~alone[row])[0]]
             )
+            best = best[places.are_led(edge, self._lines[edge][0], rects[row, best])]
             found = zip(*(of[row, best].tolist() for of in (rects, feet, ends)), strict=True)
             self._away[stage][edge] = [
                 _Away(AsideRect(*rect), (ax, ay), (bx, by)) for rect, (ax, ay), (bx, by) in found

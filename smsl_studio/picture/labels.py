@@ -99,15 +99,25 @@ class LabelPlaces:
         """Return whether a leader between these points meets no label."""
         return all(map(self.is_untaken, self._dots(foot, end)))
 
-    def is_led(self, edge: int, shape: EdgeShape, rect: Rect) -> bool:
-        """Return whether the leader of a label away from its line meets no label and no node, and
+    def are_led(self, edge: int, shape: EdgeShape, rects: Floats) -> NDArray[np.bool_]:
+        """Return for each label away from its line, (n, 4), whether its leader meets no node, and
         begins on its line alone.
         """
-        foot, end = leader(shape, rect)
-        dots, room = self._dots(foot, end), FOOT_ROOM * self.unit
-        if not (all(map(self.is_untaken, dots)) and self.off_nodes(np.array(dots)).all()):
-            return False
-        return not self.lines.covered(edge, [centred(foot, (2.0 * room, 2.0 * room))])[0]
+        if not len(rects):
+            return np.ones(0, dtype=bool)
+        ways, room, half = np.array(leaders(shape, rects)), FOOT_ROOM * self.unit, FOOT * self.unit
+        feet, steps = ways[:, 0], ways[:, 1] - ways[:, 0]
+        sizes = np.hypot(steps[:, 0], steps[:, 1])
+        counts = np.maximum(np.ceil(sizes / (2.0 * half)).astype(int), 1)
+        begins = np.cumsum(counts) - counts
+        of = np.repeat(np.arange(len(rects)), counts)
+        shares = (np.arange(len(of)) - begins[of]) / counts[of]
+        spots = feet[of] + steps[of] * shares[:, None]
+        off = self.off_nodes(np.hstack([spots - half, spots + half]))
+        squares: list[Rect] = [centred((x, y), (2.0 * room, 2.0 * room)) for x, y in feet.tolist()]
+        alone = np.array(self.lines.covered(edge, squares)) == 0
+        found: NDArray[np.bool_] = np.logical_and.reduceat(off, begins) & alone
+        return found
 
     def _dots(self, foot: Point, end: Point) -> list[Rect]:
         """Return small rectangles along a leader."""
@@ -163,9 +173,17 @@ class LabelPlaces:
 
 def leader(shape: EdgeShape, rect: Rect) -> tuple[Point, Point]:
     """Return the points of a line and of the border of its label that are near each other."""
-    left, top, right, bottom = rect
-    foot = shape.at(shape.along((left + right) / 2, (top + bottom) / 2))
-    return foot, (min(max(foot[0], left), right), min(max(foot[1], top), bottom))
+    return leaders(shape, np.array([rect]))[0]
+
+
+def leaders(shape: EdgeShape, rects: Floats) -> list[tuple[Point, Point]]:
+    """Return these two points for many places, (n, 4), of the label of a line."""
+    found = []
+    along = shape.all_along((rects[:, :2] + rects[:, 2:]) / 2)
+    for length, (left, top, right, bottom) in zip(along, rects.tolist(), strict=True):
+        x, y = foot = shape.at(length)
+        found.append((foot, (min(max(x, left), right), min(max(y, top), bottom))))
+    return found
 
 
 def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:

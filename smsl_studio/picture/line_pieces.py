@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,19 +51,17 @@ class LinePieces:
         edges: Sequence[int],
         rects: Floats,
         room: Floats,
-        group: Callable[[int], Hashable] | None = None,
+        groups: NDArray[np.integer] | None = None,
     ) -> NDArray[np.bool_]:
         """Return for each rectangle, (n, k, 4), whether other lines keep away from it, (n, k).
 
         Row i has places of the label of line ``edges[i]``, which does not count as another line.
-        With ``group`` no line of the same group counts. ``room`` is how far other lines must be
-        away, (k,) (scene units).
+        With ``groups``, the number of the group of each line, no line of the same group counts.
+        ``room`` is how far other lines must be away, (k,) (scene units).
         """
         own, owners = np.array(edges), self._owners
-        if group is not None:
-            numbers: dict[Hashable, int] = {}
-            of = {e: numbers.setdefault(group(e), len(numbers)) for e in (*self._shapes, *edges)}
-            own, owners = np.array([of[e] for e in edges]), np.array([of[e] for e in owners])
+        if groups is not None:
+            own, owners = groups[own], groups[owners]
         wide = rects + np.array([-1.0, -1.0, 1.0, 1.0]) * room[:, None]
         found = np.ones(rects.shape[:2], dtype=bool)
         low, high = wide[:, :, :2].min(axis=1), wide[:, :, 2:].max(axis=1)

@@ -205,12 +205,19 @@ class Picture:
         return [edge for edge in edges if edge not in hidden]
 
     @cached_property
+    def pair_numbers(self) -> NDArray[np.int64]:
+        """A number for each edge. Edges between the same two states have the same, in either
+        direction.
+        """
+        low, high = np.minimum(self.source, self.target), np.maximum(self.source, self.target)
+        return low.astype(np.int64) * (len(self) + 1) + high
+
+    @cached_property
     def _by_ends(self) -> tuple[NDArray[np.int64], Ints]:
         """The edges by their two ends in either direction: the sorted keys, and the number of each
         edge.
         """
-        low, high = np.minimum(self.source, self.target), np.maximum(self.source, self.target)
-        keys = low.astype(np.int64) * (len(self) + 1) + high
+        keys = self.pair_numbers
         order = np.argsort(keys, kind="stable")
         return keys[order], order.astype(np.int32)
 

@@ -122,23 +122,36 @@ class EdgeShape:
 
     def distance(self, x: float, y: float) -> float:
         """Return the distance of a point from the line."""
-        return float(self._near(x, y)[0].min())
+        return float(self._near(np.array([[x, y]]))[0].min())
 
     def along(self, x: float, y: float) -> float:
         """Return the length along the line at which it is nearest to a point."""
-        away, share = self._near(x, y)
-        piece = int(away.argmin())
-        low, high = self.lengths[piece : piece + 2]
-        return float(low + (high - low) * share[piece])
+        return self.all_along(np.array([[x, y]]))[0]
 
-    def _near(self, x: float, y: float) -> tuple[Floats, Floats]:
-        """Return for each piece its distance from a point, and at which share of it that is."""
+    def all_along(self, points: Floats) -> list[float]:
+        """Return for each point, (n, 2), the length along the line at which it is nearest."""
+        away, share = self._near(points)
+        piece = away.argmin(axis=1)
+        low, high = self.lengths[piece], self.lengths[piece + 1]
+        found: list[float] = (low + (high - low) * share[np.arange(len(points)), piece]).tolist()
+        return found
+
+    def _near(self, points: Floats) -> tuple[Floats, Floats]:
+        """Return for each point and piece, (n, k), their distance, and at which share of the piece
+        that is.
+        """
+        start, step, size = self._steps
+        share = np.clip(((points[:, None] - start) * step).sum(axis=2) / size, 0.0, 1.0)
+        near = start + step * share[:, :, None] - points[:, None]
+        return np.hypot(near[..., 0], near[..., 1]), share
+
+    @cached_property
+    def _steps(self) -> tuple[Floats, Floats, Floats]:
+        """Where each piece starts, where it leads from there, and its length squared."""
         start, step = self.points[:-1], self.points[1:] - self.points[:-1]
         size = (step**2).sum(axis=1)
         size[size == 0.0] = 1.0
-        share = np.clip((((x, y) - start) * step).sum(axis=1) / size, 0.0, 1.0)
-        near = start + step * share[:, None]
-        return np.hypot(near[:, 0] - x, near[:, 1] - y), share
+        return start, step, size
 
 
 @dataclass(frozen=True, slots=True)

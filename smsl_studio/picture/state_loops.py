@@ -66,7 +66,7 @@ class StateLoops:
             own = [e for e in picture.edges_of(state) if e in shapes and picture.target[e] == state]
             near = min(loops.away(shapes[e], rect) for e in own if shapes[e].way == "loop")
             room = np.array([near + unit])
-            if not lines.clear([edge], np.array([[rect]]), room, picture.source.item)[0, 0]:
+            if not lines.clear([edge], np.array([[rect]]), room, picture.source)[0, 0]:
                 del seats.rects[edge]
 
     def _is_beside(self, edge: int, rect: Rect | None) -> bool:
