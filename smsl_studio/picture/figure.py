@@ -36,6 +36,8 @@ MOST_LINES, states are dots.
 DOT_PITCH = 26.0
 _LARGER = 1.2
 _STEPS = 6
+_MOST_FOR_LEADERS = 1.4
+"""The scale up to which a picture is enlarged so that fewer labels need leaders."""
 MARK = 13.0
 
 
@@ -102,12 +104,12 @@ class Figure:
 
     def _make_room(self) -> None:
         """Enlarge a small SB until all labels have a place. Labels away from their lines are a
-        reason as long as it makes them half as many: some lines have others on both sides at any
-        size.
+        reason as long as it makes them half as many, up to a size: some lines have others on both
+        sides at any size, and words in a large picture are small on paper.
         """
         hidden, away = self._without_place()
         for _ in range(_STEPS if self.picture.small else 0):
-            if not hidden and not away:
+            if not hidden and (not away or self.scale >= _MOST_FOR_LEADERS):
                 break
             before, geometry, scale = self.at, self.geometry, self.scale
             self._enlarge(_LARGER)
