@@ -33,7 +33,7 @@ VERBS = {
 """For each verb, the arguments that it needs."""
 
 ALSO = {
-    "make": ("id", "passphrase_file"),
+    "make": ("id", "passphrase_file", "token"),
     "export": ("private", "passphrase_file", "new_passphrase_file"),
     "import": ("id",),
     "register": ("passphrase_file",),
@@ -64,6 +64,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--person", metavar="NAME", help="whose key is made")
     parser.add_argument("--role", help="the person's role; 'automatic' never counts as a person")
     parser.add_argument("--id", metavar="ID", help="the local name of the key")
+    parser.add_argument(
+        "--token",
+        metavar="LABEL",
+        help="make the key on the token with this label; the passphrase is its PIN",
+    )
     parser.add_argument("--key", metavar="ID", help="the key that signs or revokes")
     parser.add_argument("--why", metavar="TEXT", help="why a key is revoked")
     parser.add_argument(
@@ -98,8 +103,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 def _done(options: argparse.Namespace) -> StoredKey:
     name, file = options.name, options.passphrase_file
     if options.verb == "make":
-        words = new_passphrase(file, options.person)
-        return make_key(options.person, options.role, words, options.id or "")
+        person, role, key_id = options.person, options.role, options.id or ""
+        if options.token:
+            pin = passphrase(file, f"the token {options.token}")
+            return make_key(person, role, pin, key_id, token=options.token)
+        return make_key(person, role, new_passphrase(file, person), key_id)
     if options.verb == "show":
         return stored_key(name)
     if options.verb == "import":
@@ -126,7 +134,7 @@ def _check(options: argparse.Namespace) -> None:
                 f"keys {options.verb} needs {_SHOWN[one]}",
                 advice="smsl-studio keys --help says what it takes.",
             )
-    every = {*_SHOWN, "id", "private", "passphrase_file", "new_passphrase_file"}
+    every = {*_SHOWN, "id", "private", "passphrase_file", "new_passphrase_file", "token"}
     for one in sorted(every - taken):
         if getattr(options, one) is not None:
             shown = _SHOWN.get(one) or f"--{one.replace('_', '-')}"
@@ -154,6 +162,7 @@ def key_as_json(key: StoredKey) -> dict[str, Any]:
         "key": key.identity,
         "public": base64_text(key.public),
         "private": key.box is not None,
+        "token": key.token.label if key.token else None,
         "made": key.made,
         "revoked": key.revoked or None,
     }
@@ -161,6 +170,8 @@ def key_as_json(key: StoredKey) -> dict[str, Any]:
 
 def _print(key: StoredKey, out: Output) -> None:
     half = "" if key.box is not None else ", public half"
+    if key.token:
+        half = f", on the token {key.token.label}"
     out.line(one_line(f"{key.id}: {key.person} ({key.role}){half}"))
     out.line(f"    {key.identity}")
     out.line(f"    public: {base64_text(key.public)}")

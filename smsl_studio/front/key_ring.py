@@ -24,8 +24,9 @@ from smsl_studio.inspection.approval.register import PAYLOAD_TYPE, register_payl
 from smsl_studio.inspection.approval.seen_records import revoke_digest as keep_revoked
 from smsl_studio.inspection.approval.store_files import store_alone
 from smsl_studio.inspection.approval.times import written_time
-from smsl_studio.seal.ed25519 import new_private, public_of, sealed
+from smsl_studio.seal.ed25519 import new_private, public_of
 from smsl_studio.seal.strict_json import read_strictly
+from smsl_studio.seal.token import new_on_token
 from smsl_studio.smsl.disk import settle, write_new
 from smsl_studio.smsl.files import read_content, save_document
 
@@ -33,30 +34,48 @@ Name = str | os.PathLike[str]
 
 
 def make_key(
-    person: str, role: str, passphrase: bytes, key_id: str = "", now: datetime | None = None
+    person: str,
+    role: str,
+    passphrase: bytes,
+    key_id: str = "",
+    now: datetime | None = None,
+    token: str = "",
 ) -> StoredKey:
     """Make a key for a person in a role, and keep it in the store.
 
-    ``key_id`` is its name in this store. The passphrase encrypts the private half. UsageError if
-    the name is taken, SealError if the passphrase is empty.
+    ``key_id`` is its name in this store. The passphrase encrypts the private half. With the label
+    of a ``token`` the private half is made there and stays there, and the passphrase is its PIN.
+    UsageError if the name is taken, SealError if the passphrase is empty or the token does not
+    open.
 
     >>> make_key("L. Brandt", "engineer", b"a passphrase").id
     'l-brandt-engineer'
     """
     check_words(person, role)
-    private = new_private()
+    moment = now or datetime.now(UTC)
+    _free_name(person, role, key_id)
+    bare = StoredKey("", person, role, b"", written_time(moment))
+    if token:
+        place, public = new_on_token(token, passphrase)
+        key = replace(bare, public=public, box=place.as_values())
+    else:
+        private = new_private()
+        key = replace(bare, public=public_of(private)).with_private(private, passphrase)
     with store_alone():
-        known = stored_keys()
-        name = key_id or new_id(person, role, known)
-        check_id(name)
-        if name.casefold() in {one.casefold() for one in known}:
-            raise UsageError(f"there is a key {name!r} already", advice="Choose another --id.")
-        moment = now or datetime.now(UTC)
-        bare = StoredKey(name, person, role, public_of(private), written_time(moment))
-        key = bare.with_private(private, passphrase)
+        key = replace(key, id=_free_name(person, role, key_id))
         append_act(moment, "make", key=key.identity, person=person, role=role)
         keep_key(key)
     return key
+
+
+def _free_name(person: str, role: str, wanted: str) -> str:
+    """Return the local name of a new key. UsageError if the wanted one is taken or is no name."""
+    known = stored_keys()
+    name = wanted or new_id(person, role, known)
+    check_id(name)
+    if name.casefold() in {one.casefold() for one in known}:
+        raise UsageError(f"there is a key {name!r} already", advice="Choose another --id.")
+    return name
 
 
 def list_keys() -> tuple[StoredKey, ...]:
@@ -173,7 +192,7 @@ def sign_register(persons: Name, key: str, passphrase: bytes, output: Name) -> S
         raise UsageError(f"the key {found.id} is revoked: {found.revoked}")
     values = read_strictly(read_content(persons).raw, os.fspath(persons))
     payload = register_payload(values)
-    envelope = sealed(found.opened(passphrase), PAYLOAD_TYPE, payload)
+    envelope = found.signer(passphrase)(PAYLOAD_TYPE, payload)
     raw = json.dumps(envelope.as_json(), separators=(",", ":")).encode("ascii")
     with store_alone():
         append_act(datetime.now(UTC), "register", key=found.identity, serial=values["serial"])
@@ -193,7 +212,7 @@ def revoke_key(key_id: str, why: str, passphrase: bytes, by: str = "") -> Stored
     if not why.strip():
         raise UsageError("a revocation needs a reason", advice="Say it with --why TEXT.")
     key, opener = stored_key(key_id), stored_key(by or key_id)
-    opener.opened(passphrase)
+    opener.prove(passphrase)
     revoked = replace(key, revoked=why)
     now = datetime.now(UTC)
     with store_alone():
@@ -221,7 +240,7 @@ def revoke_digest(digest: str, why: str, key: str, passphrase: bytes) -> str:
     if not why.strip():
         raise UsageError("a revocation needs a reason", advice="Say it with --why TEXT.")
     opener = stored_key(key)
-    opener.opened(passphrase)
+    opener.prove(passphrase)
     now = datetime.now(UTC)
     with store_alone():
         append_act(now, "revoke digest", digest=plain, by=opener.identity, why=why)

@@ -52,7 +52,6 @@ from smsl_studio.inspection.approval.statement import (
 from smsl_studio.inspection.approval.store_files import store_alone
 from smsl_studio.inspection.approval.times import end_of, written_time
 from smsl_studio.inspection.rules.finding import Finding, Severity
-from smsl_studio.seal.ed25519 import sealed
 from smsl_studio.smsl.files import save_document
 from smsl_studio.smsl.inputs import NOTHING, seen_at
 
@@ -143,7 +142,7 @@ def approve(request: ApprovalRequest) -> SignedApproval:
     key = stored_key(asked.key)
     if key.revoked:
         raise ApprovalRefused(f"the key {key.id} is revoked: {key.revoked}")
-    private = key.opened(asked.passphrase)
+    sign = key.signer(asked.passphrase)
     before = seen_at(asked.record_file, 1 << 26)
     present = record_in(asked.record_file)
     former = _former(present, asked.record_file)
@@ -195,7 +194,7 @@ def approve(request: ApprovalRequest) -> SignedApproval:
         follows=last.digest if last else None,
     )
     statement = statement_of([signed_file(*part) for part in parts], predicate)
-    envelope = sealed(private, PAYLOAD_TYPE, statement.payload())
+    envelope = sign(PAYLOAD_TYPE, statement.payload())
     record = SignedRecord.of(envelope)
     raw = written_record_file([*(one.envelope for one in former), envelope])
     with store_alone():

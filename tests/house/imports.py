@@ -60,6 +60,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "scipy": ("graph/",),
     "paho": ("monitor/mqtt.py",),
     "cryptography": ("seal/",),
+    "pkcs11": ("seal/",),
     "numpy": ("graph/", "world/", "picture/", "studio/"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),

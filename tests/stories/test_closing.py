@@ -13,6 +13,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
+from smsl_studio.studio.document.journal.leftovers import left_behind
+from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.shell.window import Window
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
@@ -182,3 +184,24 @@ def test_the_end_of_the_session_stops_a_run_and_asks_nothing(
     run.person.windows.leave()
     assert not window.isVisible()
     assert seen[-1] == "stopped"
+
+
+def test_what_is_edited_while_a_run_ends_is_kept_and_not_asked_about(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = by_hand(sit, copy_of("hfsm.json", tmp_path))
+    window, told = run.person.window, list[str]()
+    end = window.end_run
+
+    def end_and_edit() -> None:
+        end()
+        window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+
+    monkeypatch.setattr(window, "end_run", end_and_edit)
+    monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
+    QTimer.singleShot(60, run.person.windows, lambda: answer(run.person, "Cancel", told))
+    run.person.windows.leave()
+    assert (told, window.isVisible()) == ([], False)
+    (left,) = left_behind(folder_of(run.person.windows.settings.folder))
+    assert "SB7" in str(left.entry)
+    left.drop()

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -12,11 +13,17 @@ from smsl_studio.errors import SealError, UsageError, did_you_mean
 from smsl_studio.inspection.approval.known_keys import KnownKey
 from smsl_studio.inspection.approval.store_files import read_stored, store_folder, write_stored
 from smsl_studio.seal.canonical import canonical
-from smsl_studio.seal.ed25519 import LENGTH, identity, public_of
+from smsl_studio.seal.ed25519 import LENGTH, identity, is_signed, public_of, sealed
+from smsl_studio.seal.envelope import Envelope, pae
 from smsl_studio.seal.key_box import boxed, read_box, unboxed
 from smsl_studio.seal.strict_json import base64_text, from_base64
+from smsl_studio.seal.token import TokenKey, is_token, token_key
 
 Json = Any
+Signer = Callable[[str, bytes], Envelope]
+"""Signs a payload of a type (see ``envelope``)."""
+PROOF = "application/vnd.smsl-studio.proof"
+"""The type of bytes that are signed to show that a key opens."""
 FORMAT = "smsl-studio-key"
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", re.ASCII)
 _MEMBERS = {"format", "version", "id", "person", "role", "public", "made", "revoked", "private"}
@@ -26,7 +33,8 @@ _MEMBERS = {"format", "version", "id", "person", "role", "public", "made", "revo
 class StoredKey:
     """A key of the store. ``id`` is its name in this store.
 
-    ``box`` has the encrypted private half; it is None if the store has only the public half.
+    ``box`` has the encrypted private half, or says on which token it is. It is None if the store
+    has only the public half.
     ``revoked`` says why the key no longer counts; it is empty for a valid key.
     """
 
@@ -49,6 +57,11 @@ class StoredKey:
         return KnownKey(self.public, self.person, (self.role,), revoked=self.revoked)
 
     @property
+    def token(self) -> TokenKey | None:
+        """Where the private half is, if it is on a token."""
+        return token_key(self.box) if is_token(self.box) else None
+
+    @property
     def public_half(self) -> StoredKey:
         """The key without its private half."""
         return replace(self, box=None)
@@ -59,15 +72,50 @@ class StoredKey:
 
     def opened(self, passphrase: bytes) -> bytes:
         """Return the private half. SealError if it is not here, or if the passphrase is wrong."""
-        if self.box is None:
+        self._check_here()
+        if self.token is not None:
             raise SealError(
-                f"the private half of the key {self.id} is not in this store",
-                advice="Sign where it is, or import your copy of it.",
+                f"the private half of the key {self.id} never leaves its token",
+                advice="Make another key on another token, and let it be registered.",
             )
         private = unboxed(self.box, passphrase, self._beside())
         if len(private) != LENGTH or public_of(private) != self.public:
             raise SealError(f"the two halves of the key {self.id} do not belong together")
         return private
+
+    def signer(self, passphrase: bytes) -> Signer:
+        """Return what signs with this key. The passphrase of a key on a token is its PIN.
+
+        SealError if the private half is not here, or if the passphrase is wrong. A wrong PIN is
+        found when the token signs.
+        """
+        self._check_here()
+        token = self.token
+        if token is None:
+            private = self.opened(passphrase)
+            return lambda kind, payload: sealed(private, kind, payload)
+
+        def signed_there(kind: str, payload: bytes) -> Envelope:
+            signature = token.signature(passphrase, pae(kind, payload))
+            envelope = Envelope(kind, payload, self.identity, signature)
+            if not is_signed(envelope, self.public):
+                raise SealError(f"the token has not signed with the key {self.id}")
+            return envelope
+
+        return signed_there
+
+    def prove(self, passphrase: bytes) -> None:
+        """Raise SealError unless this passphrase, or PIN, lets the key sign. Nobody keeps what is
+        signed.
+        """
+        self.signer(passphrase)(PROOF, os.urandom(32))
+
+    def _check_here(self) -> None:
+        if self.box is None:
+            raise SealError(
+                f"the private half of the key {self.id} is not in this store",
+                advice="Sign where it is, or import your copy of it.",
+            )
 
     def _beside(self) -> bytes:
         said = {"person": self.person, "role": self.role, "public": base64_text(self.public)}
@@ -102,7 +150,9 @@ def key_of_file(values: Json) -> StoredKey:
         raise SealError(f"the public half of this key has not {LENGTH} bytes")
     check_id(values["id"])
     check_words(values["person"], values["role"])
-    if values["private"] is not None:
+    if is_token(values["private"]):
+        token_key(values["private"])
+    elif values["private"] is not None:
         read_box(values["private"])
     return StoredKey(
         values["id"],

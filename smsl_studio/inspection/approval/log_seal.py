@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from smsl_studio.errors import SealError
-from smsl_studio.inspection.approval.key_store import StoredKey, stored_keys
+from smsl_studio.inspection.approval.key_store import Signer, StoredKey, stored_keys
 from smsl_studio.inspection.approval.known_keys import name_of
 from smsl_studio.inspection.approval.statement import RECORDER
-from smsl_studio.seal.ed25519 import is_signed, sealed
+from smsl_studio.seal.ed25519 import is_signed
 from smsl_studio.seal.envelope import read_envelope
 from smsl_studio.seal.strict_json import read_strictly
 
@@ -28,11 +28,11 @@ class LogSeal:
     """The opened key of this computer. Calling it signs the bytes of a head."""
 
     key: StoredKey
-    _private: bytes = field(repr=False)
+    _sign: Signer = field(repr=False)
 
     def __call__(self, head: bytes) -> Mapping[str, Json]:
         """Return the envelope of a head, as plain values."""
-        return sealed(self._private, PAYLOAD_TYPE, head).as_json()
+        return self._sign(PAYLOAD_TYPE, head).as_json()
 
 
 def recorder_key() -> StoredKey | None:
@@ -45,8 +45,11 @@ def recorder_key() -> StoredKey | None:
 
 
 def log_seal(key: StoredKey, passphrase: bytes) -> LogSeal:
-    """Open the key of this computer. SealError if the passphrase is wrong."""
-    return LogSeal(key, key.opened(passphrase))
+    """Open the key of this computer. SealError if the passphrase, or PIN, is wrong."""
+    if key.token is not None:
+        # The head is signed at the end of a run. A wrong PIN must be found before it begins.
+        key.prove(passphrase)
+    return LogSeal(key, key.signer(passphrase))
 
 
 def signer_of(head: bytes, signed: bytes) -> StoredKey:

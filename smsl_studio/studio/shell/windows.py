@@ -211,13 +211,14 @@ class Windows(QObject):
         Unsaved work is kept.
         """
         for window in self:
-            # Closing would take over what is being typed and then ask about it.
+            # What comes in while the run ends can be an edit, so the work is kept after it.
+            window.end_run()
+            # Closing would take over what is being typed.
             window.settle()
             if window.leave_behind():
                 said = f"unsaved work in {window.name} is kept, and offered at the next start"
                 print(one_line(f"smsl-studio: {said}"), file=sys.stderr)
-            window.session.history.setClean()
-            window.end_run()
+            window.leaving.agreed = True
         self.application.quit()
 
     def _desktop_changed(self) -> None:
