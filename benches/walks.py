@@ -53,7 +53,9 @@ def rows() -> Iterator[Row]:
     walks = SESSIONS * WALKS
     yield Row(f"{walks} walks while somebody draws and runs: deaths", deaths, "windows", bound="0")
     yield Row("walks that could not be ended", broken, "sessions", bound="0")
-    yield Row("things done meanwhile, for each walk", acts / walks, bound=f"at least {LEAST}")
+    yield Row(
+        "things done meanwhile, for each walk", acts / walks, "things", bound=f"at least {LEAST}"
+    )
     yield Row(f"of up to {things:,} things without a name", len(unnamed), "things", bound="0")
     yield Row("one walk (wall)", spent / walks, "s")
 

@@ -11,37 +11,76 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from itertools import cycle, islice
+from pathlib import Path
 
 from benches.row import Row
 from smsl_studio.front.inputs import read
 from smsl_studio.front.sweeps import sweep
 from smsl_studio.runlog.events import SweepFinished
 from smsl_studio.shipped import samples_dir
-from tests.plugins.site_runs import FLAT, SUBBED, run_site, site_faults
+from tests.plugins.piece_games import GOALS, GameStory, file_of, game_faults, run_game
+from tests.plugins.site_runs import FLAT, SUBBED, SiteStory, run_site, site_faults
 
 
 def rows() -> Iterator[Row]:
     """Run three seeds, and each fault once."""
-    return _rows(3, len(site_faults()))
+    yield from _rows(3, len(site_faults()))
+    for game in GOALS:
+        yield from _game(game, 3, len(game_faults(game)))
 
 
 def all_rows() -> Iterator[Row]:
-    """Run 30 seeds of each file, and 500 faults."""
-    return _rows(30, 500)
+    """Run 30 seeds of each file, and 500 faults in each world."""
+    yield from _rows(30, 500)
+    for game in GOALS:
+        yield from _game(game, 30, 500)
 
 
 def _rows(seeds: int, faults: int) -> Iterator[Row]:
     for file in (FLAT, SUBBED):
-        yield _swept(file)
+        yield _swept(samples_dir() / file, "registration")
         yield from _goals(file, seeds)
     yield _faulted(faults)
 
 
-def _swept(file: str) -> Row:
-    *_, last = sweep(read(samples_dir() / file), "registration")
+def _swept(file: Path, world: str) -> Row:
+    *_, last = sweep(read(file), world)
     assert isinstance(last, SweepFinished)
-    work = f"registration, {file}: edges alone that fail, of {last.edges}"
+    work = f"{world}, {file.name}: edges alone that fail, of {last.edges}"
     return Row(work, last.edges - last.passed, "edges", bound="0")
+
+
+def _game(game: str, seeds: int, faults: int) -> Iterator[Row]:
+    yield _swept(file_of(game), game)
+    start, simulated, missed = time.process_time(), 0.0, 0
+    ways = set()
+    for seed in range(seeds):
+        story = run_game(game, seed=seed)
+        missed += not story.reached or story.end.reason != "goal_reached"
+        simulated += story.end.t
+        ways.add(tuple(story.committed))
+    spent = time.process_time() - start
+    name = f"{game}, {seeds} seeds"
+    yield Row(f"{name}: runs that miss the goal", missed, "runs", bound="0")
+    yield Row(f"{name}: different sequences of states", len(ways), "", bound="1")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: all", spent, "CPU s")
+    stories = (
+        run_game(game, fault, number // len(game_faults(game)))
+        for number, fault in enumerate(islice(cycle(game_faults(game)), faults))
+    )
+    yield _told(game, stories, faults)
+
+
+def _told(world: str, stories: Iterator[SiteStory | GameStory], count: int) -> Row:
+    ends: Counter[str] = Counter()
+    wrong = 0
+    for story in stories:
+        ends[story.end.reason] += 1
+        wrong += story.false_goal
+    words = ", ".join(f"{many} {word}" for word, many in sorted(ends.items()))
+    work = f"{world}, {count} runs with a fault: {words}; false goals"
+    return Row(work, wrong, "", bound="0")
 
 
 def _goals(file: str, seeds: int) -> Iterator[Row]:
@@ -60,12 +99,8 @@ def _goals(file: str, seeds: int) -> Iterator[Row]:
 
 
 def _faulted(count: int) -> Row:
-    ends: Counter[str] = Counter()
-    wrong = 0
-    for number, fault in enumerate(islice(cycle(site_faults()), count)):
-        story = run_site(fault=fault, seed=number // len(site_faults()))
-        ends[story.end.reason] += 1
-        wrong += story.false_goal
-    words = ", ".join(f"{many} {word}" for word, many in sorted(ends.items()))
-    work = f"registration, {count} runs with a fault: {words}; false goals"
-    return Row(work, wrong, "", bound="0")
+    stories = (
+        run_site(fault=fault, seed=number // len(site_faults()))
+        for number, fault in enumerate(islice(cycle(site_faults()), count))
+    )
+    return _told("registration", stories, count)

@@ -42,6 +42,9 @@ def blueprint_of(values: dict[str, Any], file: str = "test.json") -> Blueprint:
     return read_bytes(json.dumps(values, indent=4).encode(), file)
 
 
+SHIPPED = ("chess", "hanoi", "registration", "river")
+"""The plugins that ship with the program, in their order."""
+
 LAMP = {
     "LAMP": {
         "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1},

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.bodies import Body, Floor, Robot
+from smsl_studio.world.arms import PANDA
+from smsl_studio.world.bodies import Body, Floor
 from smsl_studio.world.protocol import Vector
 
 from .disks import PEGS, Disk, cap_body, disks_for, peg_body
@@ -31,16 +32,6 @@ TILT = 0.99
 
 SIGHT = ((0.0, 1.0), (-0.6, 0.6), (-0.05, 1.0))
 """The part of the room (m) that the camera sees."""
-
-PANDA = Robot(
-    "panda",
-    "franka_panda/panda.urdf",
-    tool="panda_grasptarget",
-    rest=(0.0, 0.05, 0.0, -2.25, 0.0, 2.3, 0.785),
-    fingers=("panda_finger_joint1", "panda_finger_joint2"),
-    opening=0.04,
-    friction=1.2,
-)
 
 
 class Table:

@@ -140,6 +140,20 @@ def turned(outline: Sequence[tuple[float, float]], sides: int = 48) -> Mesh:
     return np.array(triangles, dtype=np.float32)
 
 
+def slab(half: Vector) -> Mesh:
+    """Return the mesh of a box around the origin, (12, 3, 3). ``half`` has half of its length along
+    x, y and z (m)."""
+    x, y, z = half
+    corners = [(sx * x, sy * y, sz * z) for sz in (-1, 1) for sy in (-1, 1) for sx in (-1, 1)]
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    found = [
+        [corners[one], corners[two], corners[three]]
+        for a, b, c, d in sides
+        for one, two, three in ((a, b, c), (a, c, d))
+    ]
+    return np.array(found, dtype=np.float32)
+
+
 def hulls_obj(hulls: Sequence[Sequence[Vector]], faces: Sequence[Sequence[int]]) -> str:
     """Return OBJ text with one group for each convex hull. All hulls have the same faces over their
     own corners (m)."""

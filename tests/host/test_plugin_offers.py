@@ -19,7 +19,7 @@ from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
 from smsl_studio.stop import StopListener, Stopped, heeding
-from tests.plugin_folder import write_plugin
+from tests.plugin_folder import SHIPPED, write_plugin
 from tests.processes import child_processes
 
 GOOD = """
@@ -146,7 +146,7 @@ def test_nothing_in_the_current_folder_is_imported(
         (folder / f"{name}.py").write_text("raise SystemExit('read from the current folder')")
     monkeypatch.chdir(folder)
     monkeypatch.setattr("sys.path", [one for one in sys.path if one])
-    assert [plugin.name for plugin in describe().plugins] == ["hanoi", "registration"]
+    assert [plugin.name for plugin in describe().plugins] == [*SHIPPED]
 
 
 @pytest.mark.parametrize(
@@ -165,7 +165,7 @@ def test_a_plugin_cannot_take_another_name_once_it_runs(folder: Path, forging: s
     """
     write_plugin(folder, "bad", code)
     told = describe([folder])
-    assert [plugin.name for plugin in told.plugins] == ["hanoi", "registration"]
+    assert [plugin.name for plugin in told.plugins] == [*SHIPPED]
     assert _named(told) == {"bad": "it calls itself 'hanoi' once it runs"}
 
 
@@ -206,7 +206,7 @@ def test_plugins_load_at_the_same_time(folder: Path) -> None:
         write_plugin(folder, f"one_{number}", MEETING.format(place=str(place), many=5))
     told = describe([folder], together=2)
     assert not told.faults
-    assert len(told.plugins) == 7
+    assert len(told.plugins) == 5 + len(SHIPPED)
 
 
 @pytest.mark.parametrize("together", [0, 1, 3])
@@ -218,7 +218,7 @@ def test_plugins_that_hang_stop_no_other_and_are_named_in_order(
     write_plugin(folder, "a_good", "def register(library): pass")
     write_plugin(folder, "z_good", GOOD)
     told = describe([folder], limit=2.5, together=together)
-    assert [plugin.name for plugin in told.plugins] == ["a_good", "z_good", "hanoi", "registration"]
+    assert [plugin.name for plugin in told.plugins] == ["a_good", "z_good", *SHIPPED]
     assert [fault.plugin for fault in told.faults] == [f"bad_{number}" for number in range(3)]
     assert {fault.sentence for fault in told.faults} == {"it did not load within 2.5 s"}
 

@@ -1,0 +1,104 @@
+"""The river crossing in physics: Steve brings grass, a sheep and a wolf over a river (an example of
+task families from publications of the paper's authors).
+
+Each fact is the place of an item: ``0`` the red land, ``B`` the boat, ``1`` the green land. An item
+in the hand reads ``h``; one that does not stand at a place reads ``x``. What may be moved when is a
+matter of the blueprint: the world only moves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping
+from typing import TYPE_CHECKING
+
+from smsl_studio.world.grasps import move
+from smsl_studio.world.mishaps import Fault, drop, grease, seize, topple
+
+from .crossing import GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.library.operation_library import OperationLibrary
+    from smsl_studio.world.bullet import BulletWorld
+
+Work = Generator[None, None, bool]
+
+
+def bring(crossing: Crossing, item: str, value: str) -> Work:
+    """Move an item to a place. Return False if there is no room, or if the grasp fails.
+
+    An item that stands there already is not moved. Nothing moves while the hand holds another one.
+    """
+    if crossing.reading(item) == value:
+        return True
+    if any(crossing.reading(other) == HELD for other in ITEMS if other != item):
+        return False
+    place = crossing.seat(item, value)
+    if place is None or crossing.reading(item) == NOWHERE:
+        return False
+    return (yield from move(crossing.world, item, GRASP, place))
+
+
+def step(item: str, value: str) -> Callable[[Crossing], Work]:
+    """Return the function of the operation that moves an item to a place."""
+
+    def carried(crossing: Crossing) -> Work:
+        return (yield from bring(crossing, item, value))
+
+    return carried
+
+
+def gripper_opens(crossing: Crossing, after: float = 0.6, seconds: float = 0.3) -> Fault:
+    """The fingers open a given time (s) after an item was gripped, and stay open for a while."""
+    yield from drop(crossing.world, ITEMS, after, seconds)
+
+
+def slippery(crossing: Crossing, item: int = 0, friction: float = 0.005) -> None:
+    """An item (1 grass, 2 sheep, 3 Steve, 4 wolf; 0: every item) gets a low friction."""
+    grease(crossing.world, ITEMS, item, friction)
+
+
+def toppled(crossing: Crossing, item: int) -> None:
+    """An item lies where it stood."""
+    topple(crossing.world, ITEMS, item)
+
+
+def third_aboard(crossing: Crossing, item: int) -> None:
+    """An item stands across the boat, so nobody else has room there."""
+    (y, ground), name = (0.0, 0.008), ITEMS[item - 1] if 1 <= item <= len(ITEMS) else ITEMS[0]
+    crossing.world.place(name, (0.495, y, ground + 0.0255))
+
+
+def seized_joint(crossing: Crossing, joint: int = 1) -> None:
+    """A joint of the arm (1 to 7, counted from the base) does not move any more."""
+    seize(crossing.world, joint)
+
+
+def weak_grip(crossing: Crossing, force: float = 0.1) -> None:
+    """The fingers close with no more than this force (N)."""
+    crossing.world.robot.weaken(force)
+
+
+def register(library: OperationLibrary) -> None:
+    """Register the world ``river`` with its operations, sensor and faults."""
+
+    @library.world("river", settle=0.2)
+    def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Crossing:
+        crossing = Crossing(world, blueprint, seed)
+        crossing.furnish()
+        return crossing
+
+    @library.arrange("river")
+    def arrange(crossing: Crossing, facts: Mapping[tuple[str, int], str]) -> None:
+        crossing.arrange({ITEMS[digit]: value for (_, digit), value in facts.items()})
+
+    @library.sensor("item_{n}_place", fact="{n}", words={HELD: "held", NOWHERE: "nowhere"})
+    def item_place(crossing: Crossing, n: int) -> str | None:
+        return crossing.reading(ITEMS[n - 1])
+
+    for item in ITEMS:
+        for start, end in (("0", "B"), ("B", "0"), ("B", "1"), ("1", "B")):
+            name = f"move_{item}_from_{PLACES[start]}_to_{PLACES[end]}"
+            library.operation(name, stop="hold", timeout=30.0)(step(item, end))
+    for fault in (gripper_opens, slippery, toppled, third_aboard, seized_joint, weak_grip):
+        library.fault("river", fault.__name__)(fault)
