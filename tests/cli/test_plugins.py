@@ -132,7 +132,7 @@ def test_a_name_of_two_plugins_and_one_of_none_are_refused_with_the_names(
         none = shell("plugins", verb, "candle")
         assert (none.status, none.out) == (2, "")
         assert "there is no plugin 'candle'" in none.err
-        assert "There are hanoi, lamp, registration." in none.err
+        assert "There are chess, hanoi, lamp, registration, river." in none.err
         assert shell("plugins", verb).status == 2
     assert shell("plugins", "allow", str(lamp)).status == 0
     assert shell("plugins", "permit", "lamp").status == 2
