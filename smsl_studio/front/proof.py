@@ -98,9 +98,16 @@ class _Routes:
 
     def __init__(self, blueprint: Blueprint) -> None:
         self._blueprint = blueprint
+        self._found: dict[tuple[Address, ...], PlannedRoute | None] = {}
 
     def planned(self, goals: Sequence[Address]) -> PlannedRoute | None:
         """Return the cheapest route to the goals, None if there is none."""
+        asked = tuple(goals)
+        if asked not in self._found:
+            self._found[asked] = self._route(asked)
+        return self._found[asked]
+
+    def _route(self, goals: Sequence[Address]) -> PlannedRoute | None:
         hierarchy = Hierarchy(self._blueprint)
         here = start_configuration(hierarchy, {})
         terms = Terms(hazards=guard_hazards(self._blueprint))

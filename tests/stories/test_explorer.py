@@ -8,12 +8,13 @@ from threading import Event
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.stop import heed
 from smsl_studio.studio.features.inspection.explorer import BROKEN, NOTHING, STOPPED
 from smsl_studio.studio.features.inspection.state_pick import StatePick
+from smsl_studio.studio.features.inspection.step_list import NONE_REFUSED
 from tests.stories.at_explorer import (
     alt_left,
     at_configuration,
@@ -50,6 +51,10 @@ def rotms(sit: Sit) -> Person:
 
 def stands(person: Person, base: str, sub: str) -> None:
     assert here(person) == {"REGISTRATION": f"State{base}", "DIGITIZATION": f"State{sub}"}
+
+
+def words_in(part: QWidget) -> list[str]:
+    return [one.text() for one in part.findChildren(QLabel)]
 
 
 def lit(person: Person) -> str | None:
@@ -219,6 +224,36 @@ def test_the_shortest_run_is_played_on_the_drawing(rotms: Person) -> None:
     rotms.click(page(rotms).shortest)
     settled(rotms)
     assert page(rotms).said.text() == "A run starts here."
+
+
+def test_beside_a_run_in_a_low_window_the_active_states_stay_in_view(sit: Sit) -> None:
+    person = at_configuration(sit, SAMPLES / "three-levels.json", (1280, 800))
+    assert NONE_REFUSED in words_in(page(person).steps)
+    pick(person, "SURGERY", "State111")
+    assert NONE_REFUSED not in words_in(page(person).steps)
+    person.click(page(person).shortest)
+    settled(person)
+    assert page(person).run.isVisible()
+    lit_ones = [one for one in page(person).columns.buttons() if "here" in one.accessibleName()]
+    assert len(lit_ones) == 3
+    whole = [one.height() for one in lit_ones]
+    person.until(lambda: [one.visibleRegion().boundingRect().height() for one in lit_ones] == whole)
+
+
+def test_the_steps_are_known_too_after_a_run_that_is_asked_for_at_once(rotms: Person) -> None:
+    step(rotms, WORDS["plan"])
+    step(rotms, WORDS["auto-digitize"])
+    step(rotms, WORDS["register"])
+    rotms.click(page(rotms).back)
+    # On a slow machine the steps are not known yet.
+    rotms.click(page(rotms).shortest)
+    settled(rotms)
+    stands(rotms, "110", "1")
+    assert page(rotms).run.isVisible()
+    assert page(rotms).again.isHidden()
+    step(rotms, WORDS["register"])
+    stands(rotms, "111", "1")
+    assert not page(rotms).run.isVisible(), "the run is of another place"
 
 
 def test_a_run_starts_where_the_walk_stands(rotms: Person) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
+from itertools import pairwise
 from operator import and_, or_
 
 from smsl_studio.blueprint.address import Address
@@ -26,6 +27,8 @@ def nobody(count: int) -> None:
 NOWHERE = -1
 MOST_STEPS = 6_000_000
 """The largest number of steps that are stored."""
+KEPT_BACK = 500_000
+"""Up to so many steps are kept in the other direction, too."""
 MOST_BITS = 400_000_000
 """The largest number of bits (50 MB) to remember which configurations meet a condition."""
 
@@ -61,6 +64,8 @@ class Exploration:
         self._depth = array("q")
         self._watched = list(watched)
         self._kept: dict[States, int] = {}
+        self._columns: dict[int, tuple[dict[str, int], list[int]]] = {}
+        self._backward: list[list[int]] | None = None
         self.met: list[list[tuple[int, int]]] = [[] for _ in self._watched]
         """For each watched condition: the configurations out of which a step passes one that meets
         it, and the operation of that step. Only the nearest ones are kept."""
@@ -115,6 +120,14 @@ class Exploration:
         start, path = way_to(node, self.origin)
         return self.run(start, path, node)
 
+    def along(self, nodes: Sequence[int]) -> Counterexample:
+        """Return the run through these nodes. Of several steps between two it takes the first."""
+        path = []
+        for here, there in pairwise(nodes):
+            heed()
+            path.append(self.name(next(one for one, to in self.steps(here) if to == there)))
+        return self.run(nodes[0], path, nodes[-1])
+
     def run(self, start: int, path: Sequence[Address], end: int) -> Counterexample:
         """Return a run from one configuration to another, with all SBs, also those that do not
         move.
@@ -132,6 +145,23 @@ class Exploration:
         found = self._meeting(meaning)
         return (found & -found).bit_length() - 1
 
+    def meeting(self, meaning: Meaning) -> str:
+        """Return for each configuration "1" if it meets a condition, else "0"."""
+        return format(self._meeting(meaning), f"0{len(self.keys)}b")[::-1]
+
+    def backward(self) -> list[list[int]]:
+        """Return for each configuration those whose steps lead to it."""
+        if self._backward is not None:
+            return self._backward
+        back: list[list[int]] = [[] for _ in self.keys]
+        targets, first = self._targets, self._first
+        for node in range(self.expanded):
+            for target in targets[first[node] : first[node + 1]]:
+                back[target].append(node)
+        if len(targets) <= KEPT_BACK:
+            self._backward = back
+        return back
+
     def _meeting(self, meaning: Meaning) -> int:
         """Return which configurations meet a condition: bit n of the number is for configuration n.
 
@@ -147,10 +177,22 @@ class Exploration:
         if found is None:
             if len(self._kept) * len(self.keys) > MOST_BITS:
                 self._kept.clear()
-            at, states = self.space.place(meaning.branch), meaning.states
-            bits = ["1" if key[at] in states else "0" for key in reversed(self.keys)]
-            found = self._kept[meaning] = int("".join(bits), 2)
+            found = self._kept[meaning] = int("".join(self._bits(meaning)), 2)
         return found
+
+    def _bits(self, meaning: States) -> Iterator[str]:
+        """Yield for each configuration, the last first, "1" if it is in one of some states."""
+        at = self.space.place(meaning.branch)
+        if at not in self._columns:
+            names = self.space.blueprint[meaning.branch].table
+            index = {name: number for number, name in enumerate(names)}
+            self._columns[at] = index, [index[key[at]] for key in reversed(self.keys)]
+        index, column = self._columns[at]
+        marks = ["0"] * len(index)
+        for state in meaning.states:
+            if state in index:
+                marks[index[state]] = "1"
+        return map(marks.__getitem__, column)
 
     def _explore(self) -> None:
         node = 0
@@ -192,12 +234,15 @@ class Exploration:
     def _seen(self, key: Key, origin: int, label: int) -> int:
         """Return the number of a configuration, ``NOWHERE`` if it is one too many."""
         number = self._number.get(key)
-        if number is not None:
-            return number
-        if len(self.keys) >= self._limit:
+        return self._add(key, origin, label) if number is None else number
+
+    def _add(self, key: Key, origin: int, label: int) -> int:
+        """Give a configuration that is new a number, ``NOWHERE`` if it is one too many."""
+        number = len(self.keys)
+        if number >= self._limit:
             self.bound = self._limit_words
             return NOWHERE
-        number = self._number[key] = len(self.keys)
+        self._number[key] = number
         self.keys.append(key)
         self._origin.append(origin)
         self._label.append(label)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from smsl_studio.blueprint.properties.meaning import Meaning
@@ -51,56 +52,64 @@ def reachable(found: Exploration, meaning: Meaning) -> Answer:
     return Answer(FAILS, Counterexample(start, (), start))
 
 
-def before(found: Exploration, first: Test, second: Test) -> Answer:
+def before(found: Exploration, first: Meaning, second: Meaning) -> Answer:
     """Answer ``before [F, G]``: a way to G on which F never holds shows that it fails."""
-    way = WaySearch(found, lambda key, _: not first(key))
-    hits = way.nearest(lambda node: second(found.keys[node[0]]))
-    return Answer(FAILS, way.run(hits)) if hits else _no_hit(found)
+    held = found.meeting(first)
+    way = way_around(found, found.starts, held, found.meeting(second))
+    if not way:
+        return _no_hit(found)
+    if found.is_plain:
+        return Answer(FAILS, found.along(way))
+    holds, reached = found.space.test(first), found.space.test(second)
+    search = WaySearch(found, lambda key, _: not holds(key))
+    return Answer(FAILS, search.run(search.nearest(lambda node: reached(found.keys[node[0]]))))
 
 
-def after(found: Exploration, first: Test, second: Test, goal: Test) -> Answer:
+def after(found: Exploration, first: Meaning, second: Meaning, goal: Test) -> Answer:
     """Answer ``after [F, G]``: a way to a goal that has passed F and since then no G shows that it
     fails."""
+    begins, ends = found.meeting(first), found.meeting(second)
+    goals = "".join("1" if goal(key) else "0" for key in found.keys)
+    arms = (at for at, mark in enumerate(begins) if mark == "1")
+    if not way_around(found, arms, ends, goals):
+        return _no_hit(found)
+    holds, left = found.space.test(first), found.space.test(second)
 
     def armed(key: Key, was: int) -> int:
         """Return 1 if F has held, and since then no G, else 0."""
-        return int(not second(key) and (bool(was) or first(key)))
+        return int(not left(key) and (bool(was) or holds(key)))
 
-    way = WaySearch(found, mark=armed)
-    hits = way.nearest(lambda node: bool(node[1]) and goal(found.keys[node[0]]))
-    return Answer(FAILS, way.run(hits)) if hits else _no_hit(found)
+    search = WaySearch(found, mark=armed)
+    hits = search.nearest(lambda node: bool(node[1]) and goal(found.keys[node[0]]))
+    return Answer(FAILS, search.run(hits))
 
 
-def way_back(found: Exploration, first: Test, second: Test, within: int | None) -> Answer:
+def way_back(found: Exploration, first: Meaning, second: Meaning, within: int | None) -> Answer:
     """Answer ``way_back``: from each configuration with F one with G can be reached."""
     far = steps_to(found, second)
-
-    def lost(number: int) -> bool:
-        """Return whether a configuration with F has no way that is short enough."""
-        steps = far.get(number)
-        return (steps is None or (within is not None and steps > within)) and first(
-            found.keys[number]
-        )
-
     if found.bound:
         return Answer(UNKNOWN)  # the way back may lead through what was not looked at
-    way = WaySearch(found)
-    if not any(map(lost, range(len(found)))):
+    lost = {
+        number
+        for number, mark in enumerate(found.meeting(first))
+        if mark == "1" and (number not in far or (within is not None and far[number] > within))
+    }
+    if not lost:
         return Answer(HOLDS)
-    return Answer(FAILS, way.run(way.nearest(lambda node: lost(node[0]))))
+    if found.is_plain:
+        return Answer(FAILS, found.way(min(lost)))
+    way = WaySearch(found)
+    return Answer(FAILS, way.run(way.nearest(lambda node: node[0] in lost)))
 
 
 def _no_hit(found: Exploration) -> Answer:
     return Answer(UNKNOWN if found.bound else HOLDS)
 
 
-def steps_to(found: Exploration, test: Test) -> dict[int, int]:
+def steps_to(found: Exploration, meaning: Meaning) -> dict[int, int]:
     """Return for each configuration the number of steps to one that meets a condition."""
-    back: list[list[int]] = [[] for _ in range(len(found))]
-    for node in range(found.expanded):
-        for target in found.onward(node):
-            back[target].append(node)
-    far = {node: 0 for node, key in enumerate(found.keys) if test(key)}
+    back = found.backward()
+    far = {node: 0 for node, mark in enumerate(found.meeting(meaning)) if mark == "1"}
     waiting = deque(far)
     while waiting:
         heed()
@@ -110,3 +119,25 @@ def steps_to(found: Exploration, test: Test) -> dict[int, int]:
                 far[one] = far[node] + 1
                 waiting.append(one)
     return far
+
+
+def way_around(found: Exploration, starts: Iterable[int], shut: str, wanted: str) -> list[int]:
+    """Return the first of the shortest ways from one of some configurations to a wanted one.
+
+    No configuration on it is shut. Without such a way the list is empty. ``shut`` and ``wanted``
+    have "1" for each such configuration.
+    """
+    origin = {node: node for node in starts if shut[node] == "0"}
+    waiting = list(origin)
+    for node in waiting:
+        heed()
+        if wanted[node] == "1":
+            way = [node]
+            while origin[way[-1]] != way[-1]:
+                way.append(origin[way[-1]])
+            return way[::-1]
+        for target in found.onward(node):
+            if target not in origin and shut[target] == "0":
+                origin[target] = node
+                waiting.append(target)
+    return []

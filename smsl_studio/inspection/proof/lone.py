@@ -42,25 +42,29 @@ class LoneExploration(Exploration):
         if self.space.routed:
             closed = [self.space.shuts((state,)) for state in graph.names]
             fails = [state in failing for state in graph.names]
-        targets, to_targets, to_labels = graph.targets, self._targets.append, self._labels.append
+        guarded = any(closed) or any(fails)
+        targets, names = graph.targets, graph.names
+        to_targets, to_labels = self._targets.append, self._labels.append
         here = [graph.index[state] for (state,) in self.keys]
-        node_of = {state: node for node, state in enumerate(here)}
+        node_of = [NOWHERE] * len(graph)
+        for node, state in enumerate(here):
+            node_of[state] = node
         for node, state in enumerate(here):
             try:
                 heed()
-                self._tell(len(self.keys))
+                self._tell(len(here))
             except BoundMet as error:
                 self.bound = str(error)
                 return
             edges = graph.edges_out(state)
             for edge in sorted(edges, key=by_address) if len(edges) > 1 else edges:
                 target = targets[edge]
-                if closed[target] or (fails[target] and not fails[state]):
+                if guarded and (closed[target] or (fails[target] and not fails[state])):
                     continue
-                to = node_of.get(target)
-                if to is None:
-                    to = self._seen((graph.names[target],), node, edge)
-                    if to == NOWHERE:
+                to = node_of[target]
+                if to < 0:
+                    to = self._add((names[target],), node, edge)
+                    if to < 0:
                         self._first.append(len(self._targets))
                         return
                     node_of[target] = to

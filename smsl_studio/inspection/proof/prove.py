@@ -166,18 +166,17 @@ class _Prover:
     def _explored_answer(self, one: Claim, meanings: tuple[Meaning, ...], cone: Cone) -> _Found:
         """Answer a claim by exploring the configurations of a cone, one by one."""
         found = self._exploration(one, cone)
-        first, *others = (found.space.test(meaning) for meaning in meanings)
         if one.kind in WATCHED:
             answer = kinds.never(found, meanings[0], self._watched_numbers[id(one), cone])
         elif one.kind == "reachable":
             answer = kinds.reachable(found, meanings[0])
         elif one.kind == "before":
-            answer = kinds.before(found, first, others[0])
+            answer = kinds.before(found, meanings[0], meanings[1])
         elif one.kind == "after":
-            answer = kinds.after(found, first, others[0], found.space.at_goal)
+            answer = kinds.after(found, meanings[0], meanings[1], found.space.at_goal)
         else:
             within = one.written.within if one.written else None
-            answer = kinds.way_back(found, first, others[0], within)
+            answer = kinds.way_back(found, meanings[0], meanings[1], within)
         count = len(found) if found.space.is_whole or found.bound else None
         if count is None and one.kind not in ROUTED and "_engines" in self.__dict__:
             space = self._engines.engine(self._hierarchy.order, False)

@@ -75,7 +75,7 @@ def _ways_out(blueprint: Blueprint, failing: Sequence[Address], limit: int) -> t
     bound = found.bound
     paths: dict[Address, tuple[Address, ...] | None] = {}
     try:
-        far = steps_to(found, space.test(hits))
+        far = steps_to(found, hits)
         for one, key in keys.items():
             paths[one] = _path(found, far, key)
     except BoundMet as error:

@@ -176,6 +176,9 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         own = sheet.geometry.label(edge) if sheet.level >= Level.COMPACT else None
         # Its usual place is at no other line. Without any it stands away, with a leader.
         rects = [*([own] if own else []), *rects, *_away(sheet, shape, size)]
+        named = sheet.level >= Level.COMPACT and not sheet.looks.marks.dimmed
+        if named and not (own and _is_free(sheet, own, taken)):
+            rects = _off_names(sheet, edge, rects) or rects
         if not (look.trail or look.planned or look.hovered):
             # A merely possible operation is named only where there is room; the list of operations
             # has the rest.
@@ -196,6 +199,13 @@ def _away(sheet: Sheet, shape: EdgeShape, size: tuple[float, float]) -> list[Rec
     if sheet.level < Level.COMPACT:
         return []
     return [labels.AsideRect(*rect) for rect in aside([shape], [size], sheet.unit)[0][0].tolist()]
+
+
+def _off_names(sheet: Sheet, edge: int, rects: list[Rect]) -> list[Rect]:
+    """Those of some places that cover no name of an edge without a highlight."""
+    near = sheet.edges_in(*_all_of(rects)).tolist()[:NAMES]
+    names = [sheet.geometry.label(e) for e in near if e != edge and not sheet.looks.is_lit(e)]
+    return [rect for rect in rects if not any(labels.meet(rect, name) for name in names if name)]
 
 
 def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -70,9 +70,27 @@ class BranchColumns(QScrollArea):
         across.addStretch(1)
         self.setWidget(inner)
         self.horizontalScrollBar().setValue(at)
+        across.activate()
+        self._reveal()
         for button in self.buttons() if focused else ():
             if _place(button) == focused:
                 button.setFocus()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the active states in view, also in a low page."""
+        super().resizeEvent(event)
+        self._reveal()
+
+    def _reveal(self) -> None:
+        """Scroll up or down so that the active states are in view, at least the highest."""
+        inner = self.widget()
+        lit = inner.lit if isinstance(inner, _JoinedColumns) else ()
+        if lit:
+            top = min(one.geometry().top() for one in lit) - GAP // 2
+            low = max(one.geometry().bottom() for one in lit) + GAP // 2
+            high = self.viewport().height()
+            bar = self.verticalScrollBar()
+            bar.setValue(0 if low <= high else min(low - high, top))
 
     def buttons(self) -> Iterator[QPushButton]:
         """The buttons of all states, column by column."""

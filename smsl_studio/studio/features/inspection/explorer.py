@@ -200,6 +200,15 @@ class Explorer(QObject):
         self.changed.emit()
         if isinstance(came, RunThere) and came.run is not None and came.run.path:
             self.found.emit(came.run)
+        self._look_on()
+
+    def _look_on(self) -> None:
+        """Search the steps whose search was left for a run."""
+        if self.steps is None and self._walk is not None and self.trail and not self.work:
+            said = self.said
+            work = partial(_onward, self._walk, self.configuration)
+            self._do("Looking at the steps", work, self._onward)
+            self.said = said
 
     def _opened(self) -> None:
         self.trail = ()

@@ -31,6 +31,7 @@ from smsl_studio.studio.base.words import capital
 MOST = 100
 """At most this many permitted and this many refused operations are shown."""
 HIGH = 30
+NONE_REFUSED = "No operation out of these states is refused."
 WHERE = 170
 """The largest width of the text that says where a step leads (pixels)."""
 
@@ -102,6 +103,8 @@ class StepList(QScrollArea):
                 column.addWidget(label(f"and {len(group) - MOST:,} more", "hint"))
         if not permitted and self._empty:
             column.insertWidget(0, label(self._empty, "hint"))
+        if permitted and not refused:
+            column.addWidget(label(NONE_REFUSED, "hint"))
         column.addStretch(1)
         self.setWidget(inner)
         in_order(self, [*self.buttons(), *self.refusals()])

@@ -113,3 +113,35 @@ def test_what_is_only_possible_is_not_named_across_the_way_that_was_gone(qtbot: 
                 left, top, right, bottom = label.rect
                 crossed = [p for p in points if left < p[0] < right and top < p[1] < bottom]
                 assert not crossed, (size, label.text)
+
+
+@pytest.mark.parametrize("name", ["registration-digitization.json", "three-levels.json"])
+def test_the_name_of_a_step_that_is_walked_covers_no_other_name(qtbot: QtBot, name: str) -> None:
+    """In the drawing beside Inspection, after each two operations one after the other."""
+    blueprint = sample(name)
+    canvas = Canvas(LIGHT)
+    qtbot.addWidget(canvas)
+    named = 0
+    for branch in blueprint:
+        canvas.resize(742, 288)
+        canvas.show_branch(blueprint, branch.name, place_states(branch))
+        canvas.fit(smooth=False)
+        seen = canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+        view = (seen.left(), seen.top(), seen.right(), seen.bottom())
+        edges = [
+            Address(branch.name, state, name)
+            for state, operations in branch.table.items()
+            for name in operations
+        ]
+        for first, then in ((a, b) for a in edges for b in edges if b.state != a.state):
+            canvas.set_marks(Marks(active=then.state, trail=(first, then), walked=True))
+            sheet = canvas.sheet
+            assert sheet is not None
+            found = lit_labels(sheet, by_weight(sheet), view)
+            names = {e: sheet.geometry.label(e) for e in range(len(edges))}
+            named += len(found)
+            for label in found:
+                for other, rect in names.items():
+                    if not sheet.looks.is_lit(other) and rect is not None:
+                        assert not meet(label.rect, rect), (first, then, label.text)
+    assert named
