@@ -9,11 +9,13 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loaded import Loaded
+from smsl_studio.studio.base import announcement
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import prepare
 from smsl_studio.studio.base.theme import LIGHT
@@ -27,6 +29,8 @@ from tests.stories.at_canvas import Drawer, sample
 from tests.stories.person import Person
 
 Sit = Callable[..., Person]
+Heard = list[tuple[str, bool]]
+"""What was read out by itself: the words, and whether they interrupt."""
 
 
 class Look:
@@ -87,6 +91,28 @@ def sit(
             pane.run.close()
         window.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def heard(monkeypatch: pytest.MonkeyPatch) -> Heard:
+    """Every announcement, and whether it interrupts."""
+    found: Heard = []
+
+    class Reader(QAccessible):
+        """A screen reader runs, and keeps what it is told."""
+
+        @staticmethod
+        def isActive() -> bool:
+            return True
+
+        @staticmethod
+        def updateAccessibility(event: QAccessibleEvent, /) -> None:
+            if isinstance(event, QAccessibleAnnouncementEvent):
+                urgent = event.politeness() == QAccessible.AnnouncementPoliteness.Assertive
+                found.append((event.message(), urgent))
+
+    monkeypatch.setattr(announcement, "QAccessible", Reader)
+    return found
 
 
 @pytest.fixture

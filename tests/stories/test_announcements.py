@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent, QAction
+from PySide6.QtGui import QAccessible, QAction
 from PySide6.QtWidgets import QDialog
 
-from smsl_studio.studio.base import announcement
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.rows import LINE
 from smsl_studio.studio.features.draw.facts.fact_model import FactModel
@@ -17,33 +15,10 @@ from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.shell.accessible_choice import ChoiceAccessible
 from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
-from tests.stories.conftest import Sit
+from tests.stories.conftest import Heard, Sit
 from tests.stories.person import SAMPLES
 
 Key = Qt.Key
-Heard = list[tuple[str, bool]]
-
-
-@pytest.fixture
-def heard(monkeypatch: pytest.MonkeyPatch) -> Heard:
-    """Every announcement, and whether it interrupts."""
-    found: Heard = []
-
-    class Reader(QAccessible):
-        """A screen reader runs, and keeps what it is told."""
-
-        @staticmethod
-        def isActive() -> bool:
-            return True
-
-        @staticmethod
-        def updateAccessibility(event: QAccessibleEvent, /) -> None:
-            if isinstance(event, QAccessibleAnnouncementEvent):
-                urgent = event.politeness() == QAccessible.AnnouncementPoliteness.Assertive
-                found.append((event.message(), urgent))
-
-    monkeypatch.setattr(announcement, "QAccessible", Reader)
-    return found
 
 
 def test_findings_are_told_when_their_sum_changes(sit: Sit, heard: Heard) -> None:

@@ -33,5 +33,14 @@ def put_before(part: QWidget, follower: QWidget) -> None:
         in_order(before, [widget for widget in widgets if _takes_keys(widget)])
 
 
+def go_on(widget: QWidget, forward: bool = True) -> None:
+    """Move the keyboard focus from a widget to the next one, as Tab does, or to the one before.
+
+    That is so for a widget too that has another use for Tab.
+    """
+    widget.setFocus(Qt.FocusReason.TabFocusReason)
+    QWidget.focusNextPrevChild(widget, forward)
+
+
 def _takes_keys(widget: QWidget) -> bool:
     return widget.focusPolicy() != Qt.FocusPolicy.NoFocus

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, faded
+from smsl_studio.studio.base.tab_order import go_on
 from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
@@ -87,6 +88,13 @@ class PassingCard(Card):
             self.hide()
             self.closed.emit()
             self.deleteLater()
+
+    def leave(self, forward: bool = True) -> None:
+        """Close the card as Esc does, and go on as Tab does, or back as Shift+Tab does."""
+        below = self.parentWidget()
+        self.close_field()
+        if below is not None:
+            go_on(below, forward)
 
 
 def tint(label: QLabel, colour: QColor) -> None:

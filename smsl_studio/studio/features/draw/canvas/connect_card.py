@@ -26,7 +26,8 @@ class ConnectCard(PassingCard):
     caller and gets no field. Otherwise the second field names a state, which may be new. ``commit``
     takes (operation, target) and returns why they are refused, or the empty text. ``target_for``
     suggests the target for an operation name. ``target_picked`` says that a click chose it.
-    Tab leads to the target, and from there adds the operation; then ``gone_on`` is emitted.
+    Tab leads to the target, and from there adds the operation; then ``gone_on`` is emitted. While
+    nothing was typed or chosen, Tab adds nothing: it leaves the card as Esc does.
     """
 
     target_picked = Signal(str)
@@ -74,6 +75,7 @@ class ConnectCard(PassingCard):
             layout.addWidget(widget)
         self._sought = ""
         self.setFixedWidth(252)
+        self._describe()
         self._wire()
         self._filter("")
 
@@ -85,8 +87,8 @@ class ConnectCard(PassingCard):
         self.operation.textEdited.connect(self._filter)
         self.operation.moved.connect(self.choices.move_choice)
         self.operation.tabbed.connect(self._tab)
-        self.operation.tabbed_back.connect(self._tab)
         self.target.tabbed.connect(self._go_on)
+        self.operation.tabbed_back.connect(self._tab_back)
         self.target.tabbed_back.connect(self.operation.setFocus)
         self.target.textEdited.connect(self._target_typed)
         self.target.textChanged.connect(self.target_named)
@@ -179,14 +181,38 @@ class ConnectCard(PassingCard):
 
     def _tab(self) -> None:
         if self.choices.current:
+            self._touched = True
             self._take(self.choices.current)
         if not self.target.isHidden():
             self.target.setFocus()
             self.target.selectAll()
+        elif self._is_blank:
+            self.leave()
+
+    def _tab_back(self) -> None:
+        if self._is_blank and not self.choices.current:
+            self.leave(forward=False)
+        else:
+            self._tab()
 
     def _go_on(self) -> None:
-        if self.commit():
+        if self._is_blank:
+            self.leave()
+        elif self.commit():
             self.gone_on.emit()
+
+    @property
+    def _is_blank(self) -> bool:
+        """Whether there is nothing that Tab could add: nothing typed, clicked or chosen."""
+        return not (self._touched or self._own_target) or not self.operation.text().strip()
+
+    def _describe(self) -> None:
+        """Tell a screen reader what the fields are for, and what the keys do."""
+        back = "Without a typed name Tab leaves, and adds nothing; so does Esc."
+        chain = "Enter adds it; Tab adds it and asks for the next one."
+        to = "Tab leads to its target." if not self.target.isHidden() else ""
+        self.operation.setAccessibleDescription(f"New operation. Enter adds it. {to} {back}")
+        self.target.setAccessibleDescription(f"To which state the operation leads. {chain} {back}")
 
     def _choose(self, name: str) -> None:
         self._take(name)

@@ -214,11 +214,11 @@ class DrawVerbs:
         branches = self._session.blueprint.branches
         subs = [sub for _, sub in sorted(self._branch.subs.items()) if sub in branches]
         if subs:
-            self._session.show_branch(subs[0])
+            self._editor.way_back.show(subs[0])
 
     def leave(self) -> None:
         """Show the base SB."""
-        self._editor.leave()
+        self._editor.way_back.leave()
 
     @property
     def _branch(self) -> StateBranch:

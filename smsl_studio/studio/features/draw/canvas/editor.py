@@ -29,6 +29,7 @@ from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
 from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
 from smsl_studio.studio.features.draw.canvas.step_views import StepViews
+from smsl_studio.studio.features.draw.canvas.way_back import WayBack
 
 Position = tuple[float, float]
 Field = NameField | ConnectCard | CopyCard
@@ -63,12 +64,11 @@ class CanvasEditor(QObject):
         canvas.source_wanted.connect(self.move_source)
         canvas.rename_wanted.connect(self.rename)
         canvas.moved.connect(self.move)
-        canvas.enter_wanted.connect(session.show_branch)
-        canvas.leave_wanted.connect(self.leave)
         canvas.delete_wanted.connect(self.delete_selected)
         canvas.quick_add_wanted.connect(self.quick_add.go_on)
         canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
+        self.way_back = WayBack(session, canvas)
         self.views = StepViews(session, canvas)
         self.nudge, self.bends = Nudge(session, canvas), Bends(session, canvas)
         canvas.state_pick = self._pick
@@ -255,12 +255,6 @@ class CanvasEditor(QObject):
         reason = self.edit(f"Delete {what}", lambda bp: editing.delete(bp, selection))
         if reason:
             self.canvas.say(reason)
-
-    def leave(self) -> None:
-        """Show the base SB."""
-        bases = self.session.blueprint.bases.get(self.session.branch)
-        if bases:
-            self.session.show_branch(bases[0][0])
 
     # For other verbs of drawing
 
