@@ -34,6 +34,7 @@ from smsl_studio.inspection.approval.record_file import (
 )
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import rule_codes
+from smsl_studio.inspection.approval.rule_scores import rule_scores
 from smsl_studio.inspection.approval.seen_records import keep_record, newest_seen
 from smsl_studio.inspection.approval.statement import (
     APPROVED,
@@ -323,13 +324,22 @@ def open_warnings(request: ApprovalRequest) -> tuple[Finding, ...]:
 
 def _rules(answer: CheckAnswer, options: InspectionOptions) -> list[SignedRule]:
     """Return each rule that was checked, with the digest of its code and its worst finding."""
-    words = {Severity.ERROR: "failed", Severity.WARNING: "warned", Severity.NOTE: "noted"}
-    gravest: dict[str, str] = {}
+    words: dict[Severity, Literal["noted", "warned", "failed"]] = {
+        Severity.ERROR: "failed",
+        Severity.WARNING: "warned",
+        Severity.NOTE: "noted",
+    }
+    gravest: dict[str, Literal["noted", "warned", "failed"]] = {}
     for severity in (Severity.NOTE, Severity.WARNING, Severity.ERROR):
         gravest |= {one.rule: words[severity] for one in answer.of(severity)}
+    scores = rule_scores()
     return [
-        SignedRule.model_validate(
-            {"id": rule, "version": version(), "code": code, "result": gravest.get(rule, "passed")}
+        SignedRule(
+            id=rule,
+            version=version(),
+            code=code,
+            result=gravest.get(rule, "passed"),
+            score=scores.get(rule),
         )
         for rule, code in rule_codes().items()
         if options.rules is None or rule in options.rules

@@ -25,6 +25,13 @@ def statement(desk: Desk, number: int = -1) -> dict[str, Any]:
     return dict(json.loads(from_base64(envelope["payload"], "it")))
 
 
+def test_a_record_says_what_its_rules_are_worth(desk: Desk) -> None:
+    assert desk.approve("ada").status == 0
+    rules = {one["id"]: one["score"] for one in statement(desk)["predicate"]["rules"]}
+    assert rules["R02"]["found"] > 0
+    assert all(0 <= score["found"] <= score["of"] == 5_000 for score in rules.values())
+
+
 def test_two_people_approve_and_the_record_says_so(desk: Desk) -> None:
     assert desk.codes() == ["no_record"]
     assert desk.approve("ada").status == 0

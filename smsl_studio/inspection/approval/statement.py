@@ -12,7 +12,14 @@ from datetime import datetime
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    model_serializer,
+)
 
 from smsl_studio.blueprint.digests import Digests, digests_of
 from smsl_studio.errors import SealError, StudioError
@@ -72,13 +79,31 @@ class SignedFile(_Signed):
     digest: SignedDigests
 
 
+class SignedScore(_Signed):
+    """How many of so many seeded faults a rule found in files without faults."""
+
+    found: int
+    of: int
+
+
 class SignedRule(_Signed):
-    """A rule that was checked: its version, the SHA-256 of its code, and its result."""
+    """A rule that was checked: its version, the SHA-256 of its code, and its result.
+
+    ``score`` says what the rule is worth (see ``rule_scores``). Older records have none.
+    """
 
     id: Text
     version: Text
     code: Hex
     result: Literal["passed", "noted", "warned", "failed"]
+    score: SignedScore | None = None
+
+    @model_serializer(mode="wrap")
+    def _written(self, write: SerializerFunctionWrapHandler) -> Json:
+        values = write(self)
+        if self.score is None:
+            del values["score"]
+        return values
 
 
 class SignedProperty(_Signed):
