@@ -98,6 +98,9 @@ def test_copied_states_come_under_free_names_and_all_follows() -> None:
     assert again(after) == after
     back = edit.delete(after, made)
     assert back == blueprint
+    # The copy that was last was activating, so ACTIVATING says now which state follows it.
+    assert back["A"].header.activating == "State_11"
+    back = edit.set_header(back, "A", "ACTIVATING", None)
     assert back.document.text == blueprint.document.text
 
 

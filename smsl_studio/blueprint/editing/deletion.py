@@ -21,9 +21,10 @@ from smsl_studio.errors import EditRefused
 def delete(blueprint: Blueprint, addresses: Iterable[Address]) -> Blueprint:
     """Return the blueprint without some SBs, states and operations.
 
-    With a state its incoming operations, its annotations, and an INITIAL or ACTIVATING with its
-    name are deleted. With an SB its entries in SUB_SBS of its bases are deleted. EditRefused if a
-    hazard or a ``requires`` names the SB, because a safety condition must not disappear unnoticed.
+    With a state its incoming operations and its annotations are deleted. If it was initial or
+    activating, INITIAL or ACTIVATING names the state that is so now. With an SB its entries in
+    SUB_SBS of its bases are deleted. EditRefused if a hazard or a ``requires`` names the SB,
+    because a safety condition must not disappear unnoticed.
     """
     wanted = {existing(blueprint, address) for address in addresses}
     branches = {address.branch for address in wanted if not address.state}
@@ -72,10 +73,29 @@ def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:
             table.pop(state, None)
     states_gone(draft, branch, gone)
     pins_gone(draft, branch, gone)
-    for key in ("INITIAL", "ACTIVATING"):
-        if getattr(found.header, key.lower()) in gone:
-            del draft.header(branch)[key]
+    _decide_ends(draft, branch, gone)
     recount(draft, branch, -len(gone))
+
+
+def _decide_ends(draft: Draft, branch: str, gone: Collection[str]) -> None:
+    """Write which state is initial or activating in the place of one that is gone.
+
+    It is the first or the last state that is left, and not the other of the two. Where at most one
+    state is left, there is nothing to decide.
+    """
+    found = draft.before[branch]
+    left = [state for state in found.table if state not in gone]
+    ends = {"INITIAL": found.initial, "ACTIVATING": found.activating}
+    for key, end in ends.items():
+        if end not in gone:
+            continue
+        if len(left) < 2:
+            draft.header(branch).pop(key, None)
+            continue
+        others = {state for other, state in ends.items() if other != key}
+        order = left if key == "INITIAL" else left[::-1]
+        ends[key] = next(state for state in order if state not in others)
+        draft.header(branch)[key] = ends[key]
 
 
 def _delete_branches(draft: Draft, gone: Collection[str]) -> None:

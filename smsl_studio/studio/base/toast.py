@@ -134,10 +134,14 @@ class Toast(QWidget):
         elif self._of_step:
             self.hide()
 
-    def of_step(self, sentence: str, severity: str) -> None:
-        """Show a consequence of the step that is being carried out; the next step hides it."""
+    def of_step(
+        self, sentence: str, severity: str, undo: Callable[[], object] | None = None
+    ) -> None:
+        """Show a consequence of the step that is being carried out; the next step hides it. With
+        ``undo`` a button undoes the step."""
         if sentence:
-            self._show(sentence, "", severity, REFUSED_MS)
+            self._call = undo or self._call
+            self._show(sentence, "", severity, REFUSED_MS, "Undo" if undo is not None else "")
             self._of_step = self._fresh = True
 
     def warn(self, sentence: str) -> None:

@@ -2,13 +2,62 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from smsl_studio.blueprint.model import Blueprint
 
+ENDS = (("INITIAL", "initial", "first"), ("ACTIVATING", "activating", "last"))
+"""The keys of the two ends of an SB, what their states are called, and where they stand if the
+keys are not written."""
 
-def step_notice(before: Blueprint, after: Blueprint) -> tuple[str, str]:
-    """The notice about a step and its severity (``W`` or none); empty if there is no notice."""
+
+@dataclass(frozen=True)
+class StepNotice:
+    """A notice about a step; without a ``sentence`` there is none.
+
+    ``severity`` is ``W`` or none. ``undo`` offers to undo the step. A notice that is said ``once``
+    comes again with each similar step, and is not repeated.
+    """
+
+    sentence: str = ""
+    severity: str = ""
+    undo: bool = False
+    once: bool = False
+
+
+def step_notice(before: Blueprint, after: Blueprint) -> StepNotice:
+    """The notice about a step."""
+    unasked = ends_moved(before, after)
+    if unasked:
+        return StepNotice(unasked, "W", undo=True)
     said = " ".join(filter(None, (goal_kept(before, after), values_given(before, after))))
-    return (said, "") if said else (goal_moved(before, after), "W")
+    if said:
+        return StepNotice(said)
+    return StepNotice(goal_moved(before, after), "W", once=True)
+
+
+def ends_moved(before: Blueprint, after: Blueprint) -> str:
+    """A sentence that another state is initial or activating, because the former one is gone.
+
+    Empty if that did not happen. SBs with fewer than two states are left out, because there is
+    nothing to choose.
+    """
+    said = []
+    for name, branch in after.branches.items():
+        old = before.branches.get(name)
+        if before.file != after.file or old is None or old is branch:
+            continue
+        # A state with another name is in its place. One that is gone leaves fewer.
+        if not 2 <= len(branch.table) < len(old.table):
+            continue
+        for key, kind, place in ENDS:
+            was, now = getattr(old, kind), getattr(branch, kind)
+            if was in branch.table or was not in old.table or now not in branch.table:
+                continue
+            written = getattr(branch.header, kind) is not None
+            why = f"{key} says so" if written else f"it is listed {place}"
+            said.append(f"{was} is gone: {now} is the {kind} state of {name} now, and {why}.")
+    return " ".join(said)
 
 
 def values_given(before: Blueprint, after: Blueprint) -> str:

@@ -11,7 +11,13 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.document.notices import goal_kept, goal_moved, step_notice, values_given
+from smsl_studio.studio.document.notices import (
+    StepNotice,
+    goal_kept,
+    goal_moved,
+    step_notice,
+    values_given,
+)
 
 HANOI = Path(__file__).parents[3] / "samples" / "hanoi.json"
 
@@ -66,9 +72,9 @@ def test_only_a_goal_that_moved_is_a_warning() -> None:
     before = read_blueprint(read_document(HANOI))
     moved = editing.add_state(before, "SB1", "State_xyz")
     kept = editing.keep_activating(before, moved, ["SB1"])
-    assert step_notice(before, moved) == (goal_moved(before, moved), "W")
-    assert step_notice(before, kept) == (goal_kept(before, kept), "")
-    assert step_notice(before, before) == ("", "W")
+    assert step_notice(before, moved) == StepNotice(goal_moved(before, moved), "W", once=True)
+    assert step_notice(before, kept) == StepNotice(goal_kept(before, kept))
+    assert step_notice(before, before) == StepNotice("", "W", once=True)
 
 
 def test_fact_values_that_another_state_has_are_not_called_free() -> None:

@@ -29,7 +29,7 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
 from smsl_studio.studio.document.journal.entry import JournalEntry
-from smsl_studio.studio.document.notices import step_notice
+from smsl_studio.studio.document.notices import StepNotice, step_notice
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
@@ -317,13 +317,14 @@ class DrawFeature(Feature):
     def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
         # An undo or redo gives nothing that was not there before.
         new = self._parts.session.adds_step
-        sentence, severity = step_notice(before, after) if new else ("", "")
-        if sentence and severity:
+        notice = step_notice(before, after) if new else StepNotice()
+        if notice.sentence and notice.once:
             # Each new state becomes activating until one is chosen. Once is enough.
             if self._warned:
                 return
             self._warned = True
-        self._parts.toast.of_step(sentence, severity)
+        undo = self._parts.session.history.undo if notice.undo else None
+        self._parts.toast.of_step(notice.sentence, notice.severity, undo)
 
     def _jumped(self, address: Address) -> None:
         """Scroll the canvas to an element that was found, and give it the keyboard focus."""

@@ -52,6 +52,7 @@ class WorldPane(QWidget):
         self._run = run
         self._loaded = False
         self.view = WorldView(tokens)
+        self.view.came_into_view.connect(self.draw)
         self.tiles, self.bar = TilesView(tokens), OperationBar(tokens)
         self._name = Elided("")
         self._name.setProperty("role", "second")
@@ -146,9 +147,10 @@ class WorldPane(QWidget):
         self._fit()
 
     def draw(self) -> None:
-        """Draw the newest poses."""
-        if self.view.isVisible():
-            self.view.show_poses(self._run.poses(), self._run.words())
+        """Draw the newest poses, also those of a run that has ended."""
+        run = self._run
+        if self._loaded and self.view.isVisible():
+            self.view.show_poses(run.poses(), run.words(), last=not run.exists)
 
     def show_facts(self, rows: tuple[FactRow, ...]) -> None:
         """Show the facts of the run, if the world has no picture."""

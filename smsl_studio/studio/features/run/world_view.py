@@ -19,6 +19,7 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
+    QShowEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QWidget
@@ -41,6 +42,8 @@ class WorldView(QWidget):
 
     drawn = Signal()
     """A new picture was drawn."""
+    came_into_view = Signal()
+    """The view is visible now; its poses may be old."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -99,14 +102,19 @@ class WorldView(QWidget):
         self._sentence = "Starts with the run"
         self._status = ()
 
-    def show_poses(self, poses: tuple[float, ...], status: Mapping[str, str]) -> None:
-        """Draw these poses if they changed; ``status`` has the world's words for people."""
+    def show_poses(
+        self, poses: tuple[float, ...], status: Mapping[str, str], last: bool = False
+    ) -> None:
+        """Draw these poses if they changed; ``status`` has the world's words for people.
+
+        While pictures take long, poses are left out. The ``last`` ones of a run never are.
+        """
         words = tuple(f"{key.capitalize()} {value}".strip() for key, value in status.items())
         if words != self._status:
             self._status = words
             self.update()
         early = self._frames and perf_counter() - self._frames[-1] < 2 * self._took
-        if poses != self._poses and not early:
+        if poses != self._poses and (last or not early):
             first = not self._poses
             self._poses = poses
             if first:
@@ -152,6 +160,11 @@ class WorldView(QWidget):
         painter.drawImage(self.rect(), image)
         self._paint_labels(painter)
         self._paint_chips(painter)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Ask for the newest poses: while the view was hidden it was given none."""
+        super().showEvent(event)
+        self.came_into_view.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to turn or pan the camera."""
