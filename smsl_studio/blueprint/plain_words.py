@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from itertools import chain
 
 from smsl_studio.blueprint.facts import fact_string
@@ -10,7 +11,7 @@ from smsl_studio.blueprint.model import StateBranch
 
 MANY_LETTERS = 4
 """A name with at least so many letters counts as a word. Shorter ones, such as ``up``, may be
-facts."""
+facts, unless they begin with a capital letter as ``Off`` does."""
 
 Facts = dict[str, tuple[str, ...]]
 """For each state the values of its facts."""
@@ -29,7 +30,8 @@ def is_plain_word(branch: StateBranch, name: str) -> bool:
 def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
     """Return the states whose names are words but are read as facts, letter by letter.
 
-    If nothing else in the SB shows facts, these are all plain words with four or more letters. Else
+    If nothing else in the SB shows facts, these are all plain words, if they have four letters or
+    more, or a capital letter and small ones. Else
     a word is recognised by a letter that is a value of no other state: ``Patient ready`` beside
     ``State_01`` and ``State_11``. Other words may really be facts, such as ``abcd`` beside
     ``bacd``.
@@ -39,7 +41,7 @@ def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
         return ()
     plain = [name for name in branch.table if is_plain_word(branch, name)]
     if plain:
-        return tuple(plain) if branch.num_facts >= MANY_LETTERS else ()
+        return tuple(plain) if _are_surely_words(branch, plain) else ()
     words = [name for name in branch.table if _may_be_word(branch, name)]
     others = branch.table.keys() - set(words)
     seen = Counter(chain.from_iterable(enumerate(branch.facts(name)) for name in others or words))
@@ -59,12 +61,26 @@ def read_by_letters(branch: StateBranch) -> tuple[str, ...]:
 
 
 def has_only_words(branch: StateBranch) -> bool:
-    """Return whether every state is a plain word with many letters, so that no name shows facts.
+    """Return whether every state is a plain word as ``read_by_letters`` has them, so that no name
+    shows facts.
 
     In an SB whose names show facts this is found at its first state.
     """
     words = all(is_plain_word(branch, name) for name in branch.table)
-    return words and bool(branch.table) and branch.num_facts >= MANY_LETTERS
+    return words and bool(branch.table) and _are_surely_words(branch, branch.table)
+
+
+def told_facts(branch: StateBranch) -> int:
+    """Return how many facts of an SB people are told of; without states, NUM_FACTS of its header.
+
+    Words, and names that cannot be cut, show no facts. A name that cannot be cut is one fact if a
+    sub-SB expands it or if ``_facts`` says what it is.
+    """
+    if not branch.table:
+        return branch.header.num_facts or 0
+    if branch.shape.opaque:
+        return int(bool(branch.subs) or branch.fact_note(0) is not None)
+    return 0 if has_only_words(branch) else branch.num_facts
 
 
 def is_read_by_letters(branch: StateBranch, name: str) -> bool:
@@ -95,6 +111,12 @@ def carried(branch: StateBranch) -> Facts:
     wide = len(next(iter(fitting.values()), "")) // max(number, 1)
     return {name: tuple(text[at : at + wide] for at in range(0, len(text), wide))
             for name, text in fitting.items() if wide and len(text) == wide * number}  # fmt: skip
+
+
+def _are_surely_words(branch: StateBranch, names: Iterable[str]) -> bool:
+    """Whether plain words of an SB are too long to be facts, or written as words are."""
+    capital = all(one[:1].isupper() and one[1:].replace(" ", "").islower() for one in names)
+    return branch.num_facts >= MANY_LETTERS or capital
 
 
 def _may_be_word(branch: StateBranch, name: str) -> bool:

@@ -16,6 +16,7 @@ from smsl_studio.picture.nodes import draw_node
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.returns import house
 from smsl_studio.picture.strokes import box, number, polygon, text
+from smsl_studio.picture.sub_marks import mark_words
 from smsl_studio.picture.words import elided, width
 
 TITLE, NOTE = 16.0, 12.0
@@ -109,13 +110,8 @@ def _legend(figure: Figure, across: float, colours: Colours) -> Iterator[tuple[s
         kinds = {picture.kind(edge) for edge in named}
         if any(picture.guards(edge) for edge in named):
             words.append(("guard", MEANING))
-        for kind, meaning in (
-            ("rise", "turns a sub-SB's fact on"),
-            ("fall", "turns it off"),
-            ("mixed", "changes it together with others"),
-        ):
-            if kind in kinds:
-                words.append((kind, meaning))
+        for kind, meaning in mark_words(picture.branch, kinds).items():
+            words.append((kind, elided(meaning, NOTE, LEAST)))
     for mark, line in words:
         yield "".join(_row(mark, line, colours)), width(line, NOTE) + (18.0 if mark else 0.0)
 

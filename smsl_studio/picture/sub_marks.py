@@ -2,8 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import StateBranch
+
+
+def mark_words(branch: StateBranch, kinds: Container[str]) -> dict[str, str]:
+    """Return what the marks of these kinds mean, in the order of a legend.
+
+    With one sub-SB its fact is named, by the first of them.
+    """
+    subs = list(branch.subs)
+    name = f"“{branch.fact_name(subs[0])}”" if len(subs) == 1 else "a sub-SB's fact"
+    said = {
+        "rise": "turns {} on",
+        "fall": "turns {} off",
+        "mixed": "changes {} together with others",
+    }
+    shown = {kind: words for kind, words in said.items() if kind in kinds}
+    later = "it" if len(subs) == 1 else name
+    names = [name, *[later] * (len(shown) - 1)]
+    return {
+        kind: words.format(one) for (kind, words), one in zip(shown.items(), names, strict=False)
+    }
 
 
 def sub_mark(branch: StateBranch, edge: Operation) -> str:

@@ -86,7 +86,7 @@ def test_what_all_operations_share_is_said_once_and_left_out() -> None:
 
 def test_marks_are_explained_where_they_occur() -> None:
     shown = words_of(svg_of(smsl.read(samples_dir() / "hfsm.json")))
-    assert "turns a sub-SB's fact on" in shown
+    assert "turns “Fact 2” on" in shown
     assert any(words.startswith("expanded by a sub-SB: Fact 2 by SB2") for words in shown)
     assert "turns it off" not in words_of(svg_of(hanoi(2)))
 

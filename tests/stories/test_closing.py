@@ -205,3 +205,17 @@ def test_what_is_edited_while_a_run_ends_is_kept_and_not_asked_about(
     (left,) = left_behind(folder_of(run.person.windows.settings.folder))
     assert "SB7" in str(left.entry)
     left.drop()
+
+
+def test_a_key_closes_the_window_and_asks_before_work_is_lost(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    window = person.window
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+    answer(person, "Cancel")
+    person.ctrl(Qt.Key.Key_W)
+    assert window in list(person.windows)
+    window.session.history.setClean()
+    person.come_back()
+    window.canvas.setFocus()
+    person.ctrl(Qt.Key.Key_W)
+    assert window not in list(person.windows)

@@ -369,7 +369,7 @@ def test_a_chip_on_the_canvas_tells_what_its_value_means(sit: Sit) -> None:
     assert tip_at(0) == "Fact 1: fixed (1)"
     assert tip_at(1) == "Fact 2: 0\nExpanded by SB2"
     person.move_to(person.place("State100") - QPoint(0, 14))
-    assert canvas.viewport().toolTip() == "State100"
+    assert canvas.viewport().toolTip() == "", "the node says it"
 
 
 def test_words_instead_of_digits_are_a_view_that_is_remembered(sit: Sit) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QPushButton
 
 from smsl_studio.blueprint.annotations import Group
 from smsl_studio.blueprint.digests import digests
@@ -306,3 +306,22 @@ def test_copies_of_several_states_stand_beside_them(sit: Sit) -> None:
         assert all(dx >= 108 or dy >= 54 for dx, dy in away), name
     person.ctrl(Key.Key_Z)
     assert canvas.positions == before
+
+
+def test_properties_show_the_selected_group_and_lead_to_its_states(person: Person) -> None:
+    key = group(person, *PAIR)
+    form = person.window.properties.drawn
+    person.until(form.isVisible)
+    assert form.title.field.text() == "One fact missing"
+    person.write(form.title.field, "Ready")
+    assert groups(person)[key].title == "Ready"
+    assert chosen(person) == DrawnKey("group", key)
+    person.click_row(form.states, "State110")
+    assert person.selected() == [f"{SB}/State110"]
+    assert not form.isVisible()
+    person.click_canvas(title_of(person, key))
+    person.until(form.isVisible)
+    (dissolve,) = (one for one in form.findChildren(QPushButton) if one.text() == "Dissolve")
+    person.click(dissolve)
+    assert not groups(person)
+    assert not form.isVisible()

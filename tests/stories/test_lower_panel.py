@@ -105,3 +105,27 @@ def test_a_height_that_a_person_has_chosen_stays_and_is_remembered(sit: Sit) -> 
     again.resize(1280, 780)
     person.until(lambda: again.docks.bottom.height() == 256)
     again.close()
+
+
+def test_the_tabs_stay_below_the_pointer_that_chose_a_tall_page(sit: Sit) -> None:
+    person = sit(HFSM, (1280, 800))
+    docks, bar = person.window.docks, person.window.docks.bottom_tabs.bar
+    person.until(lambda: docks.bottom.height() == 196)
+
+    def click(name: str) -> QPoint:
+        """Click a tab as the pointer stands on it; where it is on the screen."""
+        at = bar.tabRect(docks.bottom_tabs.names.index(name)).center()
+        QTest.mouseClick(bar, Qt.MouseButton.LeftButton, pos=at)
+        return bar.mapToGlobal(QPoint(0, 0))
+
+    before = bar.mapToGlobal(QPoint(0, 0))
+    assert click("Inspection") == before
+    assert click("Table") == before
+    assert click("Inspection") == before
+    assert docks.bottom.height() == 196
+    QApplication.sendEvent(bar, QEvent(QEvent.Type.Leave))
+    person.until(lambda: docks.bottom.height() == 406)
+    low = bar.mapToGlobal(QPoint(0, 0))
+    assert click("History") == low, "and when it becomes low again"
+    QApplication.sendEvent(bar, QEvent(QEvent.Type.Leave))
+    person.until(lambda: docks.bottom.height() == 196)

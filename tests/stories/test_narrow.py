@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QToolButton, QWidget
 
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.shell.frame import screen_room
@@ -97,3 +97,23 @@ def test_the_choices_of_a_run_are_read_whole_in_a_window_of_1280(sit: Sit) -> No
     for choice in (transport.world, transport.start, transport.goal):
         words = choice.fontMetrics().horizontalAdvance(choice.currentText())
         assert choice.width() >= words + 38, choice.currentText()
+
+
+def test_the_tools_without_room_stand_in_a_menu_of_the_row(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1440, 900))
+    tools = person.window.mode_bar.findChildren(QToolButton)
+    (more,) = (one for one in tools if one.accessibleName() == "More drawing tools")
+    assert more.isHidden()
+    person.window.setMinimumSize(1, 1)
+    person.window.resize(640, 540)
+    person.until(more.isVisible)
+    menu = more.menu()
+    menu.aboutToShow.emit()
+    words = [one.text() for one in menu.actions()]
+    assert "Align…" in words
+    shown = {one.defaultAction().text() for one in tools if one.isVisible() and one.defaultAction()}
+    assert not shown & set(words)
+    person.window.canvas.setFocus()
+    person.ctrl(Key.Key_A)
+    (align,) = (one for one in menu.actions() if one.text() == "Align…")
+    assert align.isEnabled()

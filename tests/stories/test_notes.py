@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QMenu, QPushButton
 
 from smsl_studio.blueprint.annotations import LONGEST, DrawnNote
 from smsl_studio.blueprint.digests import digests
@@ -426,3 +426,55 @@ def test_ten_thousand_notes_and_two_hundred_groups_open(sit: Sit, tmp_path: Path
     person.press(Key.Key_M, [Ctrl, Shift])
     keep(person, WORDS)
     assert len(notes(person)) == 10_001
+
+
+# Properties
+
+
+def test_properties_show_the_selected_note_and_change_it(person: Person) -> None:
+    key = add(person, "State110")
+    form = person.window.properties.drawn
+    person.until(form.isVisible)
+    assert form.text.field.toPlainText() == WORDS
+    assert (form.author.field.text(), form.date.text()) == ("R. Stein", "2026-11-12")
+    assert form.on.text() == "State110"
+    person.write(form.author.field, "A. Maier")
+    assert notes(person)[key].author == "A. Maier"
+    assert chosen(person) == DrawnKey("note", key)
+    person.click(form.text.field)
+    form.text.field.selectAll()
+    person.type("Ask the clinic")
+    person.click(form.author.field)
+    assert notes(person)[key].text == "Ask the clinic"
+    person.click(form.text.field)
+    form.text.field.selectAll()
+    person.press(Key.Key_Backspace)
+    person.click(form.author.field)
+    assert notes(person)[key].text == "Ask the clinic", "a note keeps its words"
+    assert "needs words" in form.text.refusal.text()
+    person.select("SB1/State000")
+    assert not form.isVisible()
+    assert person.window.properties.state.isVisible()
+
+
+def test_a_free_note_says_so_and_hangs_on_a_state_from_properties(person: Person) -> None:
+    key = add(person)
+    form = person.window.properties.drawn
+    person.until(form.isVisible)
+    assert form.on.text() == "None, it is free"
+    (hang,) = (one for one in form.findChildren(QPushButton) if one.text() == "Hang")
+    person.click(hang)
+    assert notes(person)[key].state
+    assert form.on.text() == notes(person)[key].state
+
+
+def test_a_very_long_text_pasted_in_properties_is_refused_at_once(person: Person) -> None:
+    key = add(person, "State110")
+    form = person.window.properties.drawn
+    person.until(form.isVisible)
+    person.click(form.text.field)
+    QGuiApplication.clipboard().setText("x\n" * 5_000_000)
+    person.ctrl(Key.Key_V)
+    assert form.text.field.toPlainText() == WORDS
+    assert f"{LONGEST:,} characters" in form.text.refusal.text()
+    assert notes(person)[key].text == WORDS

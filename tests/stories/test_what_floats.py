@@ -40,13 +40,18 @@ def test_the_buttons_of_a_state_go_when_it_is_undone(sit: Sit) -> None:
     assert person.window.canvas.overlays.pad.isHidden()
 
 
-def test_the_buttons_of_a_state_go_when_it_is_moved_back(sit: Sit) -> None:
+def test_the_buttons_of_a_state_go_with_it_when_it_is_moved_back(sit: Sit) -> None:
     person = sit(HFSM)
     centre = person.place("SB1/State100")
     person.drag(centre, centre + (person.place("SB1/State000") - centre) / 4)
     rest_on(person, "SB1/State100")
+    pad = person.window.canvas.overlays.pad
+    before = pad.geometry()
     person.ctrl(Key.Key_Z)
-    assert person.window.canvas.overlays.pad.isHidden()
+    assert pad.isHidden() or pad.geometry() != before
+    person.move_to(QPoint(20, person.window.canvas.height() - 20))
+    person.until(lambda: pad.isVisible() and pad.geometry() != before)
+    assert not pad.geometry().intersects(node(person, "SB1/State100"))
 
 
 def test_a_connection_that_was_begun_ends_where_another_state_branch_is_shown(sit: Sit) -> None:
@@ -326,14 +331,20 @@ def test_the_legend_leaves_a_note_free(sit: Sit) -> None:
         assert legend.isHidden() or not legend.geometry().intersects(note)
 
 
-def test_a_tooltip_of_a_state_lies_below_it(sit: Sit) -> None:
+def test_a_tooltip_of_a_state_says_what_the_node_does_not_and_lies_below_it(sit: Sit) -> None:
     person = sit(HFSM, (1280, 800))
+    person.move_to(person.place("SB1/State110") - QPoint(0, 14))
+    assert person.window.canvas.viewport().toolTip() == "", "its name is in the node"
+    note = {"note": "The clamp is open."}
+    person.window.session.edit(
+        "Note", lambda bp: editing.set_note(bp, "SB1", "_states", "State100", note)
+    )
     viewport = person.window.canvas.viewport()
     place = person.place("SB1/State100") - QPoint(0, 14)
     person.move_to(place)
     rest = QHelpEvent(QEvent.Type.ToolTip, place, viewport.mapToGlobal(place))
     QApplication.sendEvent(viewport, rest)
-    assert QToolTip.text() == "State100"
+    assert QToolTip.text() == "The clamp is open."
     tip = next(w for w in QApplication.topLevelWidgets() if w.inherits("QTipLabel"))
     below = node(person, "SB1/State100").bottom()
     assert viewport.mapFromGlobal(tip.geometry().topLeft()).y() >= below
@@ -377,3 +388,61 @@ def test_the_zoom_control_stays_while_the_pointer_is_on_it(sit: Sit) -> None:
     QApplication.sendEvent(zoom, QEvent(QEvent.Type.Leave))
     assert zoom.geometry() != before, "it would have gone away under the pointer"
     assert zoom.outside.isVisible()
+
+
+def pad_shows(person: Person, state: str) -> None:
+    """Wait until the buttons stand beside a state."""
+    pad = person.window.canvas.overlays.pad
+    person.until(lambda: pad.address == person.blueprint.resolve(state))
+
+
+def test_the_buttons_come_back_after_a_click_on_the_state_under_the_pointer(sit: Sit) -> None:
+    person = sit(HFSM, (1440, 900))
+    pad = person.window.canvas.overlays.pad
+    rest_on(person, "SB1/State100")
+    person.click_canvas(person.place("SB1/State100"))
+    assert pad.isHidden()
+    pad_shows(person, "SB1/State100")
+    person.click_canvas(person.place("SB1/State100"))
+    person.move_to(person.place("SB1/State100") + QPoint(3, 0))
+    person.move_to(person.place("SB1/State100") + QPoint(6, 0))
+    pad_shows(person, "SB1/State100")
+
+
+def test_the_buttons_stand_beside_the_one_selected_state(sit: Sit) -> None:
+    person = sit(HFSM, (1440, 900))
+    canvas, pad = person.window.canvas, person.window.canvas.overlays.pad
+    person.select("SB1/State110")
+    person.move_to(QPoint(canvas.width() - 30, 200))
+    pad_shows(person, "SB1/State110")
+    rest_on(person, "SB1/State000")
+    person.move_to(QPoint(canvas.width() - 30, 200))
+    pad_shows(person, "SB1/State110")
+    canvas.zoom_to(1.2)
+    pad_shows(person, "SB1/State110")
+    person.select("SB1/State110", "SB1/State000")
+    person.move_to(QPoint(canvas.width() - 30, 200))
+    person.until(pad.isHidden)
+    person.window.session.select(())
+    person.until(pad.isHidden)
+
+
+def test_the_buttons_leave_the_line_that_was_just_drawn_free(sit: Sit) -> None:
+    person = sit(size=(1440, 900))
+    canvas = person.window.canvas
+    person.double_click_canvas(QPoint(300, 300))
+    person.type("Idle")
+    person.press(Key.Key_Return)
+    person.drag_from_handle("SB1/Idle", QPoint(620, 300))
+    person.type("Start")
+    person.press(Key.Key_Tab)
+    person.type("Homing")
+    person.press(Key.Key_Return)
+    person.select("SB1/Homing")
+    pad_shows(person, "SB1/Homing")
+    assert canvas.sheet is not None
+    place = canvas.overlays.pad.geometry()
+    for x in range(place.left(), place.right(), 4):
+        for y in range(place.top(), place.bottom(), 4):
+            at = canvas.mapToScene(QPoint(x, y))
+            assert canvas.sheet.edge_at(at.x(), at.y()) < 0

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.rules.finding import Severity
 from smsl_studio.smsl.json_form import parse_json
+from tests.stories.at_outline import texts
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 
@@ -89,6 +90,39 @@ def test_properties_show_the_values_of_every_state_and_whence_they_are(person: P
     assert person.blueprint["SB1"].facts("Patient ready") == ("a", "d", "y")
 
 
+def test_a_refused_text_is_told_when_another_state_is_clicked_and_comes_back(
+    person: Person,
+) -> None:
+    person.select("SB1/State010")
+    form, toast = person.window.properties.state, person.window.toast
+    person.write(form.values, "0, 1")
+    assert "3 values" in form.line("facts").refusal.text()
+    person.select("SB1/State111")
+    assert form.values.text() == ""
+    assert "“0, 1” is not the Fact values of State010: it was refused." in toast.words
+    assert "3 values" in toast.words
+    person.click(toast.button)
+    assert person.selected() == ["SB1/State010"]
+    assert (form.values.text(), form.values.hasFocus()) == ("0, 1", True)
+    person.write(form.values, "0, 1, 1")
+    assert person.blueprint["SB1"].facts("State010") == ("0", "1", "1")
+    person.select("SB1/State111")
+    assert toast.words == "", "it is told once"
+
+
+def test_a_refused_text_is_told_where_nothing_is_selected_then(person: Person) -> None:
+    person.select("SB1/State010")
+    toast = person.window.toast
+    person.write(person.window.properties.state.values, "0, 1")
+    person.click_canvas(QPoint(20, person.window.canvas.height() - 20))
+    assert person.selected() == []
+    assert "“0, 1” is not the Fact values of State010" in toast.words
+    toast.hide()
+    person.select("SB1/State010")
+    person.select("SB1/State111")
+    assert toast.words == ""
+
+
 def test_a_new_state_whose_values_nobody_gave_says_so(person: Person) -> None:
     person.window.session.edit(
         "Give", lambda bp: editing.give_values(bp, "SB1", {"State111": ["1", "1", "0"]})
@@ -115,6 +149,37 @@ def test_a_word_stays_found_until_it_has_values(sit: Sit) -> None:
     assert person.blueprint["SB1"].facts("Done") == ("1",)
     person.until_inspected()
     assert "R05" not in findings_of(person)
+
+
+@pytest.mark.parametrize("names", [("Idle",), ("Off",), ("Idle", "Homing"), ("Idle", "Done")])
+def test_names_that_are_words_show_no_facts_anywhere(sit: Sit, names: tuple[str, ...]) -> None:
+    person = sit()
+    window = person.window
+    for at, name in enumerate(names):
+        add(person, name, QPoint(200 + 250 * at, 300))
+    assert texts(window.outline.tree) == ["SB1"]
+    assert window.facts.first.isVisible()
+    assert window.facts.none.text() == "No facts yet."
+    person.select(f"SB1/{names[0]}")
+    form = window.properties.state
+    assert not form.chips.isVisible()
+    assert form.line("facts").hint.text() in ("None yet. Type its values.",
+                                              "None: the name is its only fact.")  # fmt: skip
+    assert not window.properties.header.facts
+
+
+def test_the_first_fact_of_words_stands_beside_the_names(sit: Sit) -> None:
+    person = sit()
+    add(person, "Idle", QPoint(200, 300))
+    person.click(person.window.facts.first)
+    card = person.window.facts.card
+    assert "1 state keeps its name" in card.words.text()
+    person.click(card.agree)
+    branch = person.blueprint["SB1"]
+    assert (list(branch.table), branch.facts("Idle")) == (["Idle"], ("0",))
+    assert texts(person.window.outline.tree) == ["SB1", "Fact 1"]
+    person.ctrl(Key.Key_Z)
+    assert texts(person.window.outline.tree) == ["SB1"]
 
 
 def test_values_are_given_to_all_or_to_none() -> None:

@@ -17,6 +17,7 @@ from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.editing.renames import states_renamed
 from smsl_studio.blueprint.facts import fact_string, shape_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import has_only_words, told_facts
 from smsl_studio.blueprint.properties import FactTerm, Term
 from smsl_studio.blueprint.properties.follow import terms_of
 from smsl_studio.blueprint.properties.meaning import fact_of
@@ -75,10 +76,16 @@ def move_fact(blueprint: Blueprint, branch: str, digit: int, index: int) -> Blue
 
 
 def count_of(branch: StateBranch) -> int:
-    """Return how many facts the states of an SB carry. It is 0 if their names cannot be cut."""
-    if not branch.table:
-        return branch.header.num_facts or 0
-    return 0 if branch.shape.opaque else branch.num_facts
+    """Return how many facts the states of an SB carry.
+
+    It is 0 if their names cannot be cut, or are words without a fact.
+    """
+    return 0 if branch.table and branch.shape.opaque else told_facts(branch)
+
+
+def stand_beside(branch: StateBranch) -> bool:
+    """Return whether new facts of the states stand beside their names, in ``_states``."""
+    return bool(branch.table) and (branch.shape.width == 0 or has_only_words(branch))
 
 
 def _order(branch: StateBranch, digit: int) -> list[int]:
@@ -98,7 +105,7 @@ def _arranged(
     if list(order) == list(range(count_of(branch))):
         return blueprint
     draft = Draft(blueprint)
-    if branch.table and branch.shape.width == 0:
+    if stand_beside(branch):
         _arrange_notes(draft, branch, order, new or "0")
         names: dict[str, str] = {}
     else:
@@ -160,7 +167,7 @@ def _arrange_notes(draft: Draft, branch: StateBranch, order: Sequence[int], new:
         _refuse_opaque(branch)
     table = draft.table(branch.name, "_states")
     for state in branch.table:
-        values = () if branch.shape.opaque else branch.facts(state)
+        values = branch.facts(state) if count_of(branch) else ()
         facts = [new if digit == NEW else values[digit] for digit in order]
         entry = table.get(state, {})
         if not isinstance(entry, dict):

@@ -173,7 +173,7 @@ def _with(branch: StateBranch, state: str, digit: int, value: str) -> tuple[str,
 
 
 def _must_have_facts(branch: StateBranch, digit: int) -> None:
-    if branch.table and branch.shape.opaque:
+    if branch.table and not count_of(branch):
         raise EditRefused(f"the names of the states of {branch.name} carry no facts",
                           advice="Name them such as State_01, or add a fact first.")  # fmt: skip
     count = count_of(branch)

@@ -50,6 +50,8 @@ class Action:
     """The label in the mode bar, if ``words`` are too long for it."""
     tip: str = ""
     pointer: tuple[str, ...] = ()
+    inner: str = ""
+    """The words of the submenu in which the row stands; a menu shows it where its first row is."""
 
     @property
     def hint(self) -> str:

@@ -16,6 +16,8 @@ class Precedence:
         """``gaps`` is the sum of the fixed gaps in the row (pixels)."""
         self._row, self._parts, self._gaps = row, parts, gaps
         self._unwanted: set[QWidget] = set()
+        self.lacking: set[QWidget] = set()
+        """The wanted parts that are hidden because they have no room."""
         # The row must not make the window wider.
         row.setMinimumWidth(1)
 
@@ -39,6 +41,7 @@ class Precedence:
             if shown[part]:
                 shown[part] = False
                 needed = self._needed(shown)
+        self.lacking = {one for one, fits in shown.items() if not fits} - self._unwanted
         for part, fits in shown.items():
             if part.isHidden() == fits:
                 part.setVisible(fits)

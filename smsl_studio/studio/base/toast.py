@@ -118,6 +118,10 @@ class Toast(QWidget):
         self._show(sentence, "", severity, REFUSED_MS, words)
         self._of_step = True
 
+    def bring_back(self, sentence: str, call: Callable[[], object]) -> None:
+        """Show that something typed was not taken, with a button that brings it back."""
+        self.offer(sentence, "Back to it", call, "W")
+
     def spare(self, rect: QRect) -> None:
         """Do not cover this part of the screen (global pixels), because somebody works there."""
         self._spared = rect

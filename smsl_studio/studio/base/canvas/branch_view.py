@@ -257,6 +257,19 @@ class BranchView(DrawnStage):
             rect = self.rect_of(address) or rect
         self.camera.go(rect.center(), self.zoom)
 
+    def shows_whole(self, address: Address) -> bool:
+        """Whether a state or the label of an operation is wholly in view, where nothing floats
+        above the drawing; during a movement, whether it will be."""
+        self.camera.finish()
+        rect = self.rect_of(address)
+        if rect is None or not self._whole_view.contains(rect):
+            return False
+        return not self.is_covered(self.mapFromScene(rect).boundingRect())
+
+    def is_covered(self, area: QRect) -> bool:
+        """Whether something floats above a part of the view (pixels)."""
+        return False
+
     def place_of(self, address: Address) -> QRect:
         """The part of the screen (global pixels) with a state, or an operation and its target.
 

@@ -149,10 +149,7 @@ class Canvas(BranchView):
     def show_places(
         self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
     ) -> None:
-        """Move states to other places (scene points), after a move or its undo.
-
-        Nothing else changed.
-        """
+        """Move states to other places (scene points) after a move or its undo, and nothing else."""
         sheet = self.sheet
         if sheet is None or branch != sheet.picture.branch.name:
             self.show_branch(blueprint, branch, positions, keep_view=True)
@@ -218,6 +215,10 @@ class Canvas(BranchView):
     def say(self, text: str, at: QPointF | None = None) -> None:
         """Show a short sentence at the pointer, or at a scene point."""
         self.overlays.say(text, self.mapFromScene(at) if at is not None else None)
+
+    def is_covered(self, area: QRect) -> bool:
+        """Whether something floats above a part of the view (pixels)."""
+        return self.overlays.floats_in(area)
 
     def top_room(self) -> int:
         """The height at the top that the breadcrumb or a banner covers (pixels)."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint, QPointF
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.legible import one_line
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.accessible import edge_tip
 from smsl_studio.studio.base.canvas.branch_view import BranchView
@@ -16,7 +17,7 @@ from smsl_studio.studio.base.canvas.line_handles import LineHandles
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.canvas.sheet import Sheet
 from smsl_studio.studio.base.chips import fact_words
-from smsl_studio.studio.base.paint.node_paint import chip_places
+from smsl_studio.studio.base.paint.node_paint import NAME_SIDES, TITLE_SIDES, chip_places
 from smsl_studio.studio.base.tips import tip_text
 
 REACH = 15.0
@@ -174,8 +175,8 @@ class Hover:
         self._overlays.hush()
 
     def _tip(self, state: int, edge: int, digit: int) -> None:
-        """Set the tooltip: what the value of a fact means, the full name of a state, or the words
-        of an operation.
+        """Set the tooltip: what the value of a fact means, what is not to be read in a state, or
+        the words of an operation.
         """
         sheet = self._canvas.sheet
         assert sheet is not None
@@ -186,8 +187,7 @@ class Hover:
             sub = branch.subs.get(digit)
             tip += f"\nExpanded by {sub}" if sub else ""
         elif state >= 0:
-            face = sheet.picture.face(state)
-            tip = face.name if not face.title else f"{face.name}\n{face.title}"
+            tip = _state_tip(sheet, state)
         elif edge >= 0 > bundle_at(self._canvas, edge):
             hidden = hidden_tip(sheet, edge) if sheet.level >= Level.COMPACT else ""
             tip = "\n".join(filter(None, (edge_tip(self._canvas, edge), hidden)))
@@ -211,3 +211,19 @@ class Hover:
             if place.adjusted(-2, -2, 2, 5).contains(here):
                 return digit
         return -1
+
+
+def _state_tip(sheet: Sheet, state: int) -> str:
+    """The name and the title of a state where they are not written in full, and its description.
+
+    Empty if the node says all of it.
+    """
+    face, branch = sheet.picture.face(state), sheet.picture.branch
+    note = branch.state_note(face.name)
+    said = [note.note] if note is not None and note.note else []
+    room, ink = float(sheet.full_widths[state]), sheet.ink
+    whole = ink.name.width(face.name) <= room - NAME_SIDES
+    titled = ink.label.width(one_line(face.title)) <= room - TITLE_SIDES
+    if sheet.level is Level.FULL and whole and titled:
+        return "\n".join(said)
+    return "\n".join([face.name, *([face.title] if face.title else []), *said])

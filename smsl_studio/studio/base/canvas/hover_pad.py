@@ -1,4 +1,4 @@
-"""The hover pad: four buttons beside the state under the pointer."""
+"""The hover pad: four buttons beside the state under the pointer, else beside the selected one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from smsl_studio.studio.base.overlays.card import Card, IconButton, PassingCard
 from smsl_studio.studio.base.theme import Tokens
 
 DELAY, LINGER = 500, 450
-AWAY = 20
+AWAY, FAR = 20, 36
+"""How far the pad stands from the node; farther where it would cover a line (pixels)."""
 LONG, SHORT = 114, 30
 """The sides of the pad: four buttons in a column or a row (pixels)."""
 
@@ -24,8 +25,10 @@ LONG, SHORT = 114, 30
 class HoverPad(Card):
     """Buttons that add an operation, connect, add a self loop, and rename.
 
-    It appears after the pointer has rested on a state, beside it, where it covers no node and no
-    label. Beside most states that is a column; above or below it is a row.
+    It appears after the pointer has rested on a state, or when one state is selected, and comes
+    back after a press or a movement of the view. It stands where it covers no node, and no label
+    and no line either if there is such a place. Beside most states that is a column; above or below
+    it is a row.
     """
 
     operation_wanted = Signal(object)
@@ -36,7 +39,8 @@ class HoverPad(Card):
         self._canvas, self._busy = canvas, busy
         self.float_up()
         self._address: Address | None = None
-        self._next: Address | None = None
+        self._hovered: Address | None = None
+        self._chosen: Address | None = None
         self.add = IconButton(self, tokens, "plus", "Add an operation to a new state (Tab)")
         self.add.accent = True
         self.connect_to = IconButton(self, tokens, "arrow", "Connect with another state")
@@ -49,7 +53,7 @@ class HoverPad(Card):
             button.setFixedSize(28, 28)
             self._buttons.addWidget(button)
         self._show = self._timer(DELAY, self._appear)
-        self._hide = self._timer(LINGER, self.go)
+        self._hide = self._timer(LINGER, self._leave)
         self._wire()
         self.hide()
 
@@ -74,48 +78,76 @@ class HoverPad(Card):
     def hover(self, address: Address | None) -> None:
         """Take the element under the pointer (None for none): show or hide the pad after a
         delay."""
-        canvas = self._canvas
-        sheet = canvas.sheet
-        wanted = (
-            address is not None
-            and not address.operation
-            and canvas.editing
-            and not self._busy()
-            and sheet is not None
-            and sheet.level is Level.FULL
-        )
-        if wanted and address == self._address and not self.isHidden():
-            self._hide.stop()
-            return
-        self._next = address if wanted else None
-        if wanted:
-            self._show.start()
-        else:
-            self._show.stop()
-        if not self.isHidden():
-            self._hide.start()
+        self._hovered = address if address is not None and not address.operation else None
+        self._follow()
+
+    def choose(self, selection: tuple[Address, ...]) -> None:
+        """Take what is selected: one state has the pad while the pointer is on no other one."""
+        one = selection[0] if len(selection) == 1 else None
+        chosen = one if one is not None and one.state and not one.operation else None
+        if chosen != self._chosen:
+            self._chosen = chosen
+            self._follow()
 
     def go(self) -> None:
-        """Hide at once."""
-        self._show.stop()
+        """Hide at once. It comes back when what moves is at rest."""
         self._hide.stop()
         self._address = None
         self.hide()
+        self._begin()
+
+    @property
+    def _wanted(self) -> Address | None:
+        """The state that should have the pad; None for none."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        shown = canvas.editing and sheet is not None and sheet.level is Level.FULL
+        return (self._hovered or self._chosen) if shown else None
+
+    def _follow(self) -> None:
+        """Go to the state that should have the pad, after a delay."""
+        wanted = self._wanted
+        if wanted is not None and wanted == self._address and not self.isHidden():
+            self._show.stop()
+            self._hide.stop()
+            return
+        self._begin()
+        if not self.isHidden():
+            self._hide.start()
+
+    def _begin(self) -> None:
+        """Appear in a moment if a state should have the pad."""
+        if self._wanted is not None:
+            self._show.start()
+        else:
+            self._show.stop()
+
+    def _leave(self) -> None:
+        """Leave the state of which the pointer is gone."""
+        if self._wanted != self._address:
+            self.go()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         """Stay while the pointer is on the pad."""
         self._hide.stop()
+        self._show.stop()
 
     def leaveEvent(self, event: QEvent) -> None:
         """Hide soon after the pointer has left the pad."""
         self._hide.start()
+        self._begin()
 
     def _appear(self) -> None:
-        place = self.place_for(self._next) if self._next is not None else None
-        asked = any(not card.isHidden() for card in self._canvas.findChildren(PassingCard))
-        if place is None or asked or self._busy():
+        wanted = self._wanted
+        if wanted is None:
             return
-        self._address = self._next
+        asked = any(not card.isHidden() for card in self._canvas.findChildren(PassingCard))
+        if asked or self._busy():
+            self._show.start()
+            return
+        place = self.place_for(wanted)
+        if place is None:
+            return
+        self._address = wanted
         self._hide.stop()
         across = place.width() > place.height()
         way = QBoxLayout.Direction
@@ -125,7 +157,8 @@ class HoverPad(Card):
         self.raise_()
 
     def place_for(self, state: Address) -> QRect | None:
-        """A place beside a state where the pad covers no node and no label (pixels).
+        """A place beside a state where the pad covers no node (pixels), and if there is one, where
+        it covers no label and no line either.
 
         None if there is none.
         """
@@ -133,14 +166,23 @@ class HoverPad(Card):
         if sheet is None or rect is None:
             return None
         node = canvas.mapFromScene(rect).boundingRect()
-        labels = self._labels(sheet, node)
+        labels, second, third = self._labels(sheet, node), None, None
+        cards = canvas.findChildren(Card)
+        cards_shown = [one.geometry() for one in cards if one is not self and not one.isHidden()]
         for place in _places(node):
             area = canvas.mapToScene(place).boundingRect()
             sides = area.left(), area.top(), area.right(), area.bottom()
-            covers = any(area.intersects(label) for label in labels)
-            if canvas.rect().contains(place) and not covers and not sheet.states_in(*sides):
+            inside = canvas.rect().contains(place) and not any(map(place.intersects, cards_shown))
+            inside = inside and not canvas.is_covered(place)
+            if not inside or sheet.states_in(*sides) or sheet.drawn.touches(*sides):
+                continue
+            if any(area.intersects(label) for label in labels):
+                third = third or place
+            elif sheet.is_drawn_on(*sides):
+                second = second or place
+            else:
                 return place
-        return None
+        return second or third
 
     def _labels(self, sheet: Sheet, node: QRect) -> list[QRectF]:
         """The labels around the node, as scene rectangles."""
@@ -179,12 +221,14 @@ class HoverPad(Card):
 
 def _places(node: QRect) -> Iterator[QRect]:
     """The places around a node that are tried, best first."""
-    left, right = node.left() - AWAY - SHORT, node.right() + AWAY
     middle, last = node.center().y() - LONG // 2, node.bottom() - LONG
-    for y in (middle, last, node.top()):
-        yield QRect(left, y, SHORT, LONG)
-        yield QRect(right, y, SHORT, LONG)
-    above, below = node.top() - AWAY - SHORT, node.bottom() + AWAY
-    for x in (node.center().x() - LONG // 2, node.left(), node.right() - LONG):
-        yield QRect(x, above, LONG, SHORT)
-        yield QRect(x, below, LONG, SHORT)
+    across = node.center().x() - LONG // 2, node.left(), node.right() - LONG
+    for away in (AWAY, FAR):
+        left, right = node.left() - away - SHORT, node.right() + away
+        above, below = node.top() - away - SHORT, node.bottom() + away
+        for y in (middle, last, node.top()):
+            yield QRect(left, y, SHORT, LONG)
+            yield QRect(right, y, SHORT, LONG)
+        for x in across:
+            yield QRect(x, above, LONG, SHORT)
+            yield QRect(x, below, LONG, SHORT)

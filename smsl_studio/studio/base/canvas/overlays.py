@@ -109,6 +109,7 @@ class Overlays:
         """Show the legend that fits the marks: during a run that of the run."""
         sheet = self._canvas.sheet
         self.bundle.follow(moved=False)
+        self.pad.choose(marks.selection)
         if self.show_dense():
             self._place_dense()
         guarded = sheet is not None and bool(sheet.picture.guarded)

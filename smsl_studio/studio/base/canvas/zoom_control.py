@@ -6,16 +6,19 @@ If states are outside the view it shows how many; a click there fits all.
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSize, Signal
-from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QEnterEvent, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout
 
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.overlays.card import Card, IconButton
-from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 
 OUTSIDE = 92
+"""The usual width of the number of states that are outside (pixels)."""
+BESIDE = 24
+"""The room beside its words (pixels)."""
 
 
 class ZoomControl(Card):
@@ -69,7 +72,7 @@ class ZoomControl(Card):
 
     def sizeHint(self) -> QSize:
         """The size of the buttons; wider while it shows how many states are outside."""
-        return QSize(156 + (0 if self.outside.isHidden() else OUTSIDE), 32)
+        return QSize(156 + (0 if self.outside.isHidden() else self.outside.width()), 32)
 
     def show_outside(self, states: int) -> None:
         """Show how many states are outside the view; 0 hides the number.
@@ -81,6 +84,8 @@ class ZoomControl(Card):
         words = f"{states:,} outside" if states else ""
         if words != self.outside.text():
             self.outside.setText(words)
+            wide = QFontMetrics(text_font(13)).horizontalAdvance(words) + BESIDE
+            self.outside.setFixedWidth(max(OUTSIDE, wide))
             name = f"{counted(states, 'state')} outside the view. Fit (F)"
             self.outside.setAccessibleName(name)
             self.outside.setToolTip(tip_text(name))

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QMimeData, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit
 
 from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, same
 
 HIGH = 62
+MOST = 100_000
+"""The largest number of characters of a pasted text. Qt lays out every line at once."""
 
 
 def keeps(event: QKeyEvent) -> bool:
@@ -36,10 +38,12 @@ class TextBox(QPlainTextEdit):
     """
 
     done = Signal()
+    refused = Signal()
+    """A pasted text is too long."""
 
-    def __init__(self) -> None:
+    def __init__(self, most: int = MOST) -> None:
         super().__init__()
-        self._settled = ""
+        self._settled, self._most = "", most
         self.setProperty("role", "field")
         self.setTabChangesFocus(True)
         self.setFixedHeight(HIGH)
@@ -54,6 +58,13 @@ class TextBox(QPlainTextEdit):
         self._settled = text
         if self.toPlainText() != text:
             self.setPlainText(text)
+
+    def insertFromMimeData(self, source: QMimeData) -> None:
+        """Paste a text, unless it is too long."""
+        if len(source.text()) > self._most:
+            self.refused.emit()
+        else:
+            super().insertFromMimeData(source)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Shift+Escape restores the old text; Escape and Ctrl+Enter emit ``done``; other keys
@@ -74,16 +85,18 @@ class TextBox(QPlainTextEdit):
 
 
 class BoxLine(FormLine):
-    """A line for a text of several lines."""
+    """A line for a text of several lines, with room for ``most`` characters of a pasted one."""
 
-    def __init__(self, words: str, tip: str) -> None:
-        self.field: TextBox = TextBox()
+    def __init__(self, words: str, tip: str, most: int = MOST) -> None:
+        self.field: TextBox = TextBox(most)
         super().__init__(
             words, self.field, f"{tip}. Esc, Ctrl+Enter, or leaving the field, keeps it."
         )
         self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.name.setContentsMargins(0, 6, 0, 0)
         self.field.done.connect(self._typed)
+        room = f"There is room for {most:,} characters. Put longer texts into a file."
+        self.field.refused.connect(lambda: self.refuse(room))
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
         """Show the text if all entries have the same; otherwise say that they differ."""

@@ -7,8 +7,9 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.legible import plain_text
+from smsl_studio.legible import one_line, plain_text
 from smsl_studio.picture.guards import MEANING
+from smsl_studio.picture.sub_marks import mark_words
 from smsl_studio.studio.base.paint.guard_sign import DECLARED, HOLDS, MISSES, UNKNOWN, draw_guard
 from smsl_studio.studio.base.paint.ink import (
     NO_PEN,
@@ -45,18 +46,10 @@ class Legend(QWidget):
 
     def show_branch(self, branch: StateBranch, kinds: set[str]) -> None:
         """Explain the signs of these kinds; without kinds the legend is empty."""
-        subs = list(branch.subs)
-        name = ""
-        if len(subs) == 1:
-            note = branch.fact_note(subs[0])
-            name = f"“{note.name}”" if note and note.name else "the sub-SB's fact"
-        words = {
-            "rise": f"turns {name} on" if name else "turns a sub-SB's fact on",
-            "fall": "turns it off",
-            "mixed": "changes it together with others",
-        }
-        words["guard"] = MEANING
-        self._words = tuple((kind, text) for kind, text in words.items() if kind in kinds)
+        words = {kind: one_line(text) for kind, text in mark_words(branch, kinds).items()}
+        if "guard" in kinds:
+            words["guard"] = MEANING
+        self._words = tuple(words.items())
         self.setAccessibleName(plain_text("; ".join(text for _, text in self._words)))
         self.resize(self.sizeHint())
         self.update()

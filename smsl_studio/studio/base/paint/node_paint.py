@@ -36,6 +36,8 @@ from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE
 
 CHIP, GAP = 18.0, 4.0
 GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
+NAME_SIDES, TITLE_SIDES = 16.0, 12.0
+"""What a name and a title leave free of the width of a node, on both sides together."""
 BAND = 9.0
 """How far the band around the hit of a search reaches beyond the border (mark pixels)."""
 MARGIN = 30.0
@@ -262,14 +264,14 @@ def _short(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink
 def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:
     tokens = ink.tokens
     colour = tokens.onacc if look.active else tokens.tx
-    name = ink.name.elided(face.name, width - 16.0)
+    name = ink.name.elided(face.name, width - NAME_SIDES)
     painter.setFont(ink.name.font)
     painter.setPen(colour)
     rows = rows_of(face)
     painter.drawText(QPointF(-ink.name.width(name) / 2, rows.name), plain_text(name))
     if face.title:
         soft = tokens.onacc if look.active else tokens.tx2
-        title = ink.label.elided(one_line(face.title), width - 12.0)
+        title = ink.label.elided(one_line(face.title), width - TITLE_SIDES)
         painter.setFont(ink.label.font)
         painter.setPen(soft)
         painter.drawText(QPointF(-ink.label.width(title) / 2, rows.title), plain_text(title))

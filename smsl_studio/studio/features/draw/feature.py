@@ -154,7 +154,7 @@ class DrawFeature(Feature):
         """The rows of the File, Edit, View and Blueprint menus."""
         session, files, shell = self._parts.session, self._parts.files, self._shell
         return (
-            *file_actions(files, session, shell.program, shell),
+            *file_actions(files, session, shell.program, shell, self._parts.window.close),
             *sample_actions(files),
             *edit_actions(session, self.drawing, self.clipping, self.search, shell),
             *bend_actions(self.editor.bends, lambda: shell.mode == "draw"),
@@ -220,8 +220,9 @@ class DrawFeature(Feature):
         comparing.changed.connect(actions.refresh)
         self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
         self.drawing.ways.told.connect(self._tell_ways)
+        self.properties.text_lost.connect(toast.bring_back)
         self.properties.ways_wanted.connect(actions["show_ways"].trigger)
-        for line in (self.properties.line, self.properties.state.notes.place):
+        for line in (self.properties, self.properties.line, self.properties.state.notes.place):
             line.verb_wanted.connect(lambda name: actions[name].trigger())
         self.fix_card.fix_wanted.connect(self.findings.fix)
         for panel in (self.outline, self.facts):
@@ -238,6 +239,7 @@ class DrawFeature(Feature):
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.canvas.drawn_menu_wanted.connect(self._open_drawn_menu)
         self.notes.chosen_changed.connect(actions.refresh)
+        self.notes.chosen_changed.connect(lambda: self.properties.show_drawn(self.notes.chosen))
         self.properties.state.notes.note_wanted.connect(self._note_on)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
 
@@ -288,10 +290,7 @@ class DrawFeature(Feature):
         self.safety.close()
 
     def show_difference(self, entry: JournalEntry, tokens: Tokens, parent: QDialog) -> bool:
-        """Compare the kept text with the file on the disk.
-
-        Returns False if there is nothing to compare.
-        """
+        """Compare the kept text with the file on the disk; False if nothing can be compared."""
         from smsl_studio.studio.features.draw.compare.kept_difference import difference_dialog
 
         return difference_dialog(entry, tokens, parent)

@@ -47,7 +47,7 @@ class InspectionFeature(Feature):
         """The row of the menu View."""
         return (
             Action("show_inspection", NAME, self._enter, "View", "", ("Ctrl+I",),
-                   lambda: self._shell.mode == "draw", section=3,
+                   lambda: self._shell.mode == "draw", section=3, inner="Panels",
                    tip="What must hold, and whether it does; once more: back to the drawing"),
         )  # fmt: skip
 

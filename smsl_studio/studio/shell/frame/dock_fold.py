@@ -55,11 +55,14 @@ class DockFold(QObject):
         super().__init__(window)
         self._window, self._dock, self._tabs = window, dock, tabs
         self.folded = self._tall = False
+        self._pointed = False
+        """Whether a tab was pressed and the pointer is still on the tabs."""
         self.own = self.own_tall = self._before = 0
         self.button = SmallButton(WORDS[False], PICTURES[False], tokens)
         self.button.clicked.connect(self.toggle)
         tabs.add_button(self.button)
-        tabs.bar.tabBarClicked.connect(lambda _: self.put(False))
+        tabs.bar.tabBarClicked.connect(lambda _: self._press_tab())
+        tabs.bar.installEventFilter(self)
         window.installEventFilter(self)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -83,10 +86,18 @@ class DockFold(QObject):
         self.changed.emit()
 
     def put_tall(self, tall: bool) -> None:
-        """Give the dock the height of a tall panel, or of a usual one."""
+        """Give the dock the height of a tall panel, or of a usual one.
+
+        While the pointer is on the tabs they stay below it: the height changes when it leaves them.
+        """
         if tall != self._tall:
             self._tall = tall
-            self.fit()
+            if not self._pointed:
+                self.fit()
+
+    def _press_tab(self) -> None:
+        self.put(False)
+        self._pointed = True
 
     @property
     def _height(self) -> int:
@@ -108,7 +119,11 @@ class DockFold(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Note the height that a person gives the dock. Only the edges of docks get a press of the
         pointer from the window itself."""
-        if event.type() == QEvent.Type.MouseButtonPress:
+        if watched is self._tabs.bar:
+            if event.type() == QEvent.Type.Leave and self._pointed:
+                self._pointed = False
+                self.fit()
+        elif event.type() == QEvent.Type.MouseButtonPress:
             self._before = self._dock.height()
         elif event.type() == QEvent.Type.MouseButtonRelease and not self.folded:
             height = self._dock.height()

@@ -112,12 +112,14 @@ class MenuRow(QWidget):
             menu = self.menus.addMenu(f"&{name}")
             menu.setToolTipsVisible(False)
             menu.aboutToShow.connect(actions.refresh)
-            section = None
+            section, below = None, dict[str, QMenu]()
             for action in actions.in_menu(name):
                 if section not in (None, action.section):
                     menu.addSeparator()
                 section = action.section
-                menu.addAction(actions[action.id])
+                if action.inner and action.inner not in below:
+                    below[action.inner] = menu.addMenu(action.inner)
+                below.get(action.inner, menu).addAction(actions[action.id])
                 if action.id in submenus:
                     words, fill = submenus[action.id]
                     inner = menu.addMenu(words)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent, QShowEvent
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractButton,
     QFrame,
     QHBoxLayout,
     QPushButton,
-    QSizePolicy,
     QStackedWidget,
     QToolBar,
     QToolButton,
@@ -20,20 +18,20 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.controls import name_parts, row, rule
 from smsl_studio.studio.base.feature import Control, whole
-from smsl_studio.studio.base.icons import draw, icon
+from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.precedence import Precedence
-from smsl_studio.studio.base.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
+from smsl_studio.studio.base.theme import MODE_BAR, MODE_BAR_RUN, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.shell.frame.more_tools import MoreTools
+from smsl_studio.studio.shell.frame.search_box import SearchBox
 
 DRAW_TOOLS = (
     ("undo", "redo"),
     ("add_state", "connect", "sub_sb"),
     ("tidy", "align"),
 )
-SEARCH = 248
-"""Largest width of the search field; it becomes narrower in a narrow bar (pixels)."""
 TIGHT = 760
 """Below this width of the bar, the buttons of four modes leave room for the word of the run."""
 SNUG = 1360
@@ -202,7 +200,9 @@ class _Whole(QWidget):
 
 
 class _DrawTools(QWidget):
-    """The drawing buttons, search and Run. In a narrow row first words are hidden, then buttons."""
+    """The drawing buttons, search and Run. In a narrow row first words are hidden, then buttons,
+    which a menu has then.
+    """
 
     def __init__(self, actions: Actions, search: SearchBox, run: QPushButton) -> None:
         super().__init__()
@@ -221,6 +221,8 @@ class _DrawTools(QWidget):
                 if short:
                     self._worded.append(buttons[name])
                 layout.addWidget(buttons[name])
+        self.more = MoreTools(tuple(buttons.values()))
+        layout.addWidget(self.more)
         layout.addStretch(1)
         layout.addWidget(search)
         layout.addSpacing(4)
@@ -238,19 +240,28 @@ class _DrawTools(QWidget):
         for tool in self._tools:
             wanted = mode not in NO_TOOLS and (mode not in PAGES or tool in self._steps)
             self._precedence.want(tool, wanted)
-        self._precedence.fit()
+        self._fit()
 
     def show_run(self, shown: bool) -> None:
         """Show or hide Run. While a run exists Stop takes its place."""
         self._precedence.want(self._run, shown)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Hide what has no room; the menu of these tools needs room, too."""
+        self.more.hide()
         self._precedence.fit()
+        if self._precedence.lacking & set(self._tools):
+            self.more.show()
+            self._precedence.fit()
+        self.more.tools = [tool for tool in self.more.every if tool in self._precedence.lacking]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide words first, then buttons, if the row is narrow."""
         super().resizeEvent(event)
         for button in self._worded:
             _set_worded(button, self.width() >= WORDS)
-        self._precedence.fit()
+        self._fit()
         layout = self.layout()
         assert layout is not None
         layout.activate()
@@ -307,64 +318,6 @@ class Segments(QFrame):
                 part.style().unpolish(part)
                 part.style().polish(part)
                 part.updateGeometry()
-
-
-class SearchBox(QAbstractButton):
-    """A button that looks like a search field and opens the command palette."""
-
-    def __init__(self, tokens: Tokens) -> None:
-        super().__init__()
-        self._tokens = tokens
-        self.setFixedHeight(32)
-        self.setMinimumWidth(44)
-        self.setMaximumWidth(SEARCH)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self.setText("Find or run a command")
-        self.setAccessibleName("Find or run a command")
-        self.setToolTip("Find a state or operation, or run a command (Ctrl+K)")
-        self.setCursor(Qt.CursorShape.IBeamCursor)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-
-    def sizeHint(self) -> QSize:
-        """The width at which the words and the key fit."""
-        return QSize(SEARCH, 32)
-
-    def minimumSizeHint(self) -> QSize:
-        """Wide enough for the icon."""
-        return QSize(44, 32)
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        """Use the colours of another theme."""
-        self._tokens = tokens
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a field with icon, words and shortcut."""
-        tokens, painter = self._tokens, QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        edge = self.palette().color(QPalette.ColorRole.Accent) if self.hasFocus() else tokens.nl
-        painter.setPen(QPen(edge, 2 if self.hasFocus() else 1))
-        painter.setBrush(tokens.surf)
-        box = QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        painter.drawRoundedRect(box, 6, 6)
-        draw(painter, "search", QRectF(10, 9, 14, 14), tokens.tx2, tokens.surf)
-        painter.setPen(tokens.tx2)
-        painter.setFont(text_font(13))
-        roomy = self.width() > SEARCH - 40
-        words = self.rect().adjusted(33, 0, -60 if roomy else -8, 0)
-        right = Qt.TextElideMode.ElideRight
-        shown = painter.fontMetrics().elidedText(plain_text(self.text()), right, words.width() + 1)
-        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, shown)
-        if not roomy:
-            painter.end()
-            return
-        key = QRectF(self.width() - 51, 7, 42, 18)
-        painter.setPen(QPen(tokens.line, 1))
-        painter.setBrush(tokens.win)
-        painter.drawRoundedRect(key, 4, 4)
-        painter.setPen(tokens.tx2)
-        painter.setFont(text_font(11, 500))
-        painter.drawText(key, Qt.AlignmentFlag.AlignCenter, "Ctrl K")
 
 
 def _tool(action: QAction, icon_only: bool = False) -> QToolButton:

@@ -153,20 +153,25 @@ def _words(operations: list[Address]) -> str:
     return counted(len(operations), "operation") if many else operations[0].operation
 
 
+LINES = "Lines and labels"
+"""The submenu of the menu Edit."""
+
+
 def bend_actions(bends: Bends, drawn: Callable[[], bool]) -> tuple[Action, ...]:
     """The rows of the Edit menu about lines. ``drawn`` tells whether Draw mode is shown."""
     pointer = ("operation",)
     return (
         Action("add_bend", "Add bend", bends.add, "Edit", "", ("B",),
-               lambda: drawn() and bends.can_bend(), scope="canvas", section=3, pointer=pointer,
+               lambda: drawn() and bends.can_bend(), scope="canvas", section=3, inner=LINES,
+               pointer=pointer,
                tip="Lead the line of the operation through one point more; drag its handle"),
         Action("next_bend", "Choose next bend or label", bends.choose_next, "Edit", "",
                ("Shift+B",), lambda: drawn() and bends.can_bend(), scope="canvas", section=3,
-               tip="Arrows move it, Del removes it"),
+               inner=LINES, tip="Arrows move it, Del removes it"),
         Action("clear_bends", "Clear bends", bends.clear, "Edit", "",
-               enabled=lambda: drawn() and bends.has_bends(), section=3, pointer=pointer,
-               tip="Remove all bends of the selected operations"),
+               enabled=lambda: drawn() and bends.has_bends(), section=3, inner=LINES,
+               pointer=pointer, tip="Remove all bends of the selected operations"),
         Action("reset_label", "Reset label", bends.reset_labels, "Edit", "",
-               enabled=lambda: drawn() and bends.has_moved_labels(), section=3, pointer=pointer,
-               tip="Put the label of the selected operations where there is room"),
+               enabled=lambda: drawn() and bends.has_moved_labels(), section=3, inner=LINES,
+               pointer=pointer, tip="Put the label of the selected operations where there is room"),
     )  # fmt: skip

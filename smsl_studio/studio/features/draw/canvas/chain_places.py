@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from PySide6.QtCore import QPointF
+
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.features.draw.canvas.free_places import AROUND, STEP
 
@@ -18,7 +20,8 @@ NEAR = 1.0
 def chain_offsets(canvas: BranchView, table: Table, state: str) -> tuple[tuple[float, float], ...]:
     """The offsets from a state to the next one of its chain, best first.
 
-    A row that is as long as the view at 100 % goes on in the row below, in the other direction.
+    A row goes on while its next state is in view. If it is not, a row that is as long as the view
+    at 100 % goes on in the row below, in the other direction.
     """
     places = canvas.positions
     if state not in places:
@@ -27,7 +30,8 @@ def chain_offsets(canvas: BranchView, table: Table, state: str) -> tuple[tuple[f
     if turned:
         way = -_row(places, table, turned)[1]
     most = max(LEAST, int(canvas.viewport().width() / STEP[0]))
-    if length >= most:
+    x, y = places[state]
+    if length >= most and not canvas.clear_view.contains(QPointF(x + way * STEP[0], y)):
         return (0.0, STEP[1]), *AROUND
     return (way * STEP[0], 0.0), *((way * dx, dy) for dx, dy in AROUND)
 

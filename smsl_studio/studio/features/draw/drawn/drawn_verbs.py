@@ -15,6 +15,8 @@ from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.drawn.drawn_editor import DrawnEditor
 
+DRAWN = "Notes and groups"
+"""The submenu of the menu Blueprint."""
 ON_NOTE = ("rename", "", "cut", "copy", "duplicate", "", "hang_note", "free_note", "", "delete")
 ON_GROUP = ("rename", "", "cut", "copy", "duplicate", "", "ungroup")
 
@@ -122,19 +124,19 @@ def drawn_actions(
                when(verbs.can_add), section=1, pointer=("state",),
                tip="Put a note on the selected state, or free on the canvas"),
         Action("next_note", "Next note or group", verbs.show_next, "Blueprint", "",
-               ("Ctrl+Alt+M",), when(verbs.has_any), section=1,
+               ("Ctrl+Alt+M",), when(verbs.has_any), section=1, inner=DRAWN,
                tip="Select the next note or group, and show it"),
         Action("hang_note", "Hang on the nearest state", verbs.hang, "Blueprint", "",
-               enabled=when(verbs.can_hang), section=1,
+               enabled=when(verbs.can_hang), section=1, inner=DRAWN,
                tip="Let the selected note move with the nearest state"),
         Action("free_note", "Free the note", verbs.free, "Blueprint", "",
-               enabled=when(verbs.can_free), section=1,
+               enabled=when(verbs.can_free), section=1, inner=DRAWN,
                tip="Let the selected note hang on no state"),
         Action("group", "Group", drawn.add_group, "Blueprint", "group", ("Ctrl+G",),
                when(verbs.can_group), section=1, pointer=("state",),
                tip="Draw a frame with a title around the selected states"),
         Action("ungroup", "Dissolve the group", verbs.dissolve, "Blueprint", "",
-               ("Ctrl+Shift+G",), when(verbs.can_dissolve), section=1,
+               ("Ctrl+Shift+G",), when(verbs.can_dissolve), section=1, inner=DRAWN,
                tip="Take the frame away; the states stay"),
     )  # fmt: skip
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.annotations import FactNote
-from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.studio.base.chips import values_of
 
 MOST = 200
@@ -58,16 +58,9 @@ class TabledFact:
         return ", ".join(parts + (["critical"] if self.critical else []))
 
 
-def fact_count(branch: StateBranch) -> int:
-    """The number of facts with a line. Names that cannot be cut are one fact if something says
-    what it is, else none."""
-    count = count_of(branch)
-    return count or int(0 in branch.subs or branch.fact_note(0) is not None)
-
-
 def fact_lines(branch: StateBranch) -> tuple[TabledFact, ...]:
     """The lines of the facts of an SB, digit 0 first."""
-    return tuple(_line(branch, digit) for digit in range(min(fact_count(branch), MOST)))
+    return tuple(_line(branch, digit) for digit in range(min(told_facts(branch), MOST)))
 
 
 def _line(branch: StateBranch, digit: int) -> TabledFact:

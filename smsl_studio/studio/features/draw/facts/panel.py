@@ -22,6 +22,7 @@ from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.editing.fact_table import table_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.errors import EditRefused
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import label, row
@@ -36,7 +37,6 @@ from smsl_studio.studio.features.draw.facts.cells import COLUMNS, MARGIN, WIDE
 from smsl_studio.studio.features.draw.facts.fact_lines import (
     MOST,
     PLAIN,
-    fact_count,
     fact_lines,
 )
 from smsl_studio.studio.features.draw.facts.proposals import (
@@ -203,7 +203,7 @@ class Facts(Panel):
         self.none.setText(_none(branch))
         for button in (self.first, self.add_button):
             button.setEnabled(branch is not None)
-        count = fact_count(branch) if branch is not None else 0
+        count = told_facts(branch) if branch is not None else 0
         rest = f" The first {MOST} of {count:,} facts." if count > MOST else ""
         self.hint.setText(HINT + rest)
         self._mark()

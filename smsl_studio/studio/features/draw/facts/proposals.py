@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint import editing
-from smsl_studio.blueprint.editing.digits import NEW, count_of, new_names
+from smsl_studio.blueprint.editing.digits import NEW, count_of, new_names, stand_beside
 from smsl_studio.blueprint.editing.fact_table import read_table
 from smsl_studio.blueprint.editing.fact_values import names_with, renamed_value
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -155,7 +155,7 @@ def paste(branch: StateBranch, text: str) -> FactChange:
 
 
 def _told(made: FactChange, branch: StateBranch, order: list[int], value: str = "") -> FactChange:
-    if branch.table and branch.shape.width == 0:
+    if stand_beside(branch):
         return replace(made, beside=len(branch.table))
     try:
         names = new_names(branch, order, value)

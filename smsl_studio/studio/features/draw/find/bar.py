@@ -36,6 +36,7 @@ class FoundWords(QWidget):
         super().__init__()
         self._tokens = tokens
         self._before, self._text, self._part = "", "", (0, 0)
+        self._brief = ""
         self.setMinimumWidth(40)
         self.setAccessibleName(NOTHING)
 
@@ -49,8 +50,9 @@ class FoundWords(QWidget):
         self._tokens = tokens
         self.update()
 
-    def show_words(self, words: str) -> None:
-        """Show a sentence."""
+    def show_words(self, words: str, brief: str = "") -> None:
+        """Show a sentence; ``brief`` is for a place that is too narrow for it."""
+        self._brief = brief
         self._show(words, "", (0, 0))
 
     def show_hit(self, hit: Occurrence) -> None:
@@ -58,6 +60,7 @@ class FoundWords(QWidget):
         kind = "" if hit.kind in ("State", "Operation") else f"{hit.kind.lower()}, "
         same = hit.field == hit.kind.lower()
         where = hit.field if same or not kind else f"{kind}{hit.field}"
+        self._brief = ""
         self._show(f"Found in {where}", hit.text, (hit.start, hit.end))
 
     def _show(self, before: str, text: str, part: tuple[int, int]) -> None:
@@ -74,7 +77,10 @@ class FoundWords(QWidget):
         """Paint the words; a long text loses what is far from the found part."""
         painter, tokens = QPainter(self), self._tokens
         metrics, right = self.fontMetrics(), Qt.TextElideMode.ElideRight
-        before = metrics.elidedText(plain_text(self._before), right, self.width())
+        whole = plain_text(self._before)
+        if self._brief and metrics.horizontalAdvance(whole) > self.width():
+            whole = self._brief
+        before = metrics.elidedText(whole, right, self.width())
         y = (self.height() + metrics.ascent() - metrics.descent()) // 2
         painter.setPen(tokens.tx2)
         painter.drawText(0, y, before)

@@ -10,6 +10,7 @@ from itertools import accumulate, chain
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.features.draw.find.haystack import FIELDS, Haystack
@@ -134,7 +135,7 @@ def _operations(branch: StateBranch) -> TextLines:
 
 
 def _facts(branch: StateBranch) -> TextLines:
-    digits = range(branch.num_facts if branch.table else 0)
+    digits = range(told_facts(branch) if branch.table else 0)
     lines = []
     for digit in digits:
         note = branch.fact_note(digit)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QTimer
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
@@ -208,7 +209,9 @@ class DrawingSearch(QObject):
             self._mark()
             sheet = self._canvas.sheet
             readable = sheet is not None and sheet.level >= Level.COMPACT
-            self._canvas.show_in_middle(there, self._least(readable))
+            least = self._least(readable)
+            if self._canvas.zoom < least or not self._canvas.shows_whole(there):
+                self._canvas.show_in_middle(there, least)
         else:
             self._mark()
             self._show_aside(hit)
@@ -254,11 +257,11 @@ class DrawingSearch(QObject):
         if not typed:
             words.show_words("")
         elif not len(hits):
-            words.show_words(self._none(typed))
+            words.show_words(self._none(typed), "Nothing has it")
         elif hits.first_in(self._session.branch) is None:
             where = hits.branch(0)
             goes = f"Enter goes to {where}" if where else "Enter shows the first"
-            words.show_words(f"None in {self._session.branch}. {goes}")
+            words.show_words(f"None in {self._session.branch}. {goes}", goes)
         else:
             words.show_words("Enter shows the first")
 
@@ -274,7 +277,7 @@ class DrawingSearch(QObject):
         """A filter for the SB that is shown, such as "Disk 1 = a"; empty if it has no facts."""
         branch = self._session.blueprint.branches.get(self._session.branch)
         first = next(iter(branch.table), None) if branch is not None else None
-        if branch is None or first is None or branch.shape.opaque or not branch.num_facts:
+        if branch is None or first is None or not told_facts(branch):
             return ""
         values = branch.facts(first)
         return f"{branch.fact_name(0)[:20]} = {values[0][:8]}" if values else ""

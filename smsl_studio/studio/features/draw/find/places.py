@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.draw.find.haystack import EXACT, Haystack, Hit
 
@@ -131,7 +132,7 @@ def _part_of(branch: StateBranch) -> _BranchLines:
     for name in first:
         note = titles.get(note_key(name))
         operation_lines.append(f"{name}\t{note.title}" if note and note.title else name)
-    digits = range(branch.num_facts if branch.table else 0)
+    digits = range(told_facts(branch) if branch.table else 0)
     return _BranchLines(
         branch,
         tuple(branch.table),

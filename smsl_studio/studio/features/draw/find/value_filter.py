@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.studio.features.draw.find.hits import StateLines
 
 _CONDITION = re.compile(r"\s*(?P<fact>[^=!]+?)\s*(?P<sign>!?=)\s*(?P<value>[^=!]+?)\s*")
@@ -70,7 +71,7 @@ def why_nothing(blueprint: Blueprint, branch: str, wanted: tuple[Condition, ...]
 def _names(branch: StateBranch | None) -> str:
     if branch is None or not branch.table:
         return ""
-    names = [branch.fact_name(digit) for digit in range(min(branch.num_facts, 6))]
+    names = [branch.fact_name(digit) for digit in range(min(told_facts(branch), 6))]
     return f". Facts here: {', '.join(names)}" if names else ""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from smsl_studio.studio.base.actions import Action
@@ -11,9 +12,13 @@ from smsl_studio.studio.document.session import Session
 
 
 def file_actions(
-    files: Files, session: Session, windows: AllWindows, shell: Shell
+    files: Files,
+    session: Session,
+    windows: AllWindows,
+    shell: Shell,
+    close: Callable[[], object],
 ) -> tuple[Action, ...]:
-    """The rows of the File menu."""
+    """The rows of the File menu. ``close`` closes this window."""
 
     def open_home() -> None:
         """Open the file that holds the SB that is shown."""
@@ -32,5 +37,7 @@ def file_actions(
                lambda: files.is_open, section=1),
         Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",),
                lambda: files.is_open, section=1),
+        Action("close", "Close window", close, "File", "", ("Ctrl+W",), section=2,
+               tip="Close this window; it asks first if work could be lost"),
         Action("quit", "Quit", windows.quit, "File", "", ("Ctrl+Q",), section=2),
     )  # fmt: skip

@@ -7,6 +7,9 @@ from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
+PANELS = "Panels"
+"""The submenu of the menu View."""
+
 
 def view_actions(
     drawing: DrawVerbs,
@@ -40,7 +43,7 @@ def view_actions(
     def theme(name: str, words: str) -> Action:
         """The row that chooses a theme."""
         return Action(f"theme_{name}", words, lambda: windows.set_theme(name), "View",
-                      checked=lambda: windows.theme == name, section=4)  # fmt: skip
+                      checked=lambda: windows.theme == name, section=4, inner="Theme")  # fmt: skip
 
     def show_words() -> None:
         """Show words on the chips, or digits again; this is remembered."""
@@ -110,18 +113,19 @@ def view_actions(
                lambda: drawn() and docks.bottom_shown(), docks.bottom_folded, section=2,
                tip="Show only the tabs of the lower panel, so that the drawing has its room"),
         Action("show_source", "Source", lambda: enter("Source"), "View", "",
-               ("Ctrl+U",), drawn, section=3,
+               ("Ctrl+U",), drawn, section=3, inner=PANELS,
                tip="Show the exact text and type there; once more: back to the drawing"),
         Action("show_properties", "Properties", lambda: enter("Properties"), "View", "",
-               ("Ctrl+Shift+P",), drawn, section=3),
+               ("Ctrl+Shift+P",), drawn, section=3, inner=PANELS),
         Action("show_facts", "Facts", lambda: enter("Facts"), "View", "", ("Ctrl+T",), drawn,
-               section=3, tip="Show the table of facts; once more: back to the drawing"),
+               section=3, inner=PANELS,
+               tip="Show the table of facts; once more: back to the drawing"),
         Action("show_library", "Library", lambda: enter("Library"), "View", "", (), drawn,
-               section=3),
+               section=3, inner=PANELS),
         Action("show_history", "History", lambda: enter("History"), "View", "",
-               ("Ctrl+H",), drawn, section=3),
+               ("Ctrl+H",), drawn, section=3, inner=PANELS),
         Action("show_table", "Table of states and operations", lambda: enter("Table"), "View", "",
-               ("Ctrl+Shift+L",), drawn, section=3,
+               ("Ctrl+Shift+L",), drawn, section=3, inner=PANELS,
                tip="Read the State Branch as a table; once more: back to the drawing"),
         theme("light", "Light theme"), theme("dark", "Dark theme"),
         theme("contrast", "High-contrast theme"),

@@ -13,6 +13,9 @@ from smsl_studio.studio.base.canvas.operation_steps import (
     step_operation,
 )
 
+ALONG = "Along operations"
+"""The submenu of the menu View."""
+
 
 def walk_actions(canvas: Canvas, drawn: Callable[[], bool]) -> tuple[Action, ...]:
     """From a state to its operations, and from an operation to its states."""
@@ -32,17 +35,18 @@ def walk_actions(canvas: Canvas, drawn: Callable[[], bool]) -> tuple[Action, ...
     return (
         Action("next_operation", "Next operation of the state",
                partial(step_operation, canvas, 1), "View", "", ("O",), one, scope="canvas",
-               section=1, tip="Select the next operation that leaves the selected state"),
+               section=1, inner=ALONG,
+               tip="Select the next operation that leaves the selected state"),
         Action("previous_operation", "Previous operation of the state",
                partial(step_operation, canvas, -1), "View", "", ("Shift+O",), one,
-               scope="canvas", section=1),
+               scope="canvas", section=1, inner=ALONG),
         Action("go_to_target", "Go to its target", partial(go_to_target, canvas), "View", "",
-               ("G",), on_operation, scope="canvas", section=1,
+               ("G",), on_operation, scope="canvas", section=1, inner=ALONG,
                tip="Select the state that the selected operation leads to"),
         Action("go_to_source", "Go to its source", partial(go_to_source, canvas), "View", "",
-               ("Shift+G",), on_operation, scope="canvas", section=1,
+               ("Shift+G",), on_operation, scope="canvas", section=1, inner=ALONG,
                tip="Select the state that the selected operation leaves"),
         Action("list_bundle", "List the next bundle", partial(canvas.hand.list_bundle, 1), "View",
-               "", ("L",), bundled, scope="canvas", section=1,
+               "", ("L",), bundled, scope="canvas", section=1, inner=ALONG,
                tip="Show the operations of the next thick line; Shift+L: of the former one"),
     )  # fmt: skip

@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.chip_kinds import VALUE
 from smsl_studio.studio.base.controls import Combo, Field, label
@@ -69,8 +70,8 @@ class HeaderFacts(QWidget):
             fact.chip.set_tokens(tokens)
 
     def show_facts(self, blueprint: Blueprint, branch: StateBranch) -> None:
-        """Show a row for each fact (see ``fact_count``)."""
-        count = min(fact_count(branch), MOST)
+        """Show a row for each fact (see ``told_facts``)."""
+        count = min(told_facts(branch), MOST)
         while len(self.rows) > count:
             gone = self.rows.pop()
             for widget in (gone.chip, gone.name, gone.sub):
@@ -135,8 +136,3 @@ class HeaderFacts(QWidget):
         field = self.rows[digit].name
         if field.changed:
             self.named.emit(digit, field.text().strip())
-
-
-def fact_count(branch: StateBranch) -> int:
-    """How many facts the SB has; while it has no states, NUM_FACTS of its header."""
-    return branch.num_facts if branch.table else (branch.header.num_facts or 0)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.legible import plain_text
 from smsl_studio.smsl.document.stretches import Stretch, differing_stretch
 from smsl_studio.studio.base.controls import Combo, label, row
@@ -31,7 +32,6 @@ from smsl_studio.studio.features.draw.panels.header_facts import (
     NEW,
     HeaderFactRow,
     HeaderFacts,
-    fact_count,
 )
 from smsl_studio.studio.features.draw.panels.kept import KeptValues, kept_fields
 
@@ -228,7 +228,7 @@ def _width_words(branch: StateBranch) -> str:
 
 def _explanation(blueprint: Blueprint, branch: StateBranch) -> str:
     """A sentence for each of the first sub-SBs: when it turns its fact on."""
-    count = fact_count(branch)
+    count = told_facts(branch)
     said = [f"The first {MOST} of {count:,} facts."] if count > MOST else []
     subs = islice(branch.subs.items(), SENTENCES)
     told = [expansion(blueprint, branch, digit, sub) for digit, sub in subs]

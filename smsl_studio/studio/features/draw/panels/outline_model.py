@@ -21,7 +21,12 @@ from PySide6.QtCore import (
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine, fact_line
-from smsl_studio.studio.features.draw.panels.outline_nodes import Key, OutlineNode, OutlineNodes
+from smsl_studio.studio.features.draw.panels.outline_nodes import (
+    Key,
+    OutlineNode,
+    OutlineNodes,
+    has_facts,
+)
 
 Index = QModelIndex | QPersistentModelIndex
 NOWHERE = QModelIndex()
@@ -212,8 +217,7 @@ def _facts_are_alike(before: Blueprint, after: Blueprint, keys: list[Key]) -> bo
 
 def _leads(branch: StateBranch | None) -> object:
     """The values that decide which lines of an SB have children."""
-    planned = branch is not None and not branch.table and branch.header.num_facts
-    return None if branch is None else (bool(branch.table), planned, branch.header.sub_sbs)
+    return None if branch is None else (has_facts(branch), branch.header.sub_sbs)
 
 
 def _alike(some: list[Key], others: list[Key]) -> int:

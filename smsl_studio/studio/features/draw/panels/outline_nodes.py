@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.studio.features.draw.panels.outline_lines import (
     OutlineLine,
     branch_line,
@@ -91,6 +92,11 @@ def surveyed(blueprint: Blueprint) -> Survey:
     return found
 
 
+def has_facts(branch: StateBranch) -> bool:
+    """Whether an SB has lines for facts."""
+    return told_facts(branch) > 0 if branch.table else bool(_planned_digits(branch))
+
+
 def _planned_digits(branch: StateBranch) -> list[int]:
     """The facts that the header of an SB without states plans: the first of NUM_FACTS, and those
     that a sub-SB expands, so that no sub-SB is hidden."""
@@ -143,11 +149,10 @@ class OutlineNodes:
         name, digit = node.key
         if not name or digit is not None:
             return bool(self.keys(node))
-        # An SB with states has at least one fact.
         branch = self.blueprint.branches.get(name)
         if branch is None or node.depth >= DEEPEST:
             return False
-        return bool(branch.table) or bool(_planned_digits(branch))
+        return has_facts(branch)
 
     def keys(self, node: OutlineNode) -> list[Key]:
         """The keys of the children that a node should have now."""
@@ -161,7 +166,7 @@ class OutlineNodes:
         if digit is None:
             if node.depth >= DEEPEST:
                 return []
-            digits = range(branch.num_facts) if branch.table else _planned_digits(branch)
+            digits = range(told_facts(branch)) if branch.table else _planned_digits(branch)
             return [(name, at) for at in digits]
         sub = branch.subs.get(digit, "")
         if sub not in self.blueprint.branches or _stands_above(node, sub):

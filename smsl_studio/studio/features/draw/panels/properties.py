@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
 
@@ -9,6 +11,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loaded import Loaded
+from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.controls import label, row, rule
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.late_part import LatePart
@@ -17,6 +20,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.claims_line import ClaimsLine
+from smsl_studio.studio.features.draw.panels.drawn_form import DrawnForm
 from smsl_studio.studio.features.draw.panels.fact_form import FactForm
 from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.frame import Panel
@@ -24,6 +28,7 @@ from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
 from smsl_studio.studio.features.draw.panels.last_change_form import LastChangeForm
 from smsl_studio.studio.features.draw.panels.line_form import LineForm
 from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
+from smsl_studio.studio.features.draw.panels.refused_text import RefusedText, refused_texts
 from smsl_studio.studio.features.draw.panels.state_form import StateForm
 
 
@@ -37,11 +42,18 @@ class Properties(QScrollArea):
 
     ways_wanted = Signal()
     """Show the ways between the two selected states."""
+    verb_wanted = Signal(str)
+    """The id of a window action that a button of a form stands for."""
+    text_lost = Signal(str, object)
+    """(sentence, call): a typed text that was refused is not shown any more; the call brings it
+    back."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session, self._tokens, self._loaded = session, tokens, Loaded()
         self._fact, self._operation = LatePart(self._make_fact), LatePart(self._make_operation)
+        self._drawn = LatePart(self._make_drawn)
+        self._shown_drawn: DrawnKey | None = None
         self.setAccessibleName("Properties")
         FocusLine(self)
         self.setWidgetResizable(True)
@@ -62,6 +74,7 @@ class Properties(QScrollArea):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
         self.setWidget(inner)
+        self._of: tuple[tuple[Address, ...], tuple[str, int] | None] = ((), None)
         self._connect()
         self._show()
 
@@ -81,6 +94,17 @@ class Properties(QScrollArea):
     def operation(self) -> OperationForm:
         """The form of operations."""
         return self._operation()
+
+    @property
+    def drawn(self) -> DrawnForm:
+        """The form of a note or a group."""
+        return self._drawn()
+
+    def _make_drawn(self) -> DrawnForm:
+        form = DrawnForm(self._session, self._tokens)
+        form.verb_wanted.connect(self.verb_wanted)
+        self._insert(form, self.state)
+        return form
 
     def _make_fact(self) -> FactForm:
         form = FactForm(self._session, self._tokens)
@@ -105,7 +129,8 @@ class Properties(QScrollArea):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
-        for form in (self.state, self.header, self.file, self._fact.made, self._operation.made):
+        made = self._fact.made, self._operation.made, self._drawn.made
+        for form in (self.state, self.header, self.file, *made):
             if form is not None:
                 form.set_tokens(tokens)
 
@@ -124,7 +149,36 @@ class Properties(QScrollArea):
         self._session.select_fact(branch, digit)
         self.verticalScrollBar().setValue(0)
 
+    def show_drawn(self, key: DrawnKey | None) -> None:
+        """Show the note or the group that is selected; None for none."""
+        if key != self._shown_drawn:
+            self._shown_drawn = key
+            self._session.afterwards.show(self._show)
+
     def _show(self) -> None:
+        refused, of = refused_texts(self._inner), self._of
+        self._fill()
+        self._of = self._session.selection, self._session.fact
+        for one in refused:
+            if one.lost_in(self._inner):
+                one.forget()
+                self.text_lost.emit(one.sentence(_who(of[0])), partial(self._put_back, one, of))
+
+    def _put_back(
+        self, text: RefusedText, of: tuple[tuple[Address, ...], tuple[str, int] | None]
+    ) -> None:
+        """Show what a refused text was typed for, with the text in its line."""
+        selection, fact = of
+        if fact is not None:
+            self._session.select_fact(*fact)
+        elif selection:
+            self._session.show_branch(selection[0].branch)
+            self._session.select(selection)
+        self._session.afterwards.catch_up()
+        text.put_back()
+        self.ensureWidgetVisible(text.line)
+
+    def _fill(self) -> None:
         blueprint, selection = self._session.blueprint, self._session.selection
         selection = tuple(a for a in selection if a.state and _stands(blueprint, a))
         fact = self._session.fact
@@ -140,6 +194,12 @@ class Properties(QScrollArea):
             self.line.show_operations(blueprint, edges)
         if len(selection) > 1:
             self.several.show_selection(states, edges)
+        branch, key = blueprint.branches.get(self._session.branch), self._shown_drawn
+        drawn = False
+        if key is not None and branch is not None and not (selection or fact):
+            drawn = self.drawn.show_drawn(branch, key)
+        if self._drawn.made is not None:
+            self._drawn.made.setVisible(drawn)
         if self._fact.made is not None:
             self._fact.made.setVisible(fact is not None)
         self.state.setVisible(bool(states) and not edges)
@@ -148,7 +208,7 @@ class Properties(QScrollArea):
                 form.setVisible(bool(edges) and not states)
         self.changed_by.show_element(selection[0] if len(selection) == 1 else None)
         self.several.setVisible(len(selection) > 1)
-        self._rule.setVisible(bool(selection) or fact is not None)
+        self._rule.setVisible(bool(selection) or fact is not None or drawn)
 
 
 class _Several(Panel):
@@ -194,6 +254,13 @@ class _Several(Panel):
         self._session.edit(
             f"Delete {counted(len(chosen), 'element')}", lambda bp: editing.delete(bp, chosen)
         )
+
+
+def _who(selection: tuple[Address, ...]) -> str:
+    """What is selected, in a word or two; empty for nothing."""
+    if len(selection) == 1:
+        return selection[0].operation or selection[0].state
+    return counted(len(selection), "element") if selection else ""
 
 
 def _stands(blueprint: Blueprint, address: Address) -> bool:

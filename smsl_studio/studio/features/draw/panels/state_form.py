@@ -14,7 +14,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import StateNote
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.plain_words import is_read_by_letters
+from smsl_studio.blueprint.plain_words import is_read_by_letters, told_facts
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.chips import Chips
 from smsl_studio.studio.base.controls import label, row
@@ -111,16 +111,16 @@ class StateForm(NoteForm):
         for widget in (self.naming, self._out, self.notes):
             widget.setVisible(one is not None)
         named = {at.branch for at in states}
-        self._facts.setVisible(len(named) == 1)
+        branch = blueprint[states[0].branch]
+        self._facts.setVisible(len(named) == 1 and told_facts(branch) > 0)
         if len(named) == 1:
-            self.chips.show_states(blueprint[named.pop()], [at.state for at in states])
+            self.chips.show_states(branch, [at.state for at in states])
         fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
         self.kept.show_values(fields)
         if one is None:
             self._none.hide()
             self.operations.hide()
             return
-        branch = blueprint[one.branch]
         self.notes.show_state(branch, one.state, self._session.places.shown(branch))
         self.naming.show_values([ShownValue(one.state)])
         rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]
@@ -188,7 +188,7 @@ def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]
         written = written_words(branch, "_states", at.state) - set(misfits)
         note = branch.state_note(at.state) or PLAIN
         shape = branch.shape
-        named = branch.facts(at.state) if shape.width else ()
+        named = branch.facts(at.state) if shape.width and told_facts(branch) else ()
         standard = replace(PLAIN, facts=named) if named else PLAIN
         found.append(NoteEntry(at.branch, at.state, note, standard, written, misfits=misfits))
     return found
@@ -204,6 +204,8 @@ def _source_of_facts(branch: StateBranch, state: str) -> str:
         return "They count when every state has values."
     if shape.opaque:
         return "None: the name is its only fact."
+    if not told_facts(branch):
+        return "None yet. Type its values."
     if is_read_by_letters(branch, state):
         return "The letters of the name. Type its values."
     return "From the name."
