@@ -26,6 +26,9 @@ WATCH = 2000
 """The time between two looks at the files of the approval (milliseconds)."""
 POLICIES = "Trust policies (*.toml);;All files (*)"
 
+SIGNATURES = "Signatures"
+"""The submenu of the menu Blueprint."""
+
 
 class ApprovalFeature(Feature):
     """The badge of trust, and the trust policy of the project.
@@ -69,16 +72,16 @@ class ApprovalFeature(Feature):
         """The commands in the menu Blueprint about signatures."""
         return (
             Action("approval_reasons", "Who has signed this", self.show, "Blueprint", "", (),
-                   lambda: not self.badge.isHidden(), section=4,
+                   lambda: not self.badge.isHidden(), section=4, inner=SIGNATURES,
                    tip="Whether the blueprint is approved, and why not"),
             Action("compare_signed", "Compare with the last signature", lambda: self.compare(),
-                   "Blueprint", "", (), self._may_be_signed, section=4,
+                   "Blueprint", "", (), self._may_be_signed, section=4, inner=SIGNATURES,
                    tip="Show on the drawing what changed since somebody signed; removals first"),
             Action("choose_policy", "Choose a trust policy…", self.choose_policy, "Blueprint", "",
-                   (), section=4,
+                   (), section=4, inner=SIGNATURES,
                    tip="Which signatures a run of this project needs"),
             Action("drop_policy", "Use no trust policy", self.drop_policy, "Blueprint", "", (),
-                   lambda: self.policy is not None, section=4,
+                   lambda: self.policy is not None, section=4, inner=SIGNATURES,
                    tip="Let runs of this project start without signatures, in simulation"),
         )  # fmt: skip
 
