@@ -40,6 +40,7 @@ class Hover:
         canvas, sheet = self._canvas, self._canvas.sheet
         if sheet is None:
             return
+        self._overlays.pad.point(at.toPoint())
         point = canvas.mapToScene(at.toPoint())
         state = sheet.state_at(point.x(), point.y())
         at_end = state < 0 and self._is_at_end(sheet, point)
@@ -132,7 +133,8 @@ class Hover:
         return handles(sheet, state) if sheet is not None else {}
 
     def clear(self) -> None:
-        """Hover nothing."""
+        """Hover nothing: the pointer has left the canvas."""
+        self._overlays.pad.point(None)
         self._set_hover(-1, -1)
 
     def _set_hover(self, state: int, edge: int) -> None:

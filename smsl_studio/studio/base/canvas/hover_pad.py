@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QTimer, Signal
 from PySide6.QtGui import QEnterEvent
 from PySide6.QtWidgets import QBoxLayout
 
@@ -16,8 +16,15 @@ from smsl_studio.studio.base.overlays.card import Card, IconButton, PassingCard
 from smsl_studio.studio.base.theme import Tokens
 
 DELAY, LINGER = 500, 450
-AWAY, FAR = 20, 36
-"""How far the pad stands from the node; farther where it would cover a line (pixels)."""
+AWAY = (20, 36, 52)
+"""How far the pad stands from the node; farther where it would cover something (pixels)."""
+CLEAR = 18
+"""How far it stays away from other nodes, so that their handles and the ends of their lines are
+free, and from the handles of the selected operation (pixels)."""
+GAP = 3
+"""The room between it and a line (pixels)."""
+UNDER = 10
+"""It does not appear so near to the pointer (pixels)."""
 LONG, SHORT = 114, 30
 """The sides of the pad: four buttons in a column or a row (pixels)."""
 
@@ -26,9 +33,10 @@ class HoverPad(Card):
     """Buttons that add an operation, connect, add a self loop, and rename.
 
     It appears after the pointer has rested on a state, or when one state is selected, and comes
-    back after a press or a movement of the view. It stands where it covers no node, and no label
-    and no line either if there is such a place. Beside most states that is a column; above or below
-    it is a row.
+    back after a press or a movement of the view. It stands where it covers no node, no handle and
+    no end of a line at a node, and no label and no line either if there is such a place. It never
+    appears below the pointer, which may be about to press what is there. Beside most states it is a
+    column; above or below them it is a row.
     """
 
     operation_wanted = Signal(object)
@@ -41,6 +49,7 @@ class HoverPad(Card):
         self._address: Address | None = None
         self._hovered: Address | None = None
         self._chosen: Address | None = None
+        self._pointer: QPoint | None = None
         self.add = IconButton(self, tokens, "plus", "Add an operation to a new state (Tab)")
         self.add.accent = True
         self.connect_to = IconButton(self, tokens, "arrow", "Connect with another state")
@@ -88,6 +97,15 @@ class HoverPad(Card):
         if chosen != self._chosen:
             self._chosen = chosen
             self._follow()
+
+    def point(self, at: QPoint | None) -> None:
+        """Take where the pointer is (pixels of the view); None where it has left the canvas.
+
+        There may be a place now, if it was in the way.
+        """
+        self._pointer = at
+        if self.isHidden() and not self._show.isActive():
+            self._begin()
 
     def go(self) -> None:
         """Hide at once. It comes back when what moves is at rest."""
@@ -141,7 +159,8 @@ class HoverPad(Card):
         if wanted is None:
             return
         asked = any(not card.isHidden() for card in self._canvas.findChildren(PassingCard))
-        if asked or self._busy():
+        # A sketch shows what a drag from the library, or a card, would draw.
+        if asked or self._busy() or self._canvas.gestures.sketch is not None:
             self._show.start()
             return
         place = self.place_for(wanted)
@@ -157,8 +176,8 @@ class HoverPad(Card):
         self.raise_()
 
     def place_for(self, state: Address) -> QRect | None:
-        """A place beside a state where the pad covers no node (pixels), and if there is one, where
-        it covers no label and no line either.
+        """A place beside a state where the pad covers no node, no handle and no end of a line at a
+        node (pixels), and if there is one, where it covers no label and no line either.
 
         None if there is none.
         """
@@ -167,26 +186,45 @@ class HoverPad(Card):
             return None
         node = canvas.mapFromScene(rect).boundingRect()
         labels, second, third = self._labels(sheet, node), None, None
-        cards = canvas.findChildren(Card)
-        cards_shown = [one.geometry() for one in cards if one is not self and not one.isHidden()]
+        taken = self._taken(sheet, sheet.picture.node(state))
         for place in _places(node):
+            if not canvas.rect().contains(place) or any(map(place.intersects, taken)):
+                continue
             area = canvas.mapToScene(place).boundingRect()
-            sides = area.left(), area.top(), area.right(), area.bottom()
-            inside = canvas.rect().contains(place) and not any(map(place.intersects, cards_shown))
-            inside = inside and not canvas.is_covered(place)
-            if not inside or sheet.states_in(*sides) or sheet.drawn.touches(*sides):
+            if canvas.is_covered(place) or sheet.drawn.touches(*_sides(area)):
                 continue
             if any(area.intersects(label) for label in labels):
                 third = third or place
-            elif sheet.is_drawn_on(*sides):
+            elif sheet.is_drawn_on(*_sides(canvas.mapToScene(_around(place, GAP)).boundingRect())):
                 second = second or place
             else:
                 return place
         return second or third
 
+    def _taken(self, sheet: Sheet, own: int) -> list[QRect]:
+        """Where the pad of a state may not stand: on other cards, nodes and handles, and below the
+        pointer (pixels of the view)."""
+        canvas = self._canvas
+        cards = [one for one in canvas.findChildren(Card) if one is not self]
+        taken = [one.geometry() for one in cards if not one.isHidden()]
+        seen = canvas.mapToScene(canvas.rect()).boundingRect()
+        near = sheet.states_in(seen.left(), seen.top(), seen.right(), seen.bottom())
+        for state in near:
+            node = canvas.rect_of(sheet.address_of_state(state))
+            if node is not None:
+                out = CLEAR if state != own else AWAY[0] - 1
+                taken.append(_around(canvas.mapFromScene(node).boundingRect(), out))
+        signs = canvas.gestures
+        ends = [signs.grip, signs.tail, *(signs.line.bends if signs.line else ())]
+        points = [canvas.mapFromScene(end) for end in ends if end is not None]
+        taken += [_around(QRect(at, at), CLEAR) for at in points]
+        if self._pointer is not None:
+            taken.append(_around(QRect(self._pointer, self._pointer), UNDER))
+        return taken
+
     def _labels(self, sheet: Sheet, node: QRect) -> list[QRectF]:
         """The labels around the node, as scene rectangles."""
-        room = AWAY + LONG
+        room = AWAY[-1] + LONG
         near = self._canvas.mapToScene(node.adjusted(-room, -room, room, room)).boundingRect()
         edges = sheet.edges_in(near.left(), near.top(), near.right(), near.bottom()).tolist()
         found = [label for edge in edges if (label := sheet.geometry.label(edge)) is not None]
@@ -222,13 +260,25 @@ class HoverPad(Card):
 def _places(node: QRect) -> Iterator[QRect]:
     """The places around a node that are tried, best first."""
     middle, last = node.center().y() - LONG // 2, node.bottom() - LONG
-    across = node.center().x() - LONG // 2, node.left(), node.right() - LONG
-    for away in (AWAY, FAR):
+    # Lines meet most nodes in the middle of a side, so places at the corners are often free.
+    upright = middle, last, node.top(), node.bottom() + 1, node.top() - LONG - 1
+    centre = node.center().x()
+    corners = centre + 2 * GAP, centre - LONG - 2 * GAP
+    across = centre - LONG // 2, node.left(), node.right() - LONG, *corners
+    for away in AWAY:
         left, right = node.left() - away - SHORT, node.right() + away
         above, below = node.top() - away - SHORT, node.bottom() + away
-        for y in (middle, last, node.top()):
+        for y in upright:
             yield QRect(left, y, SHORT, LONG)
             yield QRect(right, y, SHORT, LONG)
         for x in across:
             yield QRect(x, above, LONG, SHORT)
             yield QRect(x, below, LONG, SHORT)
+
+
+def _sides(area: QRectF) -> tuple[float, float, float, float]:
+    return area.left(), area.top(), area.right(), area.bottom()
+
+
+def _around(area: QRect, out: int) -> QRect:
+    return area.adjusted(-out, -out, out, out)

@@ -139,6 +139,7 @@ class Hand:
         if sheet is not None and (state >= 0 or address is None):
             self._drop_gesture()
             self._canvas.setFocus()
+            self._overlays.pad.go()
             self._gesture = ConnectTool(self._canvas, self.hover, state)
             self._cursor()
 

@@ -54,6 +54,7 @@ class LibraryDrop(QObject):
             if self._drop is not None:
                 # In a narrow window the library lies over the canvas until it loses the focus.
                 self._canvas.setFocus()
+                self._canvas.overlays.pad.go()
             return self._show(event)
         if isinstance(event, QDragMoveEvent):
             return self._show(event)
