@@ -199,7 +199,7 @@ def test_what_is_edited_while_a_run_ends_is_kept_and_not_asked_about(
 
     monkeypatch.setattr(window, "end_run", end_and_edit)
     monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
-    QTimer.singleShot(60, run.person.windows, lambda: answer(run.person, "Cancel", told))
+    QTimer.singleShot(60, window, lambda: answer(run.person, "Cancel", told))
     run.person.windows.leave()
     assert (told, window.isVisible()) == ([], False)
     (left,) = left_behind(folder_of(run.person.windows.settings.folder))
