@@ -6,7 +6,7 @@ from collections.abc import Container, Iterable, Iterator
 from itertools import count, islice, product
 from string import ascii_lowercase
 
-from smsl_studio.blueprint.facts import fact_string
+from smsl_studio.blueprint.facts import fact_string, fact_strings
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.plain_words import has_only_words
 
@@ -31,26 +31,31 @@ def fresh_state_name(branch: StateBranch) -> str:
 
 
 def fresh_state_names(branch: StateBranch) -> Iterator[str]:
-    """Yield all free names of this form, for an SB with states."""
+    """Yield all free names of this form, for an SB with states.
+
+    Names that show facts are free only if no state has their facts under whatever prefix: both
+    would have the same short form.
+    """
     shape = branch.shape
     if shape.opaque or shape.width == 0 or has_only_words(branch):
         yield from numbered("State", branch.table)
         return
     last = next(reversed(branch.table))
     prefix = last[: len(last) - len(fact_string(last, shape.written))]
+    taken = {*fact_strings(branch.table, shape.written)}
     values = sorted({value for column in branch.alphabet for value in column})
     if set(values) <= {"0", "1"}:
         values = ["0", "1"]
     for digits in islice(product(values, repeat=shape.num_facts), _TRIES + len(branch.table)):
-        name = prefix + "".join(digits)
-        if name not in branch.table:
-            yield name
+        facts = "".join(digits)
+        if facts not in taken:
+            yield prefix + facts
     # Every combination is taken. A new value of the last fact keeps the length of the names.
     for value in _more_values(shape.width, values):
         for digits in islice(product(values, repeat=shape.num_facts - 1), _TRIES):
-            name = prefix + "".join(digits) + value
-            if name not in branch.table:
-                yield name
+            facts = "".join(digits) + value
+            if facts not in taken:
+                yield prefix + facts
     yield from numbered(prefix, branch.table)
 
 

@@ -8,7 +8,6 @@ from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
@@ -29,7 +28,6 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
 from smsl_studio.studio.document.journal.entry import JournalEntry
-from smsl_studio.studio.document.notices import StepNotice, step_notice
 from smsl_studio.studio.features.draw.canvas.align_verbs import AlignVerbs, fill_align
 from smsl_studio.studio.features.draw.canvas.bend_verbs import bend_actions
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
@@ -47,6 +45,7 @@ from smsl_studio.studio.features.draw.canvas.pin_verbs import PinVerbs, pin_acti
 from smsl_studio.studio.features.draw.canvas.state_copy import StateCopy
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
+from smsl_studio.studio.features.draw.consequences import Consequences
 from smsl_studio.studio.features.draw.drawn.drawn_copies import DrawnCopies
 from smsl_studio.studio.features.draw.drawn.drawn_editor import DrawnEditor
 from smsl_studio.studio.features.draw.drawn.drawn_verbs import DrawnVerbs, drawn_actions, fill_drawn
@@ -103,7 +102,6 @@ class DrawFeature(Feature):
     def __init__(self, parts: WindowParts, shell: Shell) -> None:
         session, files, tokens, window = parts.session, parts.files, parts.tokens, parts.window
         self._parts, self._shell, self._loaded = parts, shell, Loaded()
-        self._warned = False
         self.canvas = Canvas(tokens)
         self.canvas.collapse.join(parts.collapse)
         self.editor = CanvasEditor(session, self.canvas)
@@ -195,14 +193,13 @@ class DrawFeature(Feature):
         session.blueprint_changed.connect(lambda *_: self._show_offers())
         session.opened.connect(self.tidings.forget)
         session.opened.connect(self._parts.toast.hide)
-        session.opened.connect(self._forget_warning)
         session.opened.connect(self.canvas.setFocus)
         session.opened.connect(self.canvas.collapse.forget)
         session.jumped.connect(self._jumped)
         session.history.indexChanged.connect(lambda _: self._parts.toast.edited())
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
-        session.blueprint_changed.connect(self._say_of_step)
+        self._consequences = Consequences(session, self._parts.toast, self._parts.window)
         session.selection_changed.connect(self._spare_selected)
         toast, canvas = self._parts.toast, self.canvas
         toast.seat = MessageSeat(canvas, toast.over)
@@ -309,21 +306,6 @@ class DrawFeature(Feature):
         """Let no message cover a selected element, nor the state to which it leads."""
         shown = self.canvas.place_of(selection[0]) if len(selection) == 1 else QRect()
         self._parts.toast.spare(shown)
-
-    def _forget_warning(self) -> None:
-        self._warned = False
-
-    def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
-        # An undo or redo gives nothing that was not there before.
-        new = self._parts.session.adds_step
-        notice = step_notice(before, after) if new else StepNotice()
-        if notice.sentence and notice.once:
-            # Each new state becomes activating until one is chosen. Once is enough.
-            if self._warned:
-                return
-            self._warned = True
-        undo = self._parts.session.history.undo if notice.undo else None
-        self._parts.toast.of_step(notice.sentence, notice.severity, undo)
 
     def _jumped(self, address: Address) -> None:
         """Scroll the canvas to an element that was found, and give it the keyboard focus."""
