@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from smsl_studio.front.bundles import bundle
+    from smsl_studio.front.campaigns import CampaignRequest, campaign
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ApprovalRequest",
+    "CampaignRequest",
     "Run",
     "RunRequest",
     "account",
@@ -62,6 +64,7 @@ __all__ = [
     "allow_plugin",
     "approve",
     "bundle",
+    "campaign",
     "convert",
     "converted",
     "dependants_of",
@@ -144,6 +147,7 @@ VERBS = {
     "identify": Verb("list the states that could be a sub-SB", ("identify",)),
     "run": Verb("run a blueprint in a world, headless", ("run",)),
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
+    "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
     "replay": Verb("tell a run again from its log, or verify the log",
                    ("replay", "verify", "account")),
     "keys": Verb("make, list, move and revoke the keys that sign",
@@ -192,6 +196,8 @@ _HOMES = {
     "worlds_for": "suitable_worlds",
     "sweep": "sweeps",
     "try_edge": "single_edge",
+    "CampaignRequest": "campaigns",
+    "campaign": "campaigns",
     "bundle": "bundles",
     "account": "logs",
     "ApprovalRequest": "signatures",

@@ -1,0 +1,58 @@
+"""``campaign``: what it writes and prints, and its exit status."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+from smsl_studio.shipped import samples_dir
+from tests.cli.shell import Shell
+
+SMALL = str(samples_dir() / "hanoi-2.json")
+
+
+def test_the_digest_is_of_the_bytes_that_each_run_prints(shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / "out.json"
+    answer = shell("campaign", SMALL, "--world", "table", "--seeds", "3", "-o", str(out))
+    assert answer.status == 0
+    whole = hashlib.sha256()
+    for seed in range(3):
+        run = shell("run", SMALL, "--world", "table", "--seed", str(seed), "--format", "json")
+        whole.update(f"{hashlib.sha256(run.out.encode()).hexdigest()}\n".encode())
+    told = json.loads(out.read_text())
+    assert told["digest"] == whole.hexdigest()
+    assert set(told) == {"runs", "reached", "digest", "rows"}
+    row = {"fault": None, "edge": None, "runs": 3, "reached": 3, "held": 0, "recovered": 0}
+    assert told["rows"] == [{**row, "low": told["rows"][0]["low"], "high": 1.0}]
+    assert not out.with_name("out.json.part").exists()
+
+
+def test_faults_give_rows_and_a_page(shell: Shell, tmp_path: Path) -> None:
+    out, page = tmp_path / "out.json", tmp_path / "out.html"
+    words = ("campaign", SMALL, "--world", "table", "--seeds", "1", "--faults", "all")
+    answer = shell(*words, "-o", str(out), "--report", str(page), "--format", "json")
+    assert answer.status == 0
+    assert answer.json == json.loads(out.read_text())
+    assert {row["fault"] for row in answer.json["rows"]} >= {"fail", "hang"}
+    assert "the fault set is left out" in answer.err
+    assert "<table>" in page.read_text()
+
+
+def test_a_run_that_misses_the_goal_is_a_no(shell: Shell, tmp_path: Path) -> None:
+    file = tmp_path / "stuck.json"
+    header = {"INITIAL": "State_0", "ACTIVATING": "State_1"}
+    file.write_text(json.dumps({"SB1": {"HEADER": header, "State_0": {}, "State_1": {}}}))
+    out = str(tmp_path / "out.json")
+    answer = shell("campaign", str(file), "--world", "table", "--seeds", "2", "-o", out)
+    assert answer.status == 1
+    assert "0 of 2 runs reached the goal" in answer.out
+
+
+def test_wrong_words_are_refused(shell: Shell, tmp_path: Path) -> None:
+    out = str(tmp_path / "out.json")
+    for more in (("--faults", "fial"), ("--faults", ","), ("--until", "2"), ("--workers", "0")):
+        answer = shell("campaign", SMALL, "--world", "table", "--seeds", "1", "-o", out, *more)
+        assert answer.status == 2, more
+    assert shell("campaign", SMALL, "--world", "nowhere", "--seeds", "1", "-o", out).status == 2
+    assert not Path(out).exists()
