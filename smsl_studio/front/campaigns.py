@@ -58,6 +58,9 @@ class CampaignRequest:
     is one row. ``edges`` is ``route`` (those of a run without fault) or ``all``. ``until`` is the
     width of the intervals at which the campaign ends early. ``resume`` takes over what an earlier
     campaign has kept in ``part``.
+
+    >>> CampaignRequest(read("hanoi-2.json"), seeds=100, faults=("fail",)).edges
+    'route'
     """
 
     blueprint: Blueprint

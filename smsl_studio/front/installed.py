@@ -18,7 +18,7 @@ def plugins(plugin_paths: Sequence[Path] = ()) -> Loaded:
     Their code runs in a child process, never in this one. ``plugin_paths`` are searched first.
 
     >>> [plugin.name for plugin in plugins().plugins]
-    ['hanoi', 'registration']
+    ['chess', 'hanoi', 'registration', 'river']
     """
     return describe(plugin_paths)
 
