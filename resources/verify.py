@@ -95,6 +95,7 @@ CAUSES = dict(resumed="resume", operation_pruned="prune", operation_restored="re
 def take(s, e):  # 3 THE STORY is told again, event by event: when it may not come, what it changes
 	no(not all(fits(k, v) for k, v in e.items() if (k, v) != ("value", None)), "of another type")
 	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
+	if kind == "within": return below(s, e)
 	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.by_hand or not s.began
 	no(s.over or s.start and kind not in ("left_out", "fact_changed", "state_checked") or
 		e.t < s.t or e.t > s.t and not (waits or {*s.goals.values()} & {*s.conf.items()}))
@@ -104,6 +105,12 @@ def take(s, e):  # 3 THE STORY is told again, event by event: when it may not co
 	s.t = e.t; kind in IDLE or globals()["on_" + kind](s, e); s.last, c.t = e, -1 if own else c.t
 	if kind != "state_checked": s.checked = {}
 	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
+def below(s, e):  # an event of the blueprint that an operation runs, one level down
+	op, told = running(s, e.operation)[-1], read(e.told.encode()); run = op.note["binding"]
+	no(op.outcome or e.t < s.t or told["t"] != e.t or told["event"] == "within"); s.t = e.t
+	start = [f"{escape(b)}/{escape(state)}" for b, state in told.get("start", {}).items()]
+	own = s.h | dict(start=start, goals=[run["goal"]], levels={}, by_hand=0, attended=1, avoid=[])
+	op.below = op.below or fresh(s.inside[run["blueprint"]], own); take(op.below, told)
 def on_run_started(s, e):  # bases decide where their sub-SBs stand
 	given, asked = dict(map(parts, s.h["start"])), dict(map(parts, s.h["goals"]))
 	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met")
@@ -144,6 +151,8 @@ def on_operation_started(s, e):  # from where its SB is
 	s.begun, s.plan, s.acting, s.held, s.ask = [*others, op], s.plan[on:], 1, 0, 0
 def on_operation_ended(s, e):
 	op, how = running(s, e.address)[-1], e.outcome; bad, s.acting = how != "returned", 0
+	inner = op.note.get("binding", {}).get("blueprint") and (op.below or Story()).over
+	no(not bad and inner not in (None, "goal_reached"), "what it runs has not reached its goal")
 	no(op.outcome or s.failing or how != "cancelled" and not (op.function or op.answer) or not bad and
 		op.answer != "done" and (op.answer != 0 or e.t <= op.t)); op.outcome, s.failing = how, bad
 def on_committed(s, e):  # all have ended well, and were checked just before
@@ -211,7 +220,7 @@ def on_task_closed(s, e):  # with the answers of all
 	if good: s.said[task.e.kind, about] = e.t, e.answer
 	for op in running(s, about)[-1:] if good else (): op.answer = e.answer
 def on_run_finished(s, e):
-	(kind, held), last, why, r, s.over = s.held or ("", ""), s.last, e.sentence, e.reason, 1
+	(kind, held), last, why, r, s.over = s.held or ("", ""), s.last, e.sentence, e.reason, e.reason
 	cut = why.startswith(("The window let go", "Stopped in the middle", "Stopped before the run"))
 	waits, goals, goal = not (cut or s.h.get("attended", 1)), why.split(" hold")[0], "goal_reached"
 	no(e.operations != s.count or not why or (s.began or s.conf) and e.configuration != s.conf or
@@ -222,14 +231,18 @@ def on_run_finished(s, e):
 	elif r == "refused": no(s.count or s.begun or s.began and ("start", "") not in s.said)
 	elif r == "stopped": no(not cut and (s.latch != r or not why.startswith(f"Stopped by {s.by}.")))
 	else: no(r != "failed" or not last.event == kind == "held" or (last.t, held) != (e.t, why))
+def fresh(content, h):  # a story that has not begun
+	s = Story(**content, h=h, by_hand=h["by_hand"], last=Story(), cause=Story(), inside={})
+	s.conf, s.facts, s.said, s.tasks, s.goals, s.met, s.shut = {}, {}, {}, {}, {}, set(), h["avoid"]
+	end_step(s); return s
 def tell(contents, raw, files=()):
 	h, events = lines(raw); said = h["digests"]; hexes = [said[part] for part in PARTS[1:]]
 	known = [one for one in contents if one and one["hexes"][1:] == hexes]
 	sums, log = {said["file"], *said.get("imported", {}).values()}, b'{"log":"smsl-run","version":3,'
 	right = known and raw.startswith(log) and (not files or sums <= files)
-	no(not right, "its blueprint is not here"); s = Story(**known[0], h=h, by_hand=h["by_hand"])
-	s.conf, s.facts, s.said, s.tasks, s.goals, s.met, s.shut = {}, {}, {}, {}, {}, set(), h["avoid"]
-	s.last, s.cause = Story(), Story(); end_step(s)
+	no(not right, "its blueprint is not here"); s = fresh(known[0], h)
+	for name, hexes in h.get("procedures", {}).items():  # what its operations run
+		s.inside[name] = next(one for one in contents if one and one["hexes"][1:] == hexes)
 	for number, event in enumerate(events, 2):
 		try: take(s, event)
 		except Exception as error: raise Wrong(f"line {number}: {event.get('event')}: {error}") from None

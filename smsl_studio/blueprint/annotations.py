@@ -81,6 +81,18 @@ class Binding(_Note):
 
 
 @dataclass(frozen=True)
+class ProcedureBinding(_Note):
+    """The blueprint an operation runs to one of its states, one level down (see ``procedures``)."""
+
+    blueprint: str
+    """A file of the project, named from the file of the SB, or ``store:DIGEST``."""
+    goal: str
+    """The address of the state, such as ``SB1/State_cc``."""
+    function: ClassVar[str] = ""
+    arguments: ClassVar[dict[str, Json]] = {}
+
+
+@dataclass(frozen=True)
 class OperationNote(_Note):
     """``_operations`` of an SB, by operation name or by ``State/Operation`` (which wins)."""
 
@@ -103,7 +115,7 @@ class OperationNote(_Note):
     requires: dict[str, str] = field(default_factory=dict)
     """Facts of any SB that must hold before it begins: ``{"SB/digit": value}``."""
     subs: Literal["drive", "load"] = "drive"
-    binding: Binding | None = None
+    binding: Binding | ProcedureBinding | None = None
     question: str = ""
     """The request to the person who carries it out. ``roles`` says whose task that is."""
     roles: tuple[str, ...] = ()
@@ -195,7 +207,10 @@ def with_words(
     except ValidationError as error:
         odd = set()
         for fault in error.errors(include_url=False):
-            inner = ".".join(str(part) for part in fault["loc"])
+            where = [str(part) for part in fault["loc"]]
+            if _other_binding(raw) in where:
+                continue
+            inner = ".".join(part for part in where if part not in _BINDINGS)
             odd.add(inner.partition(".")[0])
             words = fault["msg"].replace("valid tuple", "list").replace("valid dictionary", "map")
             faults.append((path, f"{inner}: {words}" if inner else words))
@@ -203,6 +218,15 @@ def with_words(
     if not fitting or len(fitting) == len(raw):
         return None, frozenset()
     return with_words(model, fitting, path, [])
+
+
+_BINDINGS = ("Binding", "ProcedureBinding")
+
+
+def _other_binding(raw: Json) -> str:
+    """Return the kind of binding that a note does not mean. Faults in it are not told."""
+    said = raw.get("binding") if isinstance(raw, dict) else None
+    return _BINDINGS[not (isinstance(said, dict) and "blueprint" in said)]
 
 
 @lru_cache(maxsize=8)

@@ -94,6 +94,24 @@ def follow(document: Document, known: Mapping[str, Document]) -> Imports:
     return Imports(root, tuple(files), tuple(failures))
 
 
+def named_document(home: Document, name: str) -> Document:
+    """Return the file to which a name in ``home`` leads, with the rules of imports.
+
+    ReadError if it must not be read, or cannot be.
+    """
+    own = real_path(home.file)
+    project = project_in_store(own) or project_of(home.file)
+    entry = _Entry(name, os.path.dirname(home.file), (), (own,), project)  # noqa: PTH120
+    try:
+        real = _place_of(entry)
+        if real == own:
+            raise _Refused("it leads back to its own file", "Name another file.")
+        return _read(entry, real)
+    except _Refused as refused:
+        sentence, advice = refused.args
+        raise ReadError(sentence.replace("the import", "the file", 1), None, advice) from None
+
+
 def gather(document: Document, imports: Imports, own: Callable[[Document], Branches]) -> Blueprint:
     """Return one blueprint of a document and its imports. ``own`` reads the SBs of one document."""
     branches = dict(own(document))

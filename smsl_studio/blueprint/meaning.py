@@ -259,6 +259,8 @@ def _plain(value: Any) -> Json:
         return list(value)
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
+    if hasattr(value, "goal"):
+        return asdict(value)
     if hasattr(value, "arguments"):
         arguments = {key: word_for_word(one) for key, one in value.arguments.items()}
         return {"function": value.function, "arguments": arguments}

@@ -78,7 +78,7 @@ def _branch(said: Mapping[str, Json], notes: Mapping[str, Json]) -> dict[str, Js
 def _entry(note: Mapping[str, Json]) -> Iterator[tuple[str, Json]]:
     """Yield the keys and values of a note. A content has the arguments of bindings as texts."""
     for word, value in note.items():
-        if word == "binding" and isinstance(value, dict):
+        if word == "binding" and isinstance(value, dict) and "arguments" in value:
             arguments = {key: json.loads(text) for key, text in value["arguments"].items()}
             yield word, {**value, "arguments": arguments}
         else:

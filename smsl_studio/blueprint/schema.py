@@ -17,6 +17,7 @@ from smsl_studio.blueprint.annotations import (
     Group,
     Hazard,
     OperationNote,
+    ProcedureBinding,
     StateNote,
 )
 from smsl_studio.blueprint.continuum import LEVELS
@@ -27,7 +28,7 @@ from smsl_studio.smsl.document.limits import MAX_NAME
 Json = Any
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-NOTES = (FactNote, StateNote, OperationNote, Binding, Hazard, DrawnNote, Group)
+NOTES = (FactNote, StateNote, OperationNote, Binding, ProcedureBinding, Hazard, DrawnNote, Group)
 
 WORDS: dict[str, dict[str, str]] = {
     "FactNote": {
@@ -84,6 +85,11 @@ WORDS: dict[str, dict[str, str]] = {
         "": "A function of the operation library, with its arguments.",
         "function": "The function's name, such as plugin.function.",
         "arguments": "What it is called with.",
+    },
+    "ProcedureBinding": {
+        "": "A blueprint that the operation runs to one of its states.",
+        "blueprint": "Its file, named from this one, or store:DIGEST.",
+        "goal": "The state: SB/State.",
     },
     "Hazard": {
         "": "Facts that must never hold together.",

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
-from smsl_studio.runlog.events import EdgeSwept, Event, RunFinished, SweepFinished
+from smsl_studio.runlog.decoder import event_of
+from smsl_studio.runlog.events import EdgeSwept, Event, RunFinished, SweepFinished, Within
 
 _LEFT_OUT = ("event", "t", "sensed")
 _PLACES = ("start", "configuration", "candidates")
@@ -18,6 +20,8 @@ def line_of(event: Event) -> str:
         return _edge(event)
     if isinstance(event, SweepFinished):
         return f"{event.passed} of {event.edges} edges passed"
+    if isinstance(event, Within):
+        return _within(event)
     values = event.as_json()
     words = event.event.replace("_", " ")
     if isinstance(event, RunFinished):
@@ -29,6 +33,17 @@ def line_of(event: Event) -> str:
         if key not in _LEFT_OUT and not _blank(value)
     ]
     return f"{event.t:9.3f} s  {words}: {', '.join(rest)}".rstrip(": ")
+
+
+def _within(event: Within) -> str:
+    """Return the line of what an operation runs, one level down."""
+    try:
+        told = event_of(json.loads(event.told))
+    except (ValueError, TypeError, AttributeError, RecursionError):
+        told = None
+    if told is None or isinstance(told, Within):
+        return f"{event.t:9.3f} s    > {event.told}"
+    return f"{event.t:9.3f} s    > {line_of(told)[13:]}"
 
 
 def _edge(event: EdgeSwept) -> str:

@@ -9,6 +9,7 @@ from pathlib import PurePath
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.stored import stored_place
 from smsl_studio.errors import UsageError
@@ -63,10 +64,12 @@ acts. edge is an operation of the blueprint and what it changes. way names the f
 operation is changing just now, hazards those that are met, safe refuses one that nobody has told.
 running names the operations of an address, locate says where the run is from now on.
 
-The story: tell tells a log again. take asks what each event needs: time goes on only where
-something takes time, and an effect has its command, at the same time and of the same person. Then
-on_EVENT asks what this event needs, and notes what it changes. arrived: nothing goes on, and the
-goals that were told still hold. same compares names of people, each gives each wish an offer.
+The story: tell tells a log again, fresh is a story that has not begun, and below tells what the
+blueprint does that an operation runs, one level down, in the same way. take asks what each event
+needs: time goes on only where something takes time, and an effect has its command, at the same
+time and of the same person. Then on_EVENT asks what this event needs, and notes what it changes.
+arrived: nothing goes on, and the goals that were told still hold. same compares names of people,
+each gives each wish an offer.
 
 The records: when reads a time. trusted reads the policy and whose keys count, opened checks a
 signature. void: a key or a record is revoked, or not valid at that time. recorder says who has
@@ -125,7 +128,10 @@ def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
 
     The names keep the folders, relative to the common folder of all files.
     """
-    named = [(_path(document), document) for document in blueprint.documents]
+    procedures = procedures_of(blueprint).parts
+    also = [document for part in procedures for document in part.documents]
+    listed = dict.fromkeys((*blueprint.documents, *also))
+    named = [(_path(document), document) for document in listed]
     paths = [path for path, _ in named if stored_place(path) is None] or [named[0][0]]
     folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
     for path, document in named:
@@ -134,7 +140,7 @@ def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
         name = _plain(PurePath(way).as_posix())
         yield f"blueprint/{name}", document.encoded()
         own = document is blueprint.document
-        one = blueprint if own else read_blueprint(document, opened=blueprint.documents)
+        one = blueprint if own else read_blueprint(document, opened=listed)
         for part, text in content_texts(one).items():
             yield f"content/{name}/{part}.json", text
 

@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.nested import NestedHost
+from smsl_studio.front.procedure_parts import runnable_procedures
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
@@ -28,6 +30,18 @@ def make_host(
     process host loads the plugins of the world again, and no others. ``spare`` may hold a child
     process that waits for work. RunRefused if the world is hardware and the run has no approval.
     """
+    procedures = runnable_procedures(request.blueprint)
+    host = _bare(request, loaded, spare, procedures.parts)
+    if not procedures.bound:
+        return host
+    attended = request.by_hand if request.attended is None else request.attended
+    return NestedHost(host, request.blueprint, procedures, attended, request.seed)
+
+
+def _bare(
+    request: RunRequest, loaded: Loaded | None, spare: Spare | None, parts: tuple[Blueprint, ...]
+) -> Host:
+    """Return the host of a run, without what carries out procedures. ``parts`` are theirs."""
     blueprint, world, seed = request.blueprint, request.world, request.seed
     trust = request.trust
     may_move = trust is not None
@@ -39,7 +53,9 @@ def make_host(
         if loaded is not None:
             refuse_hardware(loaded, world, may_move)
         file = trust.bindings if trust is not None else None
-        return LocalHost(blueprint, world, seed, request.plugin_paths, loaded, file)
+        local = LocalHost(blueprint, world, seed, request.plugin_paths, loaded, file)
+        local.carry(parts)
+        return local
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
     if loaded is not None:
@@ -48,7 +64,7 @@ def make_host(
     # A plugin that nobody signed does not run beside signed code: it could change it.
     only = tuple(signed) if signed else _locations(loaded, world)
     file = trust.bindings if trust is not None else None
-    terms = ChildTerms(only, signed=signed, bindings=file, hardware=may_move)
+    terms = ChildTerms(only, signed=signed, bindings=file, hardware=may_move, parts=parts)
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 

@@ -14,12 +14,14 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import is_exact, procedures_of
 from smsl_studio.errors import StudioError
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loaded import Loaded
+from smsl_studio.runlog.events import PROCEDURE
 from smsl_studio.runlog.grounds import BoundCode, grounds_of
 from smsl_studio.runlog.names import names_of
 from smsl_studio.seal.digest import sha256_hex
@@ -58,7 +60,15 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
         },
         "names": names_of(blueprint),
         "grounds": grounds_of(blueprint, _code(blueprint, world, loaded)),
+        **_procedures(blueprint),
     }
+
+
+def _procedures(blueprint: Blueprint) -> Mapping[str, Json]:
+    """Return the digests of the blueprints that operations run, if there are any."""
+    files = procedures_of(blueprint).files
+    found = {name: list(digests(part).as_json().values()) for name, part in files.items()}
+    return {"procedures": found} if found else {}
 
 
 def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
@@ -90,12 +100,16 @@ def _code(blueprint: Blueprint, world: str, loaded: Loaded | None) -> BoundCode:
     except StudioError:
         return BoundCode()
     operations = found.operations
+    below = procedures_of(blueprint).bound
     # The table world makes a binding only when somebody asks for it. So there is nothing to list.
     many = () if world == TABLE else operations.items()
     exact = frozenset(address for address, one in many if one.exact)
+    exact |= {edge for edge in below if is_exact(blueprint[edge.branch], edge)}
 
     def function(edge: Address) -> str | None:
         """Return the name of an edge's function, or None if it has none."""
+        if edge in below:
+            return f"{PROCEDURE}{below[edge].name}"
         bound = operations.get(edge)
         return None if bound is None else bound.name
 

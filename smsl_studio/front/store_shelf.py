@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.stored import plain_digest, stored_file, stored_folder
 from smsl_studio.errors import ApprovalRefused, SealError, UsageError
@@ -224,7 +225,8 @@ def _files(blueprint: Blueprint) -> dict[str, bytes]:
     the folder that holds them all. The blueprint is the first.
     """
     store = os.path.realpath(stored_folder())
-    paths = {os.path.realpath(one.file): one for one in blueprint.documents}
+    run = (one for part in procedures_of(blueprint).parts for one in part.documents)
+    paths = {os.path.realpath(one.file): one for one in (*blueprint.documents, *run)}
     first = next(iter(paths))
     if first.startswith(os.path.join(store, "")):  # noqa: PTH118
         raise UsageError(f"{blueprint.file} stands in the store already")
@@ -239,7 +241,8 @@ def _entry(blueprint: Blueprint, root: str, time: str) -> StoredBlueprint:
     from smsl_studio.front.approval_files import parts_of
 
     found = digests(blueprint)
-    parts = [digests(part).closure for _, part in list(parts_of(blueprint))[1:]]
+    brought = [part for _, part in list(parts_of(blueprint))[1:]]
+    parts = [digests(part).closure for part in (*brought, *procedures_of(blueprint).parts)]
     operations: list[str] = []
     facts: list[str] = []
     for branch in blueprint:

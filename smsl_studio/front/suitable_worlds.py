@@ -10,6 +10,7 @@ from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.errors import StudioError
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.bindings import bind
@@ -41,6 +42,7 @@ def _suits(blueprint: Blueprint, loaded: Loaded, world: str) -> bool:
     try:
         edges = Edges(Hierarchy(blueprint))
         bindings = bind(blueprint, loaded, world, bindings_beside(blueprint.file))
+        procedures = procedures_of(blueprint)
     except StudioError:
         return False
     sensed = {(sensor.branch, sensor.digit) for sensor in bindings.sensors}
@@ -49,7 +51,9 @@ def _suits(blueprint: Blueprint, loaded: Loaded, world: str) -> bool:
     if any(fact not in sensed and levels.fact(*fact) != HUMAN for fact in facts):
         return False
     return blueprint.operation_count > 0 and all(
-        edge.address in bindings.operations or levels.operation(edge.address) == HUMAN
+        edge.address in bindings.operations
+        or edge.address in procedures.bound
+        or levels.operation(edge.address) == HUMAN
         for branch in blueprint
         for state in branch.table
         for edge in edges.out(branch.name, state)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.front.approval_files import (
     RecordFile,
     TrustFiles,
@@ -119,9 +120,27 @@ def _answered(question: ApprovalQuestion, trust: TrustFiles, record: RecordFile)
         _asking(question, found),
         _Parts(question, trust).uncovered,
     )
-    judgement = judge(case)
+    judgement = _with_procedures(judge(case), question, trust)
     _keep(question, judgement)
     return ApprovalAnswer(judgement, trust, record, found)
+
+
+def _with_procedures(
+    judgement: Judgement, question: ApprovalQuestion, trust: TrustFiles
+) -> Judgement:
+    """Return the decision, refused if a blueprint that an operation runs is not approved itself."""
+    refusals = []
+    for name, part in procedures_of(question.blueprint).files.items():
+        asked = replace(question, blueprint=part, record=None)
+        own = _answered(asked, trust, record_in(asked.record_file)).judgement
+        if not own.is_approved:
+            reasons = "; ".join(one.sentence for one in own.refusals[:3])
+            words = f"an operation runs {name}, which is not approved: {reasons}"
+            refusals.append(Refusal("sub_not_covered", words))
+    if not refusals:
+        return judgement
+    told = (*judgement.refusals, *refusals)
+    return replace(judgement, verdict=refused().verdict, refusals=told)
 
 
 def _asking(question: ApprovalQuestion, found: WorldSurvey) -> Asking:

@@ -14,6 +14,7 @@ from typing import Any
 
 from smsl_studio.blueprint.digests import content_of
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.seal.canonical import canonical
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import resources_dir
@@ -55,9 +56,10 @@ def told_again(raw: bytes, blueprint: Blueprint) -> str:
     Return why the log is wrong, or the empty text. ``raw`` has the bytes of the log.
     """
     checks = _checks()
-    texts = content_texts(blueprint)
+    every = [blueprint, *procedures_of(blueprint).parts]
     try:
-        checks.tell([checks.content([texts[part] for part in checks.PARTS])], raw)
+        read = [content_texts(one) for one in every]
+        checks.tell([checks.content([one[part] for part in checks.PARTS]) for one in read], raw)
     except checks.Wrong as error:
         return str(error)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:

@@ -73,9 +73,10 @@ class RunAnswers:
     ``tick`` and ``sense`` are added when the world is opened.
     """
 
-    def __init__(self, blueprint: Blueprint) -> None:
-        edges = [edge.address for branch in blueprint for edge in branch.edges()]
-        digits = [(branch.name, at) for branch in blueprint for at in range(branch.num_facts)]
+    def __init__(self, *blueprints: Blueprint) -> None:
+        branches = [branch for blueprint in blueprints for branch in blueprint]
+        edges = [edge.address for branch in branches for edge in branch.edges()]
+        digits = [(branch.name, at) for branch in branches for at in range(branch.num_facts)]
         edge, fact, facts = one_of(edges), one_of(digits), frozenset(digits)
         bound = record(
             Bound,
@@ -90,8 +91,8 @@ class RunAnswers:
             SensorInfo,
             ("remote",),
             name=NAME,
-            branch=one_of([branch.name for branch in blueprint]),
-            digit=whole(0, max((branch.num_facts for branch in blueprint), default=0)),
+            branch=one_of([branch.name for branch in branches]),
+            digit=whole(0, max((branch.num_facts for branch in branches), default=0)),
             period=PATIENCE,
             max_age=PATIENCE,
             aggregation=one_of([*MODES, "human"]),

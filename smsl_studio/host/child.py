@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_gathered
 from smsl_studio.errors import HostError, Place, StudioError
 from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
@@ -67,6 +68,8 @@ class Recipe:
     """The bindings file that was signed. None means the one beside the blueprint."""
     hardware: bool = False
     """Whether the run was approved for a world that is hardware. Without it none is built."""
+    parts: tuple[tuple[tuple[str, str, str], ...], ...] = ()
+    """The documents of each procedure that the blueprint runs."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -84,6 +87,10 @@ def main(pipe: int, beat: int) -> None:
             wire.send(kind, body)
     # End at once: threads and exit handlers of library code must not delay the end.
     os._exit(0)
+
+
+def _read(documents: tuple[tuple[str, str, str], ...]) -> Blueprint:
+    return read_gathered([form_named(form).parse(text, file) for file, form, text in documents])
 
 
 class _Child:
@@ -125,8 +132,7 @@ class _Child:
         """Read the blueprint and build the world. If the build fails, ``open`` reports the
         fault."""
         limit_process(recipe.memory)
-        documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
-        blueprint = read_gathered(documents)
+        blueprint, *parts = map(_read, (recipe.documents, *recipe.parts))
         paths = [Path(path) for path in recipe.plugin_paths]
         loaded = Loaded()
         if recipe.world != TABLE:
@@ -136,7 +142,8 @@ class _Child:
         refuse_hardware(loaded, recipe.world, recipe.hardware)
         file = recipe.bindings
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
-        self._run = RunAnswers(blueprint)
+        self.host.carry(parts)
+        self._run = RunAnswers(blueprint, *parts)
         self._answers = self._run.of
         self._verbs |= {
             "open": self.open,

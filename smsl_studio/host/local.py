@@ -14,7 +14,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call
@@ -37,12 +37,13 @@ from smsl_studio.host.protocol import (
 from smsl_studio.host.sensor_schedule import SensorSchedule
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
-from smsl_studio.library.bound import Bindings, BoundSensor
+from smsl_studio.library.bound import Bindings, BoundSensor, joined
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
 from smsl_studio.library.operation_library import FaultEntry, WorldEntry
 from smsl_studio.library.table import facts_of
 from smsl_studio.library.table_faults import table_faults
+from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.engines import TABLE, make_engine
 from smsl_studio.world.protocol import World
@@ -52,8 +53,8 @@ class LocalHost:
     """A world, and the library code that is bound to a blueprint in it.
 
     ``plugin_paths`` are plugin folders that are searched before all others. ``loaded`` are plugins
-    that were found before. ``file`` is the bindings file that was signed; None means the one beside
-    the blueprint. The printed output of library code goes to standard error.
+    that were found before. ``file`` is the bindings file that was signed; None means the one
+    beside the blueprint. The printed output of library code goes to standard error.
     """
 
     def __init__(
@@ -66,6 +67,7 @@ class LocalHost:
         file: BindingsFile | None = None,
     ) -> None:
         self._blueprint = blueprint
+        self._parts: tuple[Blueprint, ...] = ()
         self._name = world
         self._seed = seed
         self._paths = tuple(plugin_paths)
@@ -87,6 +89,10 @@ class LocalHost:
         self._ticks = 0
         self._boot = 0
         self._poses: tuple[float, ...] = ()
+
+    def carry(self, parts: Sequence[Blueprint]) -> None:
+        """Let blueprints of procedures use the same world. This is said before it is built."""
+        self._parts = tuple(parts)
 
     def prepare(self) -> None:
         """Find the code and build the world, so that ``open`` is quick. It raises the same errors
@@ -129,7 +135,7 @@ class LocalHost:
             shapes=shapes,
             settle=self._settle,
             faults=tuple(map(str, bindings.faults)),
-            rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
+            rules=self._rules(bindings),
             world_faults=self._injecting.names,
             priced=bool(bindings.costs),
             guarded=bool(self._guarding),
@@ -250,8 +256,21 @@ class LocalHost:
             raise HostError("the host is not open")
         return self._engine
 
+    def _rules(self, bindings: Bindings) -> dict[FactKey, FactRule]:
+        if self._name == TABLE:
+            return {}
+        rules = rules_of(self._blueprint, bindings)
+        for part in self._parts:
+            rules |= rules_of(part, bindings)
+        return rules
+
     def _values(self, fact: FactKey) -> tuple[str, ...]:
-        return self._blueprint[fact[0]].alphabet[fact[1]]
+        return self._branch(fact[0]).alphabet[fact[1]]
+
+    def _branch(self, name: str) -> StateBranch:
+        """Return an SB of the blueprint or of one of its procedures."""
+        own = (one for one in (self._blueprint, *self._parts) if name in one.branches)
+        return next(own, self._blueprint)[name]
 
     def _drop(self) -> None:
         if self._call is not None:
@@ -278,9 +297,16 @@ class LocalHost:
         if self._bindings is None:
             table = self._name == TABLE
             file = None if table else self._file or bindings_beside(self._blueprint.file)
-            self._bindings = bind(self._blueprint, self._plugins(), self._name, file)
+            own = bind(self._blueprint, self._plugins(), self._name, file)
+            self._bindings = joined(own, self._part_bindings()) if self._parts else own
             self._bound = _bounds(self._bindings)
         return self._bindings
+
+    def _part_bindings(self) -> list[Bindings]:
+        table = self._name == TABLE
+        files = [None if table else bindings_beside(part.file) for part in self._parts]
+        pairs = zip(self._parts, files, strict=True)
+        return [bind(part, self._plugins(), self._name, file) for part, file in pairs]
 
     def _build(self) -> World:
         if self._name == TABLE:
@@ -301,7 +327,8 @@ class LocalHost:
     def _arrange(self, engine: World, start: Mapping[str, str]) -> None:
         facts: dict[FactKey, str] = {}
         for name, state in start.items():
-            facts |= facts_of(self._blueprint[name], state)
+            if self._name == TABLE or name in self._blueprint.branches:
+                facts |= facts_of(self._branch(name), state)
         if self._name == TABLE:
             self._engine = self._subject = make_engine(TABLE, TABLE)
             self._subject.set_facts(facts)

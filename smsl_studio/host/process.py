@@ -66,9 +66,14 @@ class ChildTerms:
     signed: Mapping[str, str] | None = None
     bindings: BindingsFile | None = None
     hardware: bool = False
+    parts: tuple[Blueprint, ...] = ()
 
 
 USUAL = ChildTerms()
+
+
+def _texts(blueprint: Blueprint) -> tuple[tuple[str, str, str], ...]:
+    return tuple((one.file, one.form, one.text) for one in blueprint.documents)
 
 
 class ProcessHost:
@@ -86,7 +91,7 @@ class ProcessHost:
         terms: ChildTerms = USUAL,
         spare: Spare | None = None,
     ) -> None:
-        texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
+        texts = _texts(blueprint)
         paths = tuple(str(path) for path in plugin_paths)
         signed = None if terms.signed is None else tuple(sorted(terms.signed.items()))
         self._recipe = Recipe(
@@ -99,6 +104,7 @@ class ProcessHost:
             signed,
             terms.bindings,
             terms.hardware,
+            tuple(map(_texts, terms.parts)),
         )
         self._terms = terms
         self._blueprint = blueprint
@@ -264,7 +270,7 @@ class ProcessHost:
         """Return the answer to the last command. HostError if no answer can come any more."""
         assert self._child is not None
         if self._answers is None:
-            self._answers = RunAnswers(self._blueprint)
+            self._answers = RunAnswers(self._blueprint, *self._terms.parts)
         try:
             frame = self._wait(self._child, verb, limit)
         except Stopped:

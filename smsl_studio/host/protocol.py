@@ -11,13 +11,14 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import partial
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.runlog.event import Event
 from smsl_studio.world.protocol import Shape
 
 
@@ -153,6 +154,20 @@ tick_of: Callable[[tuple[float, Outcome, tuple[Sample, ...], str]], Tick] = part
     tuple.__new__, Tick
 )
 """Return the tick with these fields. This is quicker than a call of ``Tick``."""
+
+
+@runtime_checkable
+class Telling(Protocol):
+    """A host that tells events of its own: those of the procedures that it carries out."""
+
+    def hear(self, tell: Callable[[Event], None]) -> None:
+        """Tell events to ``tell`` from now on."""
+        ...
+
+    @property
+    def holding(self) -> str:
+        """Why a procedure holds and waits for a person. Empty if none does."""
+        ...
 
 
 class Host(Protocol):

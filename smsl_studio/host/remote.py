@@ -8,7 +8,7 @@ no tick.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from threading import Event as Flag
 from time import monotonic
@@ -17,11 +17,20 @@ from typing import Protocol
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import HostError, UsageError
-from smsl_studio.host.protocol import Happened, Host, OpenedWorld, Priced, SensorInfo, Tick
+from smsl_studio.host.protocol import (
+    Happened,
+    Host,
+    OpenedWorld,
+    Priced,
+    SensorInfo,
+    Telling,
+    Tick,
+)
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
 from smsl_studio.monitor.reception import Reception, RemoteView
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.runlog.event import Event
 from smsl_studio.stop import heed
 
 HELLO = 3.0
@@ -172,6 +181,16 @@ class WithRemote:
             settle=max(opened.settle, patience),
             remote=self.remote,
         )
+
+    def hear(self, tell: Callable[[Event], None]) -> None:
+        """Let the wrapped host tell the events of its procedures."""
+        if isinstance(self.inner, Telling):
+            self.inner.hear(tell)
+
+    @property
+    def holding(self) -> str:
+        """Why a procedure of the wrapped host holds. Empty if none does."""
+        return self.inner.holding if isinstance(self.inner, Telling) else ""
 
     def sense(self) -> tuple[Sample, ...]:
         """Read every sensor of the world once."""

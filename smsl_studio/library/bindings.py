@@ -16,7 +16,7 @@ from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
-from smsl_studio.blueprint.annotations import Binding
+from smsl_studio.blueprint.annotations import Binding, ProcedureBinding
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.predicates import FactSense, read_unit
@@ -86,7 +86,9 @@ class _Binder:
     def _operation(self, branch: StateBranch, edge: Address) -> BoundOperation | None:
         whole, own, name = str(edge), note_key(edge.operation, edge.state), note_key(edge.operation)
         in_file, notes = self.table.operations, branch.notes.operations
-        candidates: tuple[tuple[Binding | BoundFunction | None, bool, str], ...] = (
+        candidates: tuple[
+            tuple[Binding | ProcedureBinding | BoundFunction | None, bool, str], ...
+        ] = (
             (in_file.get(whole), True, whole),
             (in_file.get(own), True, own),
             (notes[own].binding if own in notes else None, True, own),
@@ -94,6 +96,8 @@ class _Binder:
             (notes[name].binding if name in notes else None, False, name),
         )
         for found, exact, key in candidates:
+            if isinstance(found, ProcedureBinding):
+                return None
             if found is not None:
                 place = self._place(branch, found, key)
                 return self._explicit(branch, edge, found, exact, place)

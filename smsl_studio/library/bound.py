@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -93,6 +93,23 @@ class Bindings:
     faults: tuple[BindingFault, ...] = ()
     named: Mapping[FactKey, tuple[str, ...]] = field(default_factory=dict)
     costs: Mapping[Address, BoundCost] = field(default_factory=dict)
+
+
+def joined(own: Bindings, parts: Sequence[Bindings]) -> Bindings:
+    """Return the bindings of a blueprint with those of its procedures. Their SBs have other
+    names.
+    """
+    every = (own, *parts)
+    operations: dict[Address, BoundOperation] = {}
+    costs: dict[Address, BoundCost] = {}
+    named: dict[FactKey, tuple[str, ...]] = {}
+    for one in every:
+        operations.update(one.operations.items())
+        costs.update(one.costs)
+        named.update(one.named)
+    sensors = tuple(sensor for one in every for sensor in one.sensors)
+    faults = tuple(fault for one in every for fault in one.faults)
+    return Bindings(operations, sensors, faults, named, costs)
 
 
 def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:

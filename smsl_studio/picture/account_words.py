@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from types import MappingProxyType
@@ -12,6 +13,7 @@ from smsl_studio.picture import account_regulation as regulating
 from smsl_studio.picture.account_regulation import LONGEST, listed, states
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.command_word import CommandWords
+from smsl_studio.runlog.decoder import event_of
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, HeaderNames
 
@@ -30,6 +32,7 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
         run.OperationStarted: DONE,
         run.OperationEnded: DONE,
         run.Disturbed: DONE,
+        run.Within: DONE,
         run.FaultInjected: DONE,
         run.TaskOpened: ASKED,
         run.TaskEscalated: ASKED,
@@ -170,6 +173,21 @@ def _committed(event: run.Committed) -> str:
     return f"{', '.join(event.operations)} became true: {states(event.configuration)}"
 
 
+def _within(event: run.Within) -> str:
+    """Return what the blueprint that an operation runs tells, one level down."""
+    try:
+        told = event_of(json.loads(event.told))
+    except (ValueError, TypeError, AttributeError, RecursionError):
+        return f"{event.operation} tells something that no run tells"
+    if isinstance(told, run.Within):
+        return f"{event.operation} tells something that no run tells"
+    if isinstance(told, run.FactChanged):
+        said = _fact(told, NAMELESS)
+    else:
+        said = _WORDS.get(type(told), _plainly)(told)
+    return f"Within {event.operation}: {said}"
+
+
 def _mismatch(event: run.Mismatch) -> str:
     words = listed("Sensed facts and beliefs differ", event.facts)
     fitting = " or ".join(states(one) for one in event.candidates) or "no configuration"
@@ -194,6 +212,7 @@ _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
         run.Committed: _committed,
         run.Mismatch: _mismatch,
         run.OperationRefused: lambda e: listed(f"{e.address} was refused", e.reasons),
+        run.Within: _within,
         run.OperationRisky: lambda e: f"{e.address} is tagged risky: {e.reason}",
         run.OperationPruned: lambda e: f"{e.address} was shut out: {e.reason}",
         run.OperationRestored: lambda e: f"{e.address} may be used again",

@@ -304,6 +304,19 @@ class RunFinished(Event):
     refusals: tuple[Mapping[str, str], ...] = ()
 
 
+PROCEDURE = "procedure "
+"""The function of an operation that runs another blueprint begins with this word."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Within(Event):
+    """An event of the blueprint that an operation runs, one level down. ``told`` is its line."""
+
+    event: ClassVar[str] = "within"
+    operation: str
+    told: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EdgeSwept(Event):
     """One edge of a sweep was carried out. ``source`` and ``target`` are the results of their state

@@ -141,6 +141,37 @@ def test_a_revoked_part_is_told_and_voids_what_covers_it(desk: Desk) -> None:
     assert end["reason"] == "refused"
 
 
+def test_a_procedure_needs_a_record_of_its_own_and_a_revoked_one_refuses(desk: Desk) -> None:
+    part = desk.write(PART, "part.json")
+    digest = added(desk, part)["digest"].removeprefix("sha256:")
+    run = {"binding": {"blueprint": f"store:{digest}", "goal": "SUB/State_1"}}
+    desk.write(
+        {
+            "WARD": {
+                "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1},
+                "_operations": {"prepare": run},
+                "State_0": {"prepare": "State_1"},
+                "State_1": {"again": "State_0"},
+            }
+        }
+    )
+    assert desk.approve("ada").status == 0
+    assert desk.codes() == ["sub_not_covered"]
+    assert desk("approve", part, "--key", "ada").status == 0
+    assert desk("store", "add", f"{part}.record.json").status == 0
+    assert desk.codes() == []
+    policy = written_policy(desk.folder, "persons = 1\n")
+    assert desk.run("--policy", policy)[1]["reason"] == "goal_reached"
+    added(desk, desk.file)
+    found = desk("store", "dependants", digest, "--format", "json").json["dependants"]
+    assert {Path(one["file"]).name for one in found} == {"door.json", "part.json"}
+    assert desk("store", "revoke", digest, "--key", "ada", "--why", "a wrong needle").status == 0
+    assert desk.codes() == ["sub_not_covered"]
+    _, end = desk.run("--policy", policy)
+    assert end["refusals"][0]["code"] == "sub_not_covered"
+    assert stored(desk) == [("door", "Revoked"), ("part", "Revoked")]
+
+
 def test_a_record_is_added_with_the_blueprint_beside_it(desk: Desk, tmp_path: Path) -> None:
     part = desk.write(PART, "part.json")
     assert desk("approve", part, "--key", "ada").status == 0

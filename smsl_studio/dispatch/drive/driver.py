@@ -207,8 +207,16 @@ class Driver:
         if carrier.failure is None:
             carrier.advance(self.course.barred)
             if carrier.stage is RUNNING:
+                if self.run.below is not None and self.run.below.holding:
+                    self._below_holds(self.run.below.holding)
                 return
         self._after(carrier)
+
+    def _below_holds(self, why: str) -> None:
+        """Pause, because the procedure of an operation holds and waits for a person."""
+        if self.attended and not self.state.frozen:
+            self.now_paused()
+            self.say(why)
 
     def _after(self, carrier: Carrier) -> None:
         """Handle the new stage of a step, after a tick or an answer."""

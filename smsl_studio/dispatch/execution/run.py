@@ -24,7 +24,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
-from smsl_studio.host.protocol import Happened, Host, OpenedWorld
+from smsl_studio.host.protocol import Happened, Host, OpenedWorld, Telling
 from smsl_studio.runlog.events import Event
 
 NOWHERE: Mapping[str, str] = MappingProxyType({})
@@ -85,6 +85,10 @@ class LiveRun:
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []
         self.events: list[Event] = []
+        self.below = host if isinstance(host, Telling) else None
+        """The host, if it carries out procedures and tells their events."""
+        if self.below is not None:
+            self.below.hear(lambda event: self.tell(event))
         self.tell: Callable[[Event], None] = self.events.append
         """Add one event that waits to be told. It is ``emit`` without a call of Python."""
 

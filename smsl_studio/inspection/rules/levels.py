@@ -11,6 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.plain_words import read_by_letters
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.effects import effects_of
@@ -175,7 +176,7 @@ class _Entries:
 
 
 def r08_cycles(blueprint: Blueprint) -> Iterator[Remark]:
-    """R08: a cycle among SBs, or an import that fails."""
+    """R08: a cycle among SBs, an import that fails, or a blueprint that no operation can run."""
     for fault in blueprint.import_faults:
         yield Remark(
             "R08",
@@ -184,6 +185,16 @@ def r08_cycles(blueprint: Blueprint) -> Iterator[Remark]:
             f"{fault.sentence} ({' > '.join(fault.chain)})",
             fault.advice[:1].lower() + fault.advice[1:].rstrip("."),
             spot=fault.place,
+        )
+    for wrong in procedures_of(blueprint).faults:
+        home = blueprint.home(wrong.branch)
+        yield Remark(
+            "R08",
+            ERROR,
+            Address(wrong.branch),
+            wrong.sentence,
+            wrong.advice[:1].lower() + wrong.advice[1:].rstrip("."),
+            spot=(home, (wrong.branch, "_operations", wrong.key)),
         )
     for cycle in cycles(blueprint):
         last = blueprint[cycle[-1]]

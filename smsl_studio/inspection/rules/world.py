@@ -9,6 +9,7 @@ from itertools import chain
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address, fact_text, note_key
+from smsl_studio.blueprint.annotations import ProcedureBinding
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.continuum import HUMAN, SHARED
@@ -91,6 +92,9 @@ def r24_no_function(equipment: Equipment) -> Iterator[Remark]:
                 )
     without: dict[tuple[str, str], list[Operation]] = {}
     for edge in _needing(equipment):
+        said = blueprint[edge.branch].operation_note(edge.source, edge.name)
+        if isinstance(said.binding, ProcedureBinding):
+            continue
         if str(edge.address) not in faulty and edge.address not in bindings.operations:
             without.setdefault((edge.branch, edge.name), []).append(edge)
     for edges in without.values():

@@ -7,14 +7,17 @@ order of events is judged, and whether they agree with each other and with the h
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.changes import take
 from smsl_studio.runlog.command_word import CommandWords
-from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.decoder import event_of
+from smsl_studio.runlog.events import PROCEDURE, Event
 from smsl_studio.runlog.grammar import bounds, operations, regulation, scene
 from smsl_studio.runlog.grammar.header import misshapen
 from smsl_studio.runlog.grammar.memory import Memory
@@ -35,6 +38,11 @@ class EventRow(NamedTuple):
     wrong: Callable[[Memory, Any], Iterator[str]]
     before: bool = True
     starting: bool = False
+
+
+def _judged_below(memory: Memory, event: run.Within) -> Iterator[str]:
+    """Yield nothing: ``Grammar`` judges what an operation runs, with a grammar of its own."""
+    yield from ()
 
 
 TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
@@ -71,6 +79,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.TaskEscalated: EventRow(regulation.task_escalated),
         run.TaskAnswered: EventRow(regulation.task_answered),
         run.TaskClosed: EventRow(regulation.task_closed),
+        run.Within: EventRow(_judged_below, before=False),
         run.RunFinished: EventRow(bounds.run_finished),
     }
 )
@@ -87,6 +96,8 @@ class Grammar:
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
         self._memory = Memory(header, commands)
         self._over = False
+        self._below: dict[str, Grammar] = {}
+        """The grammar of what each operation runs one level down, by its address."""
 
     def follow(self, event: Event) -> str:
         """Return why the next event is impossible, as a sentence without its full stop, or the
@@ -96,7 +107,12 @@ class Grammar:
             return ""
         memory = self._memory
         memory.now = event.t
-        why = next(_wrong(memory, event), "")
+        if isinstance(event, run.Within):
+            why = self._within(event)
+            self._over = bool(why)
+            take(memory.fold, event)
+            return why
+        why = next(_wrong(memory, event), "") or self._ended_below(event)
         if why:
             self._over = True
             return why
@@ -105,9 +121,65 @@ class Grammar:
         memory.last = event
         return ""
 
+    @property
+    def reason(self) -> str:
+        """The reason for which the run has ended. Empty if it has not."""
+        finished = self._memory.fold.finished
+        return "" if finished is None else finished.reason
+
+    def _within(self, event: run.Within) -> str:
+        """Return why an event of what an operation runs is impossible."""
+        memory, address = self._memory, event.operation
+        one = memory.begun.get(address)
+        if one is None or one.outcome or not one.function.startswith(PROCEDURE):
+            return f"{address} tells of what it runs, but it does not run a blueprint now"
+        if event.t < memory.fold.time:
+            return f"the time goes back from {memory.fold.time:g} s to {event.t:g} s"
+        try:
+            told = event_of(json.loads(event.told))
+        except (ValueError, TypeError, AttributeError, RecursionError) as error:
+            return f"what {address} runs tells no event: {error}"
+        if told.t != event.t or told.line() != event.told or isinstance(told, run.Within):
+            return f"what {address} runs tells another time or another line than a run writes"
+        if address not in self._below:
+            self._below[address] = Grammar(_header_below(memory.header, told), memory.commands)
+        below = self._below[address]
+        why = below.follow(told)
+        memory.below_holds = below.holds
+        return f"what {address} runs is impossible: {why}" if why else ""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the run holds."""
+        return self._memory.fold.phase == "fault_hold"
+
+    def _ended_below(self, event: Event) -> str:
+        """Return why an operation cannot end so, because of what it runs."""
+        if not isinstance(event, run.OperationEnded):
+            return ""
+        one, below = self._memory.begun.get(event.address), self._below.pop(event.address, None)
+        if one is None or not one.function.startswith(PROCEDURE) or event.outcome != "returned":
+            return ""
+        if below is None or below.reason != "goal_reached":
+            return f"{event.address} has returned, but what it runs has not reached its goal"
+        return ""
+
     def end(self) -> str:
         """Return why the log cannot end here, or the empty text if it can."""
         return "" if self._over or self._memory.fold.finished is not None else NO_END
+
+
+def _header_below(header: Mapping[str, Json], told: Event) -> Mapping[str, Json]:
+    """Return the header of what an operation runs. Its first event says where it begins."""
+    start = told.start if isinstance(told, run.RunStarted) else {}
+    return {
+        **{key: header[key] for key in ("world", "seed", "on_mismatch") if key in header},
+        "start": [str(Address(branch, state)) for branch, state in start.items()],
+        "goals": list(told.goals) if isinstance(told, run.RunStarted) else [],
+        "by_hand": False,
+        "attended": True,
+        "avoid": [],
+    }
 
 
 def _wrong(memory: Memory, event: Event) -> Iterator[str]:

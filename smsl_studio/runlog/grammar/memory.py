@@ -95,12 +95,12 @@ class Memory:
     no route.
 
     Of regulation: ``cause`` is the newest command, and ``owed`` is the word of the event that it
-    must cause. ``asked`` is the operation that somebody chose, and ``shut`` are those that must not
-    begin. ``doomed`` says that the run can only fail now. ``tasks`` are the open tasks, and
+    must cause. ``asked`` is the operation that somebody chose, and ``shut`` are those that must
+    not begin. ``doomed`` says that the run can only fail now. ``tasks`` are the open tasks, and
     ``names`` the names of all tasks so far. ``declined`` says that somebody has answered the
     question whether the run may start. ``wanted_pause`` says that a pause or a step was commanded
-    since the last pause. ``let_go`` says that a command was given or a task closed since the last
-    hold.
+    since the last pause, ``below_holds`` that what an operation runs holds. ``let_go`` says that a
+    command was given or a task closed since the last hold.
 
     Of facts and goals: ``evidence`` compares the logged facts with states, ``expansion`` has the
     digits that sub-SBs expand, and ``known`` the functions and costs of operations. ``busy`` is the
@@ -115,6 +115,7 @@ class Memory:
         self.header, self.commands = header, commands
         self.fold = RunFold(by_hand=by_hand)
         self.last: Event | None = None
+        self.below_holds = False
         self.now = 0.0
         self.unchecked: dict[str, str] = {}
         self.begun: dict[str, Begun] = {}

@@ -48,7 +48,7 @@ def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
 
 def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
     """Check that somebody wanted a pause, and that the run could be paused."""
-    if not memory.wanted_pause:
+    if not (memory.wanted_pause or memory.below_holds):
         yield "a run is paused, but nothing asked for a pause"
     if memory.fold.phase not in ("ready", "running", "waiting", "idle", "paused"):
         yield f"a run is paused that is {memory.fold.phase.replace('_', ' ')} already"
