@@ -1,6 +1,6 @@
 """Checks the evidence in this folder. 0: consistent. 1: not, and why. Names: README.txt."""
-import base64, datetime, hashlib, itertools, json, pathlib, sys, tomllib, types, unicodedata
-NOT_CHECKED = "MQTT", "routes", "words that move nothing", "code", "imported records", "report.html"
+import base64, datetime as dt, hashlib, itertools, json, pathlib, sys, tomllib, types, unicodedata
+NOT_CHECKED = "MQTT", "routes", "words that move nothing", "code", "records of parts", "report.html"
 class Wrong(Exception): "Why it is not believed."
 class Story(types.SimpleNamespace): names = vetoed = plan = told = (); __getattr__ = lambda s, n: 0
 def no(wrong, why="it does not follow from the blueprint and what stands before"):
@@ -8,32 +8,31 @@ def no(wrong, why="it does not follow from the blueprint and what stands before"
 def sha(raw): return hashlib.sha256(raw).hexdigest()
 def once(pairs): return no(len(dict(pairs)) < len(pairs), "a key stands twice") or dict(pairs)
 def read(raw): return json.loads(raw.decode(), object_pairs_hook=once, parse_constant=no)
-def plain(value): return json.dumps(value, separators=(",", ":")).encode()
+def plain(v): return json.dumps(v, separators=(",", ":"), ensure_ascii=False).encode()
 def escape(name): return name.replace("~", "~0").replace("/", "~1")
 def parts(text): return tuple(p.replace("~1", "/").replace("~0", "~") for p in text.split("/"))
 def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.isdecimal() else -1
 TYPES = {list: "candidates details facts faults goals met misses operations options reasons "
 	"refusals sensed sensors subs unknown", dict: "answers candidate closed configuration costs facts "
 	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
-	"cost deadline t"}; raw_of, NAMES = base64.b64decode, " ".join(TYPES.values()).split()
+	"cost deadline t"}; raw_of = base64.b64decode
 def fits(name, v):  # text, if TYPES says nothing else; a list holds what its singular is
-	if type(v) is str: return name not in NAMES
-	if name in TYPES[float].split(): no(abs(v) >= 2**53)
+	kinds = [k for k in TYPES if name in TYPES[k].split()] or [str]
+	if float in kinds: no(abs(v) >= 2**53)
 	inner = v.values() if type(v) is dict else v if type(v) is list else ()
-	return name in TYPES.get(type(v), "").split() and all(fits(name[:-1], one) for one in inner)
+	return type(v) in kinds and all(fits(name[:-1], one) for one in inner)
 def content(texts):  # 1 THE BLUEPRINT, from the texts that its digests are made of
-	brought, own, meaning, closure = map(read, texts); hexes = [sha(text) for text in texts]
-	theirs, notes, hazards, *levels = closure["imported"]; known = dict(own + brought)
-	no([theirs, closure["behaviour"], closure["meaning"]] != hexes[:3], "its texts are others")
-	notes, guards, both = dict(notes + meaning[0]), {}, b"," if own and brought else b""
-	sbs = {b: branch(Story(**known[b]), notes.get(b, {}), known) for b in known}
+	hexes, guards, (brought, own, (mine, *meaning), closure) = [*map(sha, texts)], {}, map(read, texts)
+	hex, notes, hazards, *levels = closure["imported"]; known = dict(own + brought)
+	no([hex, closure["behaviour"], closure["meaning"]] != hexes[:3], "its texts are others")
+	sbs = {b: branch(Story(**known[b]), dict(notes + mine).get(b, {}), known) for b in known}
 	bases = {x: [(b, n) for b in sbs for n, sub in sbs[b].subs.items() if sub == x] for x in sbs}
-	for one in [one for one in hazards or meaning[1] if type(one) is dict]:
-		facts = [(fact(key), value) for key, value in one["facts"].items()]
+	for one in [one for one in hazards or meaning[0] if type(one) is dict]:
+		facts = [(fact(k), v) for k, v in one["facts"].items()]
 		if all(b in sbs and -1 < n < sbs[b].count for (b, n), _ in facts): guards[one["name"]] = facts
-	levels = {k: v for one in levels + meaning[2:] if type(one) is dict for k, v in one.items()}
+	levels = {k: v for one in levels + meaning[1:] if type(one) is dict for k, v in one.items()}
 	return dict(hexes=hexes, sbs=sbs, bases=bases, hazards=guards, levels=levels,
-		whole=sha(texts[1][:-1] + both + texts[0][1:]), ends={b: sbs[b].goal for b in sbs})
+		whole=sha(plain(own + brought)), ends={b: sbs[b].goal for b in sbs})
 def branch(sb, notes, known):  # the names of states hold their facts: at the end, or behind State
 	sb.goal, sb.ops, (count, width, opaque) = sb.activating, notes.get("_operations", {}), sb.facts
 	sb.notes, sb.facts = {int(n): note for n, note in notes.get("_facts", {}).items()}, {}
@@ -49,7 +48,7 @@ def lines(raw):  # 2 THE LOG: each line, and the head, has the SHA-256 of all by
 	(*told, head, end), digest, found = raw.split(b"\n"), hashlib.sha256(), []
 	for number, line in enumerate(told, 1):
 		digest.update(line[:-66]); link = b',"chain":"%s"}' % digest.hexdigest().encode()
-		no(line[-76:] != link, f"line {number}: the chain breaks: it or a line before was changed")
+		no(line[-76:] != link, f"line {number}: it or a line before was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
 	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; seal = read(head).get("signed")
 	no(end or head != plain({"head": sums} | ({"signed": seal} if seal else {})), "its head is wrong")
@@ -58,12 +57,12 @@ def end_step(s): s.begun, s.moved, s.acting, s.failing = [], set(), 0, 0
 def here(s): return s.conf | {b: at for op in s.begun if op.done for b, at in op.new.items()}
 def holds(s, key, value, at, way=()):  # whether a fact has a value. None: unknown, ...: on its way
 	(b, n), sb = key, s.sbs[key[0]]
-	if n in sb.subs: return ... if key in way else sub(s, sb.subs[n], value == sb.on[n], at, way)
+	if n in sb.subs:  # the fact of a base says whether its sub-SB is in ACTIVATING
+		x, on = sb.subs[n], value == sb.on[n]
+		found = [...] if key in way else terms(s, at | {x: s.ends[x]}, x, way)
+		return not on if False in found else None if None in found else ... if ... in found else on
 	known = s.facts.get(key, sb.facts[at[b]][n] if s.began and key not in s.sensed else None)
 	return None if known is None else known == value
-def sub(s, b, on, at, way):  # the fact of a base says whether its sub-SB is in ACTIVATING
-	found = terms(s, at | {b: s.ends[b]}, b, way)
-	return not on if False in found else None if None in found else ... if ... in found else on
 def terms(s, at, b, way=()):  # a state check: whether each fact of the state holds
 	return [holds(s, (b, n), value, at, way) for n, value in enumerate(s.sbs[b].facts[at[b]])]
 def lit(s, b, n, state): return s.sbs[b].facts[state][n] == s.sbs[b].on[n]
@@ -95,7 +94,6 @@ CAUSES = dict(resumed="resume", operation_pruned="prune", operation_restored="re
 def take(s, e):  # 3 THE STORY is told again, event by event: when it may not come, what it changes
 	no(not all(fits(k, v) for k, v in e.items() if (k, v) != ("value", None)), "of another type")
 	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
-	if kind == "within": return below(s, e)
 	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.by_hand or not s.began
 	no(s.over or s.start and kind not in ("left_out", "fact_changed", "state_checked") or
 		e.t < s.t or e.t > s.t and not (waits or {*s.goals.values()} & {*s.conf.items()}))
@@ -105,27 +103,25 @@ def take(s, e):  # 3 THE STORY is told again, event by event: when it may not co
 	s.t = e.t; kind in IDLE or globals()["on_" + kind](s, e); s.last, c.t = e, -1 if own else c.t
 	if kind != "state_checked": s.checked = {}
 	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
-def below(s, e):  # an event of the blueprint that an operation runs, one level down
+def on_within(s, e):  # the blueprint that an operation runs tells a story of its own
 	op, told = running(s, e.operation)[-1], read(e.told.encode()); run = op.note["binding"]
-	no(op.outcome or e.t < s.t or told["t"] != e.t or told["event"] == "within"); s.t = e.t
-	start = [f"{escape(b)}/{escape(state)}" for b, state in told.get("start", {}).items()]
-	own = s.h | dict(start=start, goals=[run["goal"]], levels={}, by_hand=0, attended=1, avoid=[])
-	op.below = op.below or fresh(s.inside[run["blueprint"]], own); take(op.below, told)
+	h, closure = s.h | {"goals": [run["goal"]], "levels": {}}, s.h["procedures"][run["blueprint"]]
+	op.below = op.below or story(s.known, closure, h, told.get("start", {}))
+	no(op.outcome or told["t"] != e.t); take(op.below, told)
 def on_run_started(s, e):  # bases decide where their sub-SBs stand
-	given, asked = dict(map(parts, s.h["start"])), dict(map(parts, s.h["goals"]))
-	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met")
+	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met", ())
 	s.goals, s.sensed = {goal: parts(goal) for goal in e.goals}, {*map(fact, e.sensed)}
 	no(s.began or (e.behaviour, e.world, e.seed) != (s.whole, s.h["world"], s.h["seed"]) or
-		dict(s.goals.values()) != (asked or roots) or s.facts and not s.names)
+		dict(s.goals.values()) != (dict(map(parts, s.h["goals"])) or roots) or s.facts and not s.names)
 	usual = {b: x if s.bases[b] and x == s.ends[b] else s.sbs[b].initial for b, x in e.start.items()}
-	no(e.start != usual | given | s.conf); s.conf, s.start, s.began = {**e.start}, {**e.start}, 1
+	no(e.start != usual | s.given | s.conf); s.conf, s.start, s.began = {**e.start}, {**e.start}, 1
 	no(s.conf.keys() != s.sbs.keys() or broken(s, s.conf) or hazards(s, s.conf))
 def on_fact_changed(s, e):  # a source or a person tells it
 	key = b, n = e.branch, e.digit; sb, name, v = s.sbs[b], f"{escape(b)}/{n}", e.value
 	who = level(s, name) or sb.notes.get(n, {}).get("aggregation")
 	no(not -1 < n < sb.count or s.facts.get(key, 0) == v or v is not None and (e.reason or n in sb.subs
 		or s.began and key not in s.sensed or who == "human" and s.said.get(("fact", name)) != (e.t, v)))
-	s.facts[key] = v; s.met = s.met and s.met & hazards(s, here(s))
+	s.facts[key] = v; s.met &= hazards(s, here(s))
 def on_state_checked(s, e):
 	b, state = parts(e.address); seen = terms(s, here(s) | {b: state}, b, way(s))
 	no((len(e.misses), len(e.unknown)) != (seen.count(False), seen.count(None)) or
@@ -142,41 +138,38 @@ def on_operation_started(s, e):  # from where its SB is
 	no(op.target != e.target or now[op.b] != op.source or a in s.shut or s.failing or s.tasks or
 		not s.free and (not on or s.paused or a in s.vetoed) or False in seen or s.latch or
 		None in seen and not others or s.acting and s.last.event != e.event or
-		any((o.outcome == "returned" or o.b == op.b) and not o.done for o in others))
+		any((o.outcome or o.b == op.b) and not o.done for o in others))
 	yes, go = (s.said.pop((kind, a), "  ")[1] for kind in ("confirm", "supervise")); safe(s, now)
 	no(op.needs and bool(e.function) == (op.level == "human") or go != "go_on" and
 		not (others or s.free or s.bases[op.b]) and level(s, "supervision") == "human")
 	no(yes != "confirm" and (op.level == "shared" or op.note.get("confirm")) or not all(fact(key)[0] in
 		s.moved or holds(s, fact(key), v, now) for key, v in op.note.get("requires", {}).items()))
 	s.begun, s.plan, s.acting, s.held, s.ask = [*others, op], s.plan[on:], 1, 0, 0
-def on_operation_ended(s, e):
+def on_operation_ended(s, e, goal="goal_reached"):  # what it runs is there
 	op, how = running(s, e.address)[-1], e.outcome; bad, s.acting = how != "returned", 0
-	inner = op.note.get("binding", {}).get("blueprint") and (op.below or Story()).over
-	no(not bad and inner not in (None, "goal_reached"), "what it runs has not reached its goal")
+	no(not bad and op.function and "blueprint" in op.note.get("binding", ()) and op.below.over != goal)
 	no(op.outcome or s.failing or how != "cancelled" and not (op.function or op.answer) or not bad and
 		op.answer != "done" and (op.answer != 0 or e.t <= op.t)); op.outcome, s.failing = how, bad
 def on_committed(s, e):  # all have ended well, and were checked just before
 	ops = [s.begun.pop(s.begun.index(running(s, a)[0])) for a in e.operations]
 	new = {b: at for op in ops for b, at in op.new.items()}; at = s.conf | new
-	no(not ops or s.failing or s.last.t != e.t or e.configuration != new or broken(s, at) or
-		any(op.outcome != ("returned" if op.function or op.answer else 0) for op in ops) or
-		not new.items() <= s.checked.items())
+	no(not ops or s.failing or s.last.t != e.t or e.configuration != new or broken(s, at) or any(
+		(op.function or op.answer) and not op.outcome for op in ops) or new.items() - s.checked.items())
 	locate(s, at); safe(s, here(s)); s.moved, s.count = s.moved | {*new}, s.count + len(ops)
 	if not (s.begun or any(s.bases[b] or s.sbs[b].subs for b in new)): s.free, s.moved = 0, set()
 def on_operation_risky(s, e):
 	no(s.last.event != e.event and not (s.failing and running(s, e.address))); s.begun = []
-def on_operation_pruned(s, e): s.shut = {*s.shut, e.address}
-def on_operation_restored(s, e): s.shut, s.vetoed = {*s.shut} - {e.address}, ()
+def on_operation_pruned(s, e): s.shut |= {e.address}
+def on_operation_restored(s, e): s.shut, s.vetoed = s.shut - {e.address}, ()
 def on_mismatch(s, e): no(not e.facts or type(e.facts) is dict); end_step(s); s.only = e.candidates
 def on_relocalised(s, e):
 	there, c, last, adopts = e.configuration, s.cause, s.last, s.h["on_mismatch"] == "adopt"
 	moved = [b for b in there if there[b] != s.conf.get(b)]
-	accepted = last.event == "given_back" and last.configuration == there
-	adopted = (c.command, c.t) == ("adopt", e.t) or last.event == "mismatch" and adopts
-	may = accepted or adopted and s.only == [there] or len(moved) == 1 and s.bases[moved[0]]
+	adopts = (c.command, c.t) == ("adopt", e.t) or adopts and last.event == "mismatch"
+	may = adopts and s.only == [there] or last.event == "given_back" and last.configuration == there
 	s.facts = {k: v for k, v in s.facts.items() if v or not s.began or k in s.sensed}
-	no(s.conf and moved and not may or s.acting or last.event == e.event or broken(s, there) or
-		there.keys() != s.sbs.keys() or not all(all(terms(s, there, b)) for b in there))
+	no(s.conf and moved and not (may or len(moved) == 1 and s.bases[moved[0]]) or last.event == e.event
+		or s.acting or broken(s, there) or not all(all(terms(s, there, b)) for b in {**s.sbs, **there}))
 	locate(s, there); end_step(s); s.held, s.only = 0, 0
 def arrived(s): no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(
 	False in terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
@@ -184,7 +177,7 @@ def on_goal_reached(s, e):
 	s.told = [*s.told, e.goal]; arrived(s); safe(s, s.conf)
 	no([*s.goals][:len(s.told)] != s.told or not all(terms(s, s.conf, s.goals[e.goal][0])))
 def on_hazard_met(s, e): no({fact(k): v for k, v in e.facts.items()} != dict(s.hazards[e.name]) or
-	e.name not in hazards(s, here(s))); s.met = s.met | {e.name}
+	e.name not in hazards(s, here(s))); s.met |= {e.name}
 def on_held(s, e): end_step(s); s.held, s.paused = (e.kind, e.reason), 0
 def on_commanded(s, e):
 	no(not e.by or e.value is None); s.cause, word = e, "" if e.refused else e.command
@@ -199,7 +192,7 @@ on_taken_over, on_given_back, on_resumed = on_stopped, on_reset, on_paused
 def on_task_opened(s, e):  # it asks those whom the blueprint names
 	kind, (b, n) = e.kind, fact(e.address) if e.kind == "fact" else ("", 0)
 	note = s.sbs[b].notes.get(n, {}) if b else {} if kind == "start" else edge(s, e.address).note
-	roles = kind != "supervise" and note.get("confirm" if kind == "confirm" else "roles") or [""]
+	roles = kind != "supervise" and note.get(kind if kind == "confirm" else "roles") or [""]
 	no(e.task in s.names or e.role != ", ".join(filter(None, roles)) or e.persons != len(roles))
 	if kind == "operation": running(s, e.address)[-1].answer = "open"
 	s.tasks[e.task], s.names = Story(e=e, roles=roles, given={}, also=""), {*s.names, e.task}
@@ -219,41 +212,36 @@ def on_task_closed(s, e):  # with the answers of all
 		good and (said != {e.answer} or len(task.given) != task.e.persons)); about = task.e.address
 	if good: s.said[task.e.kind, about] = e.t, e.answer
 	for op in running(s, about)[-1:] if good else (): op.answer = e.answer
-def on_run_finished(s, e):
-	(kind, held), last, why, r, s.over = s.held or ("", ""), s.last, e.sentence, e.reason, e.reason
+def on_run_finished(s, e, goal="goal_reached"):
+	(kind, held), late, why, r = s.held or ("", ""), s.last.t != e.t, e.sentence, e.reason; s.over = r
 	cut = why.startswith(("The window let go", "Stopped in the middle", "Stopped before the run"))
-	waits, goals, goal = not (cut or s.h.get("attended", 1)), why.split(" hold")[0], "goal_reached"
-	no(e.operations != s.count or not why or (s.began or s.conf) and e.configuration != s.conf or
-		last.t != e.t and (waits or last.event == r == goal) or s.tasks and r != "failed" and not cut)
-	if r == goal: arrived(s); no(s.told != [*s.goals] or goals != ", ".join(s.told))
+	no(not why or s.conf and e.configuration != s.conf or s.tasks and r != "failed" and not cut or
+		e.operations != s.count or late and (not (cut or s.h["attended"]) or s.last.event == r == goal))
+	if r == goal: arrived(s); no(s.told != [*s.goals] or why.find(", ".join(s.told) + " hold"))
 	elif r == "no_route": no((kind, held) != (r, why))
 	elif r == "held": no((kind == "no_route" or held != why) and "nobody is there to " not in why)
 	elif r == "refused": no(s.count or s.begun or s.began and ("start", "") not in s.said)
-	elif r == "stopped": no(not cut and (s.latch != r or not why.startswith(f"Stopped by {s.by}.")))
-	else: no(r != "failed" or not last.event == kind == "held" or (last.t, held) != (e.t, why))
-def fresh(content, h):  # a story that has not begun
-	s = Story(**content, h=h, by_hand=h["by_hand"], last=Story(), cause=Story(), inside={})
-	s.conf, s.facts, s.said, s.tasks, s.goals, s.met, s.shut = {}, {}, {}, {}, {}, set(), h["avoid"]
-	end_step(s); return s
-def tell(contents, raw, files=()):
-	h, events = lines(raw); said = h["digests"]; hexes = [said[part] for part in PARTS[1:]]
-	known = [one for one in contents if one and one["hexes"][1:] == hexes]
+	elif r == "stopped": no(not cut and (s.latch != r or why.find(f"Stopped by {s.by}.")))
+	else: no(r != "failed" or late or not s.last.event == kind == "held" or held != why)
+def story(known, closure, h, given):  # that has not begun
+	return Story(**known[closure], known=known, h=h, given=given, shut={*h["avoid"]}, conf={},
+		facts={}, said={}, tasks={}, begun=[], moved=set(), met=set(), last=Story(), cause=Story())
+def tell(known, raw, files=()):
+	h, events = lines(raw); said = h["digests"]
 	sums, log = {said["file"], *said.get("imported", {}).values()}, b'{"log":"smsl-run","version":3,'
-	right = known and raw.startswith(log) and (not files or sums <= files)
-	no(not right, "its blueprint is not here"); s = fresh(known[0], h)
-	for name, hexes in h.get("procedures", {}).items():  # what its operations run
-		s.inside[name] = next(one for one in contents if one and one["hexes"][1:] == hexes)
+	right = [said[part] for part in PARTS[1:]] in [c["hexes"][1:] for c in known.values()]
+	no(not (right and raw.startswith(log) and sums <= (files or sums)), "its blueprint is not here")
+	s = story(known, said["closure"], h, dict(map(parts, h["start"]))); s.by_hand = h["by_hand"]
 	for number, event in enumerate(events, 2):
 		try: take(s, event)
-		except Exception as error: raise Wrong(f"line {number}: {event.get('event')}: {error}") from None
+		except Exception as error: raise Wrong(f"line {number}: {event.get('event')}: {error}")
 	no(not s.over, "the log ends before its run"); return h
-def when(at): return datetime.datetime.fromisoformat(at + "T23:59:59Z" * ("T" not in at))
+def when(at): return dt.datetime.fromisoformat(at + "T23:59:59Z" * ("T" not in at))
+def ring(them): return {"sha256:" + sha(raw_of(k)): p | {"key": k} for p in them for k in p["keys"]}
 def trusted():  # 4 THE RECORDS: the policy, and whose keys count
-	policy = tomllib.loads(load("policy.toml").decode()); own = raw_of(policy.get("register_key", ""))
-	listed = load("register.json" if own else "keys.json"); mine = {"sha256:" + sha(own): {"key": own}}
-	if own: listed = opened(read(listed), mine, "smsl-studio.register")[0]
-	keys = [one | {"key": raw_of(key)} for one in read(listed)["persons"] for key in one["keys"]]
-	return policy, {"sha256:" + sha(one["key"]): one for one in keys}
+	policy = tomllib.loads(load("policy.toml").decode()); own = policy.get("register_key")
+	mine = own and opened(read(load("register.json")), ring([{"keys": [own]}]), "smsl-studio.register")
+	return policy, ring(read(mine[0] if own else load("keys.json"))["persons"])
 def opened(envelope, keys, kind="in-toto"):
 	from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey as Key
 	(one,), kind = envelope["signatures"], f"application/vnd.{kind}+json"; name = one["keyid"]
@@ -261,9 +249,9 @@ def opened(envelope, keys, kind="in-toto"):
 	text, own = [base64.b64encode(each).decode() for each in raw]; own = [{"keyid": name, "sig": own}]
 	no(envelope != {"payload": text, "payloadType": kind, "signatures": own})
 	signed = b"DSSEv1 %d %b %d %b" % (len(kind), kind.encode(), len(body), body)
-	Key.from_public_bytes(key["key"]).verify(sig, signed); return body, key
+	Key.from_public_bytes(raw_of(key["key"])).verify(sig, signed); return body, key
 def void(key, at, policy, *sums):  # revoked, or not valid at that time
-	revoked = {one.rpartition(":")[2] for one in policy.get("revoked", ())} & {sha(key["key"]), *sums}
+	revoked = {one[-64:] for one in policy.get("revoked", ())} & {sha(raw_of(key["key"])), *sums}
 	return revoked or key.get("revoked") or at > when(key.get("until") or "9999-12-30")
 def recorder(log):  # the machine that has signed the head of its log
 	if not log.get("signed"): return "nobody"
@@ -274,13 +262,13 @@ def judge(known, log, bot={"automatic", "recorder"}):
 	(policy, keys), last, ask, before = trusted(), {}, [], when("1999-01-01")
 	told = [opened(one, keys) for f in files("records/*") for one in read(f.read_bytes())["records"]]
 	day = when(log.get("wall_time") or told and read(told[-1][0])["predicate"]["time"])
-	own, days = [c["hexes"][3] for c in known if c], datetime.timedelta(policy.get("valid_days", 1e5))
+	days = dt.timedelta(policy.get("valid_days", 1e5))
 	for body, key in told:  # the last word of each person counts
 		say, sums = read(body)["predicate"], read(body)["subject"][0]["digest"]
 		at, who, may, met = when(say["time"]), same(key["person"]), {*map(same, key["roles"])}, say["met"]
 		no(at <= before, "order"); before, yes = at, not void(key, at, policy, sha(body), *sums.values())
-		if at > day + datetime.timedelta(minutes=5): continue  # signed later
-		word = log.get("digests", sums)["closure"] == sums["closure"] in own and yes and say["verdict"]
+		if at > day + dt.timedelta(minutes=5): continue  # signed later
+		word = log.get("digests", sums)["closure"] == sums["closure"] in known and yes and say["verdict"]
 		good = word and day <= min(at + days, when(say["expires"] or "9999-12-30"))
 		no(good and may & bot and policy.get("automatic") != "may_sign", "a program signs")
 		last[who] = word if word == "rejected" else good and not may & bot and may
@@ -288,26 +276,25 @@ def judge(known, log, bot={"automatic", "recorder"}):
 		ask += [(who, text, may) for text in say["conditions"] if last[who]]
 	no("rejected" in last.values(), "rejected")
 	seats = [same(role) for role, n in policy.get("roles", {}).items() for _ in range(min(n, 99))]
-	ok = [may for may in last.values() if may]; few = len(ok) < policy.get("persons", len(seats) or 1)
+	ok = [*filter(None, last.values())]; few = len(ok) < policy.get("persons", len(seats) or 1)
 	no(few or not each(seats, ok, lambda seat, may: seat in may), "too few sign")
 	for who, text, _ in ask:
-		no(last[who] and text not in (log.get("met") or ()), "a condition is open: " + text)
-def files(way): return sorted(pathlib.Path(".").glob(way))
+		no(last[who] and text not in log.get("met", ()), "a condition is open: " + text)
+def files(way): return sorted(pathlib.Path().glob(way))
 def load(name): return b"".join(one.read_bytes() for one in files(name))
-def known_of(path): return content([(path.parent / f"{part}.json").read_bytes() for part in PARTS])
 def main():  # 5 THE FOLDER: everything in it is checked, and nothing else
 	wrong, records = [], files("records/*"); said = [f"Not checked: {one}." for one in NOT_CHECKED]
 	def tried(place, act, *given):
 		try: return act(*given)
-		except Exception as error: wrong.append(f"{place}: {str(error) or repr(error)}")
-	known = [tried(path, known_of, path) for path in files("content/**/closure.json")]
+		except Exception as error: wrong.append(f"{place}: {str(error) or repr(error)}"[:500])
+	known = {c["hexes"][3]: c for one in files("content/**/closure.json") if (c := tried(
+		one, lambda: content([one.with_stem(part).read_bytes() for part in PARTS])))}
 	hexes = {None, *(tried(one, lambda: sha(one.read_bytes())) for one in files("blueprint/**/*.*"))}
 	logs = [tried(one, lambda: tell(known, one.read_bytes(), hexes)) or {} for one in files("logs/*")]
 	said += [f"The head of a log is signed by {tried('head', recorder, log)}." for log in logs]
 	if records or files("policy.toml"): [tried("records", judge, known, log) for log in logs or [{}]]
 	if not logs: said += ["No log: nothing is said about a run."]
 	if not records: said += ["No record: nobody has approved this blueprint."]
-	said += [*wrong, "Not consistent." if wrong else "Consistent."]
-	for line in said: print(" ".join(line.split()).encode("ascii", "backslashreplace").decode()[:500])
+	for line in *said, *wrong, "Not consistent." if wrong else "Consistent.": print(ascii(line)[1:-1])
 	return bool(wrong)
 if __name__ == "__main__": sys.exit(main())

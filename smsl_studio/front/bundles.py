@@ -56,27 +56,27 @@ sha, once, read, plain, escape, parts and fact read and write texts. fits asks w
 the type that TYPES names. content reads the blueprint from the texts of its digests, branch one
 State Branch. lines checks the chain and the head of a log.
 
-How things stand: end_step forgets a step. here says where everything is, with what has been done
-and is not committed yet. holds says whether a fact has a value, sub whether a sub-SB is in
-ACTIVATING, terms asks all facts of a state. lit says whether a fact of a base is on, broken names
-the sub-SBs that disagree with a base, placed says where a sub-SB stands at a start. level says who
-acts. edge is an operation of the blueprint and what it changes. way names the facts that an
-operation is changing just now, hazards those that are met, safe refuses one that nobody has told.
-running names the operations of an address, locate says where the run is from now on.
+How things stand: end_step forgets a step. here says where everything is, with what has been
+done and is not committed yet. holds says whether a fact has a value, terms asks all facts of a
+state. lit says whether a fact of a base is on, broken names the sub-SBs that disagree with a
+base, placed says where a sub-SB stands at a start. level says who acts. edge is an operation of
+the blueprint and what it changes. way names the facts that an operation is changing just now,
+hazards those that are met, safe refuses one that nobody has told. running names the operations
+of an address, locate says where the run is from now on.
 
-The story: tell tells a log again, fresh is a story that has not begun, and below tells what the
-blueprint does that an operation runs, one level down, in the same way. take asks what each event
-needs: time goes on only where something takes time, and an effect has its command, at the same
-time and of the same person. Then on_EVENT asks what this event needs, and notes what it changes.
-arrived: nothing goes on, and the goals that were told still hold. same compares names of people,
-each gives each wish an offer.
+The story: tell tells a log again, story is one that has not begun. What a blueprint does that
+an operation runs, one level down, is a story of its own, told in the same way. take asks what
+each event needs: time goes on only where something takes time, and an effect has its command,
+at the same time and of the same person. Then on_EVENT asks what this event needs, and notes
+what it changes. arrived: nothing goes on, and the goals that were told still hold. same
+compares names of people, each gives each wish an offer.
 
-The records: when reads a time. trusted reads the policy and whose keys count, opened checks a
-signature. void: a key or a record is revoked, or not valid at that time. recorder says who has
-signed the head of a log. judge counts the last word of each person, in the order of signing, and
-asks who has met each condition.
+The records: when reads a time. trusted reads the policy and whose keys count, ring names keys
+by their sums, opened checks a signature. void: a key or a record is revoked, or not valid at
+that time. recorder says who has signed the head of a log. judge counts the last word of each
+person, in the order of signing, and asks who has met each condition.
 
-The folder: files and load find files, known_of reads a blueprint, main checks everything.
+The folder: files and load find files, main checks everything.
 """
 
 

@@ -65,9 +65,10 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
 
 
 def _procedures(blueprint: Blueprint) -> Mapping[str, Json]:
-    """Return the digests of the blueprints that operations run, if there are any."""
+    """Return the closure digests of the blueprints that operations run, by their names in the
+    bindings, if there are any."""
     files = procedures_of(blueprint).files
-    found = {name: list(digests(part).as_json().values()) for name, part in files.items()}
+    found = {name: digests(part).closure for name, part in files.items()}
     return {"procedures": found} if found else {}
 
 
@@ -118,6 +119,7 @@ def _code(blueprint: Blueprint, world: str, loaded: Loaded | None) -> BoundCode:
 
 
 def _imported(blueprint: Blueprint) -> Mapping[str, Json]:
-    """Return the digests of imported files, if there are any."""
-    files = {one.file: sha256_hex(one.encoded()) for one in blueprint.documents[1:]}
+    """Return the digests of imported files and of those that operations run, if there are any."""
+    run = (one for part in procedures_of(blueprint).parts for one in part.documents)
+    files = {one.file: sha256_hex(one.encoded()) for one in (*blueprint.documents[1:], *run)}
     return {"imported": files} if files else {}

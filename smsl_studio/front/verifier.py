@@ -58,8 +58,9 @@ def told_again(raw: bytes, blueprint: Blueprint) -> str:
     checks = _checks()
     every = [blueprint, *procedures_of(blueprint).parts]
     try:
-        read = [content_texts(one) for one in every]
-        checks.tell([checks.content([one[part] for part in checks.PARTS]) for one in read], raw)
+        texts = map(content_texts, every)
+        read = [checks.content([one[part] for part in checks.PARTS]) for one in texts]
+        checks.tell({one["hexes"][3]: one for one in read}, raw)
     except checks.Wrong as error:
         return str(error)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:

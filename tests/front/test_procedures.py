@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -241,13 +243,70 @@ def verified(folder: Path, raw: bytes) -> bool:
         return not verify_stream(stream, str(file)).doubt
 
 
-def test_a_bundle_holds_what_it_runs(tmp_path: Path) -> None:
+def _another_digest(lines: list[Json]) -> None:
+    lines[0]["procedures"] = {"hanoi-2.json": "0" * 64}
+
+
+def _no_digest(lines: list[Json]) -> None:
+    del lines[0]["procedures"]
+
+
+def _larger_one(lines: list[Json]) -> None:
+    lines[0]["procedures"] = {"hanoi-2.json": lines[0]["digests"]["closure"]}
+
+
+def test_the_header_names_what_was_run(tmp_path: Path) -> None:
+    blueprint, log = smsl.read(TOWER), tmp_path / "run.jsonl"
+    smsl.run(blueprint, log=log)
+    for change in (_another_digest, _no_digest, _larger_one):
+        assert told_again(forged(log.read_bytes(), change), blueprint), change.__name__
+    odd = forged(log.read_bytes(), lambda lines: lines[0].update(procedures=[1]))
+    assert not verified(tmp_path, odd)
+
+
+ACTS = {
+    "held": '{"at": 2.4, "do": "inject", "fault": "gripper_opens"}\n{"at": 6, "do": "resume"}\n',
+    "stopped": '{"at": 2, "do": "stop"}\n{"at": 3, "do": "reset"}\n{"at": 4, "do": "resume"}\n',
+    "cut": '{"at": 2, "do": "stop"}\n',
+}
+
+
+@pytest.mark.parametrize("acts", ACTS.values(), ids=ACTS)
+def test_a_log_of_what_people_do_in_its_middle_is_believed(acts: str, tmp_path: Path) -> None:
+    blueprint, log = smsl.read(TOWER), tmp_path / "run.jsonl"
+    (tmp_path / "acts").write_text(acts)
+    script = smsl.read_script(tmp_path / "acts", blueprint)
+    events = smsl.run(blueprint, "hanoi", script=script, log=log).events
+    words = [one["event"] for one in inner(list(events))]
+    assert words[-1] == "run_finished"
+    assert ("held" in words) == ("resume" in acts and "stop" not in acts)
+    if "held" in words:
+        assert words.index("held") < words.index("relocalised") < words.index("goal_reached")
+        assert isinstance(events[-1], RunFinished)
+        assert events[-1].reason == "goal_reached"
+    assert told_again(log.read_bytes(), blueprint) == ""
+    assert verified(tmp_path, log.read_bytes())
+
+
+def test_a_bundle_holds_what_it_runs_and_is_checked(tmp_path: Path) -> None:
     log = tmp_path / "run.jsonl"
     smsl.run(smsl.read(TOWER), log=log)
     (tmp_path / "out.zip").write_bytes(bundled(smsl.read(TOWER), "out.zip", [str(log)]))
-    names = zipfile.ZipFile(tmp_path / "out.zip").namelist()
-    assert {"blueprint/hanoi-tower.json", "blueprint/hanoi-2.json"} <= set(names)
-    assert "content/hanoi-2.json/closure.json" in names
+    with zipfile.ZipFile(tmp_path / "out.zip") as archive:
+        archive.extractall(tmp_path)
+    assert checked(tmp_path) == 0
+    (tmp_path / "content/hanoi-2.json").rename(tmp_path / "elsewhere")
+    assert checked(tmp_path) == 1, "what was run is missing"
+    (tmp_path / "elsewhere").rename(tmp_path / "content/hanoi-2.json")
+    file = tmp_path / "blueprint/hanoi-2.json"
+    file.write_bytes(file.read_bytes() + b" ")
+    assert checked(tmp_path) == 1, "its file is another"
+
+
+def checked(folder: Path) -> int:
+    """The exit status of ``verify.py`` in a bare Python."""
+    command = [sys.executable, "-S", "-I", "verify.py"]
+    return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode
 
 
 def test_in_physics_it_moves_the_same_disks_and_is_held_and_resumed() -> None:

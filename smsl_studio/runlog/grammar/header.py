@@ -143,6 +143,7 @@ _HEADER: Mapping[str, Fits] = MappingProxyType(
         "versions": _is_map_of_texts,
         "names": _are_tables,
         "grounds": _is_object,
+        "procedures": _is_map_of_texts,
     }
 )
 _DIGESTS: Mapping[str, Fits] = MappingProxyType(
