@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address, note_key
-from smsl_studio.blueprint.annotations import ProcedureBinding
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.project import real_path
@@ -18,6 +18,9 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.stored import digest_named
 from smsl_studio.errors import AddressError, ReadError
 from smsl_studio.smsl.document import Document
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.annotations import ProcedureBinding
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +87,8 @@ def has_procedures(blueprint: Blueprint) -> bool:
 def _written(blueprint: Blueprint) -> Iterator[tuple[StateBranch, str, ProcedureBinding]]:
     for branch in blueprint:
         if "_operations" in branch.fields:
+            from smsl_studio.blueprint.annotations import ProcedureBinding
+
             for key, note in branch.notes.operations.items():
                 if isinstance(note.binding, ProcedureBinding):
                     yield branch, key, note.binding
@@ -159,5 +164,7 @@ class _ProcedureReader:
 
 def is_exact(branch: StateBranch, edge: Address) -> bool:
     """Return whether the binding of a procedure names exactly this ``State/Operation``."""
+    from smsl_studio.blueprint.annotations import ProcedureBinding
+
     note = branch.notes.operations.get(note_key(edge.operation, edge.state))
     return note is not None and isinstance(note.binding, ProcedureBinding)
