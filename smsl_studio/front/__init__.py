@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         merge,
         render,
     )
+    from smsl_studio.front.previews import preview
     from smsl_studio.front.proof import prove
     from smsl_studio.front.readings import reading
     from smsl_studio.front.recovery import recoverability
@@ -92,6 +93,7 @@ __all__ = [
     "open_run",
     "plan_route",
     "plugins",
+    "preview",
     "prove",
     "read",
     "read_script",
@@ -147,6 +149,7 @@ VERBS = {
     "identify": Verb("list the states that could be a sub-SB", ("identify",)),
     "run": Verb("run a blueprint in a world, headless", ("run",)),
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
+    "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
     "replay": Verb("tell a run again from its log, or verify the log",
                    ("replay", "verify", "account")),
@@ -196,6 +199,7 @@ _HOMES = {
     "worlds_for": "suitable_worlds",
     "sweep": "sweeps",
     "try_edge": "single_edge",
+    "preview": "previews",
     "CampaignRequest": "campaigns",
     "campaign": "campaigns",
     "bundle": "bundles",
