@@ -14,7 +14,7 @@ from smsl_studio.legible import one_line
 from smsl_studio.stop import look_for_garbage
 
 if TYPE_CHECKING:
-    from smsl_studio.front.previews import Preview
+    from smsl_studio.front.previews import Forecast
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -69,7 +69,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     return 0 if told.agrees and told.share == 1.0 else 1
 
 
-def _print(told: Preview, out: Output) -> None:
+def _print(told: Forecast, out: Output) -> None:
     verdict = "agrees" if told.agrees else "differs"
     out.line(one_line(f"{told.edge}: {verdict}"))
     for fact, value in told.after.items():

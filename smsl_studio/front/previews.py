@@ -45,7 +45,7 @@ MOST = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Preview:
+class Forecast:
     """What the simulator predicts for one operation.
 
     ``before`` and ``after`` are sensed facts, ``declared`` what the blueprint says about the sensed
@@ -62,7 +62,7 @@ class Preview:
     share: float
     hazard: str = ""
     sentence: str = ""
-    then: tuple[Preview, ...] = ()
+    then: tuple[Forecast, ...] = ()
 
     def as_json(self) -> dict[str, Json]:
         """Return the preview as plain values."""
@@ -92,7 +92,7 @@ def preview(
     ahead: int = 1,
     repeats: int = 1,
     seed: int = 0,
-) -> Preview:
+) -> Forecast:
     """Carry one operation out in a simulated world, and compare the facts.
 
     It begins in the source of the operation, in ``start``, or in the last configuration of a
@@ -171,7 +171,7 @@ def _once(
     edge: Address,
     start: Mapping[str, str],
     ahead: int,
-) -> Preview:
+) -> Forecast:
     host = make_host(request, loaded)
     try:
         terms = RunTerms(start, seed=request.seed, automatic=False, attended=True, guarded=False)
@@ -179,7 +179,7 @@ def _once(
         list(dispatcher.open())
         if dispatcher.finished:
             sentence = dispatcher.standing.sentence
-            return Preview(str(edge), {}, {}, {}, False, 0.0, sentence=sentence)
+            return Forecast(str(edge), {}, {}, {}, False, 0.0, sentence=sentence)
         found = [_carried(hierarchy, host, dispatcher, edge)]
         if ahead > 1 and found[0].agrees:
             for following in _route(request.blueprint, dispatcher.standing.configuration, ahead):
@@ -211,7 +211,7 @@ def _route(blueprint: Blueprint, start: Mapping[str, str], ahead: int) -> list[A
     return found[: ahead - 1]
 
 
-def _carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Address) -> Preview:
+def _carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Address) -> Forecast:
     """Carry one operation out from where the run is."""
     host.suppose(edge)
     before, configuration = _sensed(dispatcher), dispatcher.standing.configuration
@@ -236,7 +236,7 @@ def _carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Add
     agrees = done and all(after[text] == value for text, value in declared.items())
     sentence = "; ".join(refused) or ("" if done else dispatcher.standing.sentence)
     hazard = _hazard(hierarchy.blueprint, after, dispatcher.standing.configuration)
-    return Preview(str(edge), before, after, declared, agrees, float(agrees), hazard, sentence)
+    return Forecast(str(edge), before, after, declared, agrees, float(agrees), hazard, sentence)
 
 
 def _sensed(dispatcher: Dispatcher) -> Facts:
