@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.notes import set_hazards as set_hazards
     from smsl_studio.blueprint.editing.notes import set_layout as set_layout
     from smsl_studio.blueprint.editing.notes import set_note as set_note
+    from smsl_studio.blueprint.editing.on_values import keep_on as keep_on
+    from smsl_studio.blueprint.editing.on_values import turned_facts as turned_facts
     from smsl_studio.blueprint.editing.pasted_table import paste_states as paste_states
     from smsl_studio.blueprint.editing.pasted_text import duplicate as duplicate
     from smsl_studio.blueprint.editing.pasted_text import paste as paste
@@ -79,6 +81,8 @@ _HOMES = {
     "give_facts": "given_facts",
     "give_values": "given_facts",
     "keep_activating": "headers",
+    "keep_on": "on_values",
+    "turned_facts": "on_values",
     "keep_last": "notes",
     "move_fact": "digits",
     "move_source": "moves",

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.editing import turned_facts
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.plain_words import has_only_words
 
 ENDS = (("INITIAL", "initial", "first"), ("ACTIVATING", "activating", "last"))
 """The keys of the two ends of an SB, what their states are called, and where they stand if the
@@ -27,12 +29,11 @@ class StepNotice:
 
 def step_notice(before: Blueprint, after: Blueprint) -> StepNotice:
     """The notice about a step."""
-    unasked = ends_moved(before, after)
-    if unasked:
-        return StepNotice(unasked, "W", undo=True)
-    said = " ".join(filter(None, (goal_kept(before, after), values_given(before, after))))
+    kept = (goal_kept(before, after), on_kept(before, after), values_given(before, after))
+    unasked = (ends_moved(before, after), facts_lost(before, after), facts_turned(before, after))
+    said = " ".join(filter(None, (*kept, *unasked)))
     if said:
-        return StepNotice(said)
+        return StepNotice(said, "W" if any(unasked) else "", undo=any(unasked))
     return StepNotice(goal_moved(before, after), "W", once=True)
 
 
@@ -58,6 +59,63 @@ def ends_moved(before: Blueprint, after: Blueprint) -> str:
             why = f"{key} says so" if written else f"it is listed {place}"
             said.append(f"{was} is gone: {now} is the {kind} state of {name} now, and {why}.")
     return " ".join(said)
+
+
+def facts_lost(before: Blueprint, after: Blueprint) -> str:
+    """A sentence that no state has the former facts any more, because one name does not carry
+    them. Empty if that did not happen.
+
+    Words of one length are no facts. SBs with fewer than three states are only begun.
+    """
+    for name, branch in after.branches.items():
+        old = before.branches.get(name)
+        if before.file != after.file or old is None or old is branch or len(old.table) < 3:
+            continue
+        if old.shape.opaque or old.num_facts < 2 or not branch.shape.opaque or has_only_words(old):
+            continue
+        misfits = [state for state in branch.shape.misfits if state not in old.table]
+        odd = (misfits or branch.shape.misfits or (name,))[0]
+        return (
+            f"{odd} does not carry {old.num_facts} facts like the other states, so no state of "
+            f"{name} has them now: each has one fact, its own name. Rules about facts find nothing."
+        )
+    return ""
+
+
+def facts_turned(before: Blueprint, after: Blueprint) -> str:
+    """A sentence that another value of a fact with a sub-SB counts as on, after a typed text.
+
+    Empty if that did not happen. An edit keeps the value (see ``on_kept``).
+    """
+    if before.file != after.file:
+        return ""
+    for branch, digit, was, now in turned_facts(before, after):
+        fact = after[branch].fact_name(digit)
+        return (
+            f"{fact} of {branch} is on where it is {now} now, and no longer where it is {was}. "
+            f'Write "on": "{was}" in its _facts to keep that.'
+        )
+    return ""
+
+
+def on_kept(before: Blueprint, after: Blueprint) -> str:
+    """The sentence if ``_facts`` says now which value of a fact counts as on, so that it stays.
+
+    Empty if that did not happen.
+    """
+    for name, branch in after.branches.items():
+        old = before.branches.get(name)
+        if before.file != after.file or old is None or old is branch or old.table == branch.table:
+            continue
+        for digit in branch.subs:
+            was, now = old.fact_note(digit), branch.fact_note(digit)
+            unsaid = was is None or was.on is None
+            if unsaid and now is not None and now.on is not None:
+                return (
+                    f"{now.on} stays the value with which {branch.fact_name(digit)} of {name} is "
+                    "on, and _facts says so now."
+                )
+    return ""
 
 
 def values_given(before: Blueprint, after: Blueprint) -> str:

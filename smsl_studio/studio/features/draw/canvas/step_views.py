@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -28,7 +28,12 @@ class StepViews(QObject):
 
     A step that moved the view moves it back. After any other one the view stays if something that
     changed is in it. Else it scrolls to the first change, in the SB in which the step was made.
+    Where what changes is not in the SB that was shown, that SB is shown, and ``told`` says what
+    was undone or done again.
     """
+
+    told = Signal(str)
+    """str: what was undone or done again, and in which SB."""
 
     def __init__(self, session: Session, canvas: Canvas) -> None:
         super().__init__(canvas)
@@ -62,15 +67,19 @@ class StepViews(QObject):
         elif former is not None and index != last and max(index, last) <= len(self._steps):
             back = index < last
             step = self._steps[index if back else index - 1]
-            self._follow(step.branch, step.before if back else step.after, former)
+            words = self._session.history.text(index if back else index - 1)
+            self._follow(step, back, former, f"{'Undone' if back else 'Done again'}: {words}")
 
-    def _follow(self, home: str, view: CameraStand | None, former: Blueprint) -> None:
-        session, shown = self._session, self._session.branch
-        now = session.blueprint.branches
-        here = former.branches.get(shown) is now.get(shown)
-        if here and home in now and former.branches.get(home) is not now[home]:
-            session.show_branch(home)
-            session.select_again()
+    def _follow(self, step: _Whereabouts, back: bool, former: Blueprint, done: str) -> None:
+        session, shown, home = self._session, self._session.branch, step.branch
+        view, now = step.before if back else step.after, session.blueprint.branches
+        changed = changed_branches(former, session.blueprint)
+        if changed and shown not in changed:
+            there = [name for name in (home, *changed) if name in changed and name in now]
+            if there:
+                session.show_branch(there[0])
+                session.select_again()
+            self.told.emit(f"{done}, in {there[0] if there else changed[0]}")
         if session.branch != home:
             return
         if view is not None:
@@ -100,6 +109,19 @@ class StepViews(QObject):
         end = _new_end(address, before, after)
         rect = self._canvas.rect_of(end) if end is not None else None
         return rect is None or self._canvas.seen.contains(rect.center())
+
+
+def changed_branches(before: Blueprint, after: Blueprint) -> list[str]:
+    """The SBs that mean something else, are new or are gone; without any, those drawn otherwise."""
+    names = dict.fromkeys((*after.branches, *before.branches))
+    other = [name for name in names if before.branches.get(name) is not after.branches.get(name)]
+    meant = [name for name in other if not _means_the_same(before, after, name)]
+    return meant or other
+
+
+def _means_the_same(before: Blueprint, after: Blueprint, name: str) -> bool:
+    was, now = before.branches.get(name), after.branches.get(name)
+    return was is not None and now is not None and was.meaning == now.meaning
 
 
 def _new_end(address: Address, before: StateBranch, after: StateBranch) -> Address | None:
