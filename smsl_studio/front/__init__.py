@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.bundles import bundle
     from smsl_studio.front.campaigns import CampaignRequest, campaign
     from smsl_studio.front.exploration import explore
+    from smsl_studio.front.generated import generate_rules
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
     from smsl_studio.front.hosts import worlds
@@ -80,6 +81,7 @@ __all__ = [
     "fmt",
     "forbid_plugin",
     "from_multidigraph",
+    "generate_rules",
     "git_setup",
     "identify",
     "import_key",
@@ -151,6 +153,7 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
+    "generate": Verb("make a blueprint of rules", ("generate_rules",)),
     "replay": Verb("tell a run again from its log, or verify the log",
                    ("replay", "verify", "account")),
     "keys": Verb("make, list, move and revoke the keys that sign",
@@ -200,6 +203,7 @@ _HOMES = {
     "sweep": "sweeps",
     "try_edge": "single_edge",
     "preview": "previews",
+    "generate_rules": "generated",
     "CampaignRequest": "campaigns",
     "campaign": "campaigns",
     "bundle": "bundles",

@@ -1,0 +1,242 @@
+"""Rules of a procedure in a TOML file: facts with their values, a start, a goal, and what each
+operation changes when.
+
+The file may come from anywhere. Every fault is one ReadError with its line.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from smsl_studio.errors import FormulaError, Place, ReadError, did_you_mean
+from smsl_studio.generate.rule_conditions import Alphabets, Condition, Values, condition
+
+Json = Any
+LARGEST = 1 << 20
+"""The largest size of a file of rules (bytes)."""
+MOST_OPERATIONS = 100_000
+"""The largest number of operations that rules may name."""
+_TOP = {"sb", "facts", "start", "goal", "never", "rule"}
+_RULE = {"operation", "for", "cases"}
+_ERROR = re.compile(r"\(at line (\d+), column (\d+)\)")
+
+
+@dataclass(frozen=True, slots=True)
+class RuleCase:
+    """What an operation changes where a condition holds: digits with their new values."""
+
+    when: Condition
+    change: tuple[tuple[int, str], ...]
+
+    def after(self, values: Values) -> Values:
+        """Return the values after the operation."""
+        found = list(values)
+        for digit, value in self.change:
+            found[digit] = value
+        return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class RuleOperation:
+    """An operation with its cases. The first case that holds wins."""
+
+    name: str
+    cases: tuple[RuleCase, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleSet:
+    """The rules of one State Branch. ``goal`` is None if the file has none."""
+
+    branch: str
+    facts: Alphabets
+    start: Values
+    goal: Values | None
+    never: tuple[Condition, ...]
+    operations: tuple[RuleOperation, ...]
+
+
+def read_rules(raw: bytes, file: str) -> RuleSet:
+    """Return the rules in a file. ReadError with the line of the first fault."""
+    return _RuleFile(raw, file).rules()
+
+
+class _RuleFile:
+    def __init__(self, raw: bytes, file: str) -> None:
+        self._file = file
+        if len(raw) > LARGEST:
+            raise self._fault("the rules are longer than 1 MB", "", "Rules are short: use 'for'.")
+        try:
+            self._text = raw.decode("utf-8")
+            self._values: dict[str, Json] = tomllib.loads(self._text)
+        except (ValueError, RecursionError) as error:
+            found = _ERROR.search(str(error))
+            line, column = (int(found[1]), int(found[2])) if found else (1, 1)
+            words = _ERROR.sub("", str(error)).strip()
+            raise ReadError(
+                f"this is no TOML: {words}", Place(file, line, column), "See docs/rules.md."
+            ) from None
+
+    def rules(self) -> RuleSet:
+        self._members(self._values, _TOP, "the file", "")
+        branch = self._text_of(self._values.get("sb", "SB1"), "sb")
+        facts = self._facts()
+        start = self._state(self._values.get("start"), facts, "start")
+        goal = self._values.get("goal")
+        never = self._values.get("never", [])
+        if not isinstance(never, list):
+            raise self._fault("'never' is no list of conditions", "never")
+        return RuleSet(
+            branch,
+            facts,
+            start,
+            None if goal is None else self._state(goal, facts, "goal"),
+            tuple(self._condition(text, facts) for text in never),
+            tuple(self._operations(facts)),
+        )
+
+    def _facts(self) -> dict[str, tuple[str, ...]]:
+        told = self._values.get("facts")
+        if not isinstance(told, list) or not told:
+            raise self._fault("'facts' is no list of facts", "facts", _FACTS)
+        facts: dict[str, tuple[str, ...]] = {}
+        for one in told:
+            if not isinstance(one, dict):
+                raise self._fault("a fact is no table", "facts", _FACTS)
+            self._members(one, {"name", "values"}, "a fact", "facts")
+            name = self._text_of(one.get("name"), "name")
+            values = one.get("values")
+            if not isinstance(values, list) or not values:
+                raise self._fault(f"the fact {name} has no list of values", name, _FACTS)
+            texts = tuple(self._text_of(value, "values") for value in values)
+            if name in facts or len(set(texts)) < len(texts):
+                raise self._fault(f"the fact {name}, or one of its values, stands twice", name)
+            facts[name] = texts
+        if len({len(value) for values in facts.values() for value in values}) > 1:
+            raise self._fault(
+                "all values must have the same number of characters", "values",
+                "The name of a state is made of them.",
+            )  # fmt: skip
+        return facts
+
+    def _state(self, told: Json, facts: Alphabets, what: str) -> Values:
+        if not isinstance(told, list) or len(told) != len(facts):
+            raise self._fault(
+                f"{what!r} is no list of {len(facts)} values", what, "Write one value a fact."
+            )
+        values = tuple(self._text_of(value, what) for value in told)
+        for (name, known), value in zip(facts.items(), values, strict=True):
+            if value not in known:
+                raise self._fault(
+                    f"the fact {name} has no value {value!r}", what, f"It has {', '.join(known)}."
+                )
+        return values
+
+    def _operations(self, facts: Alphabets) -> Iterator[RuleOperation]:
+        rules = self._values.get("rule", [])
+        if not isinstance(rules, list) or not rules:
+            raise self._fault("there is no [[rule]]", "", "Write one for each kind of operation.")
+        names: set[str] = set()
+        for rule in rules:
+            if not isinstance(rule, dict):
+                raise self._fault("a rule is no table", "rule")
+            pattern = self._text_of(rule.get("operation"), "operation")
+            self._members(rule, _RULE, f"the rule {pattern}", pattern)
+            cases = rule.get("cases")
+            if not isinstance(cases, list) or not cases:
+                raise self._fault(f"the rule {pattern} has no list of cases", pattern, _CASES)
+            for given in self._choices(rule.get("for", {}), pattern):
+                name = _filled(pattern, given)
+                if name in names:
+                    raise self._fault(f"the operation {name} is made twice", pattern)
+                names.add(name)
+                if len(names) > MOST_OPERATIONS:
+                    raise self._fault(
+                        f"the rules name more than {MOST_OPERATIONS:,} operations", pattern
+                    )
+                made = tuple(self._case(case, given, facts, pattern) for case in cases)
+                yield RuleOperation(name, made)
+
+    def _choices(self, told: Json, pattern: str) -> Iterator[Mapping[str, str]]:
+        if not isinstance(told, dict):
+            raise self._fault(f"'for' of the rule {pattern} is no table", pattern, _FOR)
+        lists: list[list[str]] = []
+        for name, values in told.items():
+            if not isinstance(values, list) or not values:
+                raise self._fault(f"{name} of the rule {pattern} has no values", pattern, _FOR)
+            lists.append([self._text_of(value, name) for value in values])
+        for chosen in itertools.product(*lists):
+            yield dict(zip(told, chosen, strict=True))
+
+    def _case(
+        self, case: Json, given: Mapping[str, str], facts: Alphabets, pattern: str
+    ) -> RuleCase:
+        if not isinstance(case, dict) or not isinstance(case.get("set"), dict):
+            raise self._fault(f"a case of the rule {pattern} has no 'set'", pattern, _CASES)
+        self._members(case, {"when", "set"}, f"a case of the rule {pattern}", pattern)
+        when = case.get("when")
+        holds = _always if when is None else self._condition(when, facts, given)
+        names, change = list(facts), []
+        for key, value in case["set"].items():
+            name, text = _filled(key, given), _filled(self._text_of(value, key), given)
+            if name not in facts:
+                near = did_you_mean(name, names) or f"There are {', '.join(names)}."
+                raise self._fault(f"there is no fact {name!r} to set", key, near)
+            if text not in facts[name]:
+                known = ", ".join(facts[name])
+                raise self._fault(f"the fact {name} has no value {text!r}", key, f"It has {known}.")
+            change.append((names.index(name), text))
+        return RuleCase(holds, tuple(change))
+
+    def _condition(
+        self, text: Json, facts: Alphabets, given: Mapping[str, str] | None = None
+    ) -> Condition:
+        written = self._text_of(text, "a condition")
+        try:
+            return condition(_filled(written, given or {}), facts)
+        except FormulaError as error:
+            raise self._fault(
+                f"the condition {written!r}: {error.sentence}", written, error.advice
+            ) from None
+
+    def _text_of(self, value: Json, what: str) -> str:
+        if isinstance(value, int) and not isinstance(value, bool):
+            return str(value)
+        if not isinstance(value, str) or not value or len(value) > 10_000:
+            raise self._fault(f"{what} is missing, empty or no text", what)
+        return value
+
+    def _members(self, values: Mapping[str, Json], known: set[str], what: str, near: str) -> None:
+        for name in values:
+            if name not in known:
+                advice = (
+                    did_you_mean(name, sorted(known)) or f"There is {', '.join(sorted(known))}."
+                )
+                raise self._fault(f"{what} has an unknown key {name!r}", name or near, advice)
+
+    def _fault(self, sentence: str, near: str, advice: str = "") -> ReadError:
+        """Return an error at the first line that has a text."""
+        lines: Sequence[str] = getattr(self, "_text", "").splitlines()
+        line = next((n for n, one in enumerate(lines, 1) if near and near in one), 1)
+        return ReadError(sentence, Place(self._file, line, 1), advice)
+
+
+_FACTS = 'Write facts = [{name = "disk 1", values = ["a", "b"]}].'
+_CASES = 'Write cases = [{when = "a = 0", set = {a = "1"}}].'
+_FOR = 'Write for = {x = ["a", "b"]}.'
+
+
+def _always(_values: Values) -> bool:
+    return True
+
+
+def _filled(text: str, given: Mapping[str, str]) -> str:
+    """Return a text with each ``{x}`` replaced."""
+    for name, value in given.items():
+        text = text.replace(f"{{{name}}}", value)
+    return text

@@ -1,0 +1,165 @@
+"""Blueprints from files of rules: the families of the paper's authors, and files that are wrong."""
+
+from __future__ import annotations
+
+import itertools
+import random
+
+import pytest
+
+import smsl_studio as smsl
+from benches.layouts.procedures import chess, river
+from smsl_studio.errors import ReadError, UsageError
+from smsl_studio.generate.rule_conditions import condition
+from smsl_studio.generate.rule_file import read_rules
+from smsl_studio.generate.rule_states import ruled_branch
+from smsl_studio.generate.rules import hanoi_values
+from smsl_studio.shipped import samples_dir
+
+RULES = samples_dir() / "rules"
+
+
+def table_of(name: str) -> dict[str, dict[str, str]]:
+    """The states and operations that the rules of a sample give."""
+    branch = smsl.generate_rules(RULES / f"{name}.toml").blueprint
+    (only,) = branch
+    return {state: dict(operations) for state, operations in only.table.items()}
+
+
+@pytest.mark.parametrize(
+    ("name", "table"),
+    [
+        ("hanoi-3", hanoi_values(3)["SB1"]),
+        ("hanoi-4", hanoi_values(4)["SB1"]),
+        ("river", river()),
+        ("chess", chess()),
+    ],
+)
+def test_the_families_are_those_of_an_independent_search(
+    name: str, table: dict[str, dict[str, str]]
+) -> None:
+    assert table_of(name) == {state: own for state, own in table.items() if state != "HEADER"}
+
+
+def test_registration_is_the_papers() -> None:
+    made = smsl.generate_rules(RULES / "registration.toml").blueprint
+    paper = smsl.read(samples_dir() / "registration.json")
+    assert smsl.diff_behaviour(made, paper).equal
+
+
+def test_every_sample_reaches_its_goal_and_says_where_it_comes_from() -> None:
+    for file in sorted(RULES.glob("*.toml")):
+        made = smsl.generate_rules(file)
+        assert made.goal_reached
+        assert made.states == sum(len(branch.table) for branch in made.blueprint)
+        assert made.blueprint.fields["_origin"]["how"] == "rules"
+        assert made.blueprint.fields["_origin"]["from"] == file.name
+
+
+HEAD = """\
+facts = [{name = "a", values = ["0", "1"]}, {name = "b c", values = ["0", "1"]}]
+start = ["0", "0"]
+"""
+RULE = '[[rule]]\noperation = "flip"\ncases = [{when = "a = 0", set = {a = "1"}}]\n'
+
+
+def rules(text: str) -> None:
+    read_rules(text.encode(), "rules.toml")
+
+
+def test_the_first_case_wins_and_a_goal_can_be_out_of_reach() -> None:
+    text = f"""{HEAD}goal = ["1", "1"]
+[[rule]]
+operation = "go"
+cases = [{{when = "a = 0", set = {{a = "1"}}}}, {{set = {{a = "0"}}}}]
+"""
+    made = ruled_branch(read_rules(text.encode(), "rules.toml"))
+    assert made.values["SB1"]["State_00"] == {"go": "State_10"}
+    assert made.values["SB1"]["State_10"] == {"go": "State_00"}
+    assert (made.states, made.goal_reached) == (2, False)
+    assert "ACTIVATING" not in made.values["SB1"]["HEADER"]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("facts = [", 1, "this is no TOML"),
+        ("", 1, "'facts' is no list of facts"),
+        (HEAD, 1, "there is no \\[\\[rule\\]\\]"),
+        (HEAD + RULE + "more = 1\n", 6, "has an unknown key 'more'"),
+        (HEAD.replace('["0", "0"]', '["0"]') + RULE, 2, "'start' is no list of 2 values"),
+        (HEAD.replace('["0", "0"]', '["0", "2"]') + RULE, 2, "has no value '2'"),
+        (HEAD + RULE.replace("a = 0", "a = 7"), 5, "the fact a has no value '7'"),
+        (HEAD + RULE.replace("a = 0", "x = 0"), 5, "there is no fact 'x'"),
+        (HEAD + RULE.replace("a = 0", "SB1 in State_0"), 5, "rules know facts and no states"),
+        (HEAD + RULE.replace("a = 0", "a = "), 5, "a value is expected"),
+        (HEAD + RULE.replace("a = 0", "count(a, z = 1) > 0"), 5, "there is no fact 'z'"),
+        (HEAD + RULE.replace('set = {a = "1"}', 'set = {d = "1"}'), 5, "no fact 'd' to set"),
+        (HEAD + RULE.replace('set = {a = "1"}', 'set = {a = "9"}'), 1, "has no value '9'"),
+        (HEAD + RULE + RULE, 4, "the operation flip is made twice"),
+        (HEAD.replace('"1"]}, {', '"11"]}, {') + RULE, 1, "the same number of characters"),
+        (HEAD + "[[rule]]\noperation = 'x'\ncases = 3\n", 4, "has no list of cases"),
+        (HEAD + "[[rule]]\noperation = 'x'\nfor = 3\ncases = [{set = {}}]\n", 4, "is no table"),
+        ("a = [" * 200, 1, "this is no TOML"),
+    ],
+)
+def test_a_wrong_file_is_one_error_with_its_line(text: str, line: int, words: str) -> None:
+    with pytest.raises(ReadError, match=words) as told:
+        rules(text)
+    assert told.value.place is not None
+    assert told.value.place.line == line
+
+
+def test_bytes_that_are_no_text_and_files_that_are_large_are_refused() -> None:
+    for raw in (b"\xff\xfe", b"#" * ((1 << 20) + 1)):
+        with pytest.raises(ReadError):
+            read_rules(raw, "rules.toml")
+
+
+def test_rules_without_an_end_are_bounded() -> None:
+    facts = ", ".join(f'{{name = "f{n}", values = ["0", "1"]}}' for n in range(40))
+    text = f"facts = [{facts}]\nstart = {['0'] * 40}\n"
+    for n in range(40):
+        text += f'[[rule]]\noperation = "o{n}"\ncases = [{{set = {{f{n} = "1"}}}}]\n'
+    with pytest.raises(UsageError, match="more than 5,000 states"):
+        ruled_branch(read_rules(text.encode(), "rules.toml"), limit=5_000)
+
+
+def test_a_start_that_is_left_out_is_refused() -> None:
+    with pytest.raises(UsageError, match="the start is a state that 'never' leaves out"):
+        ruled_branch(read_rules(f'{HEAD}never = ["a = 0"]\n{RULE}'.encode(), "rules.toml"))
+
+
+FACTS = {"a": ("0", "1", "2"), "b c": ("0", "1", "2"), "d": ("0", "1", "2")}
+
+
+def test_conditions_agree_with_python() -> None:
+    """Random conditions against the same words in Python."""
+    chance = random.Random(5)
+
+    def some(depth: int) -> tuple[str, str]:
+        kind = chance.randrange(6 if depth else 3)
+        if kind < 2:
+            digit, value = chance.randrange(3), chance.choice("012")
+            name = chance.choice([["a", '"b c"', "d"][digit], str(digit)])
+            sign = chance.choice(["=", "!="])
+            return f"{name} {sign} {value}", f"v[{digit}] {'==' if sign == '=' else sign} '{value}'"
+        if kind == 2:
+            value, number = chance.choice("012"), chance.randrange(4)
+            sign = chance.choice(["=", "!=", "<", "<=", ">", ">="])
+            python = "==" if sign == "=" else sign
+            return (
+                f"count(a, 'b c', d = {value}) {sign} {number}",
+                f"v.count('{value}') {python} {number}",
+            )
+        one, other = some(depth - 1), some(depth - 1)
+        if kind == 3:
+            return f"not ({one[0]})", f"(not ({one[1]}))"
+        word = "and" if kind == 4 else "or"
+        return f"({one[0]}) {word} ({other[0]})", f"(({one[1]}) {word} ({other[1]}))"
+
+    for _ in range(200):
+        text, python = some(3)
+        holds = condition(text, FACTS)
+        for values in itertools.product("012", repeat=3):
+            assert holds(values) == eval(python, {"v": values}), text
