@@ -5,6 +5,7 @@ carry it out, each with its own blueprint and plugins.
 from __future__ import annotations
 
 import hashlib
+import signal
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -119,7 +120,8 @@ _OWN: dict[str, Blueprint] = {}
 
 
 def begin(file: str) -> None:
-    """Read the blueprint of this worker."""
+    """Read the blueprint of this worker. Ctrl-C is for the campaign, which ends its workers."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     _OWN[file] = read(Path(file))
 
 

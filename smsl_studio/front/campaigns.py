@@ -8,11 +8,11 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import nullcontext
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import Any
 
@@ -37,7 +37,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.operation_library import FaultEntry
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import OperationStarted
-from smsl_studio.stop import heed
+from smsl_studio.stop import Stopped, heed
 from smsl_studio.world.engines import TABLE
 
 Json = Any
@@ -46,6 +46,10 @@ BLOCK = 20
 """With ``until`` seeds are run in blocks of this size, and only whole blocks are judged."""
 Z = 1.959963984540054
 """The quantile of the normal distribution for an interval of 95 %."""
+TOGETHER = 1_000
+"""The number of runs that are handed to the workers at once."""
+WAIT = 0.05
+"""How long a wait for a worker lasts before a stop is looked for (s)."""
 MOST = 1_000_000
 """The largest number of runs of a campaign."""
 
@@ -179,18 +183,22 @@ def _judged(
     part: CampaignPart,
 ) -> Iterator[RunVerdict]:
     """Yield the verdicts in the order of ``asked``. What is known from before is not run again."""
-    keys = [part.key(request_of(request.blueprint, one)) for one in asked]
-    anew = [one for one, key in zip(asked, keys, strict=True) if key not in part.known]
-    file = request.blueprint.file
-    fresh: Iterator[RunVerdict]
-    if pool is None:
-        fresh = (judged(request.blueprint, one) for one in anew)
-    else:
-        fresh = pool.map(judged_there, [file] * len(anew), anew)
     try:
-        for key in keys:
-            heed()
-            yield part.known[key] if key in part.known else part.keep(key, next(fresh))
+        # Not all at once: a million runs that wait take much memory.
+        for first in range(0, len(asked), TOGETHER):
+            some = asked[first : first + TOGETHER]
+            keys = [part.key(request_of(request.blueprint, one)) for one in some]
+            anew = [one for one, key in zip(some, keys, strict=True) if key not in part.known]
+            fresh = _fresh(request.blueprint, anew, pool)
+            for key in keys:
+                heed()
+                if key not in part.known:
+                    verdict = next(fresh)
+                    if verdict.reason == "stopped":
+                        # Somebody stopped the campaign, and with it this run.
+                        raise Stopped
+                    part.keep(key, verdict)
+                yield part.known[key]
     except BrokenProcessPool:
         raise WorldError(
             "a worker of the campaign died",
@@ -198,13 +206,40 @@ def _judged(
         ) from None
 
 
-def _pool(request: CampaignRequest) -> Any:
+def _fresh(
+    blueprint: Blueprint, asked: Sequence[CampaignRun], pool: ProcessPoolExecutor | None
+) -> Iterator[RunVerdict]:
+    """Yield the verdicts of runs that are carried out now."""
+    if pool is None:
+        yield from (judged(blueprint, one) for one in asked)
+        return
+    files = [blueprint.file] * len(asked)
+    results = [pool.submit(judged_there, file, one) for file, one in zip(files, asked, strict=True)]
+    for result in results:
+        while not (wait([result], timeout=WAIT).done):
+            heed()
+        yield result.result()
+
+
+@contextmanager
+def _pool(request: CampaignRequest) -> Iterator[ProcessPoolExecutor | None]:
+    """Give the workers, None for a campaign in this process. They end with the campaign: what they
+    still do then is of no use.
+    """
     if request.workers == 1:
-        return nullcontext()
+        yield None
+        return
     if not Path(request.blueprint.file).is_file():
         raise UsageError("several workers need a blueprint in a file", advice="Save it first.")
     context = get_context("spawn")
-    return ProcessPoolExecutor(request.workers, context, begin, (request.blueprint.file,))
+    before = set(active_children())
+    pool = ProcessPoolExecutor(request.workers, context, begin, (request.blueprint.file,))
+    try:
+        yield pool
+    finally:
+        for child in set(active_children()) - before:
+            child.kill()
+        pool.shutdown(cancel_futures=True)
 
 
 def _is_narrow(found: Sequence[Sequence[RunVerdict]], look: int, width: float) -> bool:

@@ -4,10 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
+
+import pytest
 
 from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Shell
+
+
+def lines(file: Path) -> int:
+    """The number of whole lines of a file, 0 if it is not there."""
+    return file.read_bytes().count(b"\n") if file.exists() else 0
+
 
 SMALL = str(samples_dir() / "hanoi-2.json")
 
@@ -56,3 +68,30 @@ def test_wrong_words_are_refused(shell: Shell, tmp_path: Path) -> None:
         assert answer.status == 2, more
     assert shell("campaign", SMALL, "--world", "nowhere", "--seeds", "1", "-o", out).status == 2
     assert not Path(out).exists()
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
+def test_a_campaign_that_was_ended_goes_on(
+    shell: Shell, tmp_path: Path, end: signal.Signals, workers: str
+) -> None:
+    out, part = tmp_path / "out.json", tmp_path / "out.json.part"
+    words = ("campaign", SMALL, "--world", "table", "--seeds", "300", "-o", str(out))
+    command = [sys.executable, "-m", "smsl_studio", *words, "--workers", workers]
+    running = subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True
+    )
+    # The progress is read as soon as the file grows; a campaign that ends first fails below.
+    while running.poll() is None and lines(part) < 5:
+        os.sched_yield()
+    # A terminal sends Ctrl-C to all processes of the group.
+    os.killpg(running.pid, end)
+    _, said = running.communicate(timeout=60)
+    assert b"Traceback" not in said
+    assert running.returncode == (-9 if end == signal.SIGKILL else 130)
+    assert not out.exists()
+    assert 5 <= lines(part) < 300
+    answer = shell(*words, "--resume", "--workers", workers, "--format", "json")
+    whole = shell(*words[:-1], str(tmp_path / "whole.json"), "--format", "json")
+    assert answer.json == whole.json
+    assert not part.exists()
