@@ -239,14 +239,14 @@ def _round(half: float) -> Corners:
 
 
 def _star(half: float) -> NDArray[np.float32]:
-    """Return the mesh of an upright star with eight points: its flat sides are where the fingers
-    are."""
-    long, short = RADIUS * math.sqrt(2.0), RADIUS * 0.95
+    """Return the mesh of an upright star with eight points. Between two points there are the flat
+    sides for the fingers."""
     ring = [
-        ((long if k % 2 else short) * math.cos(k * math.pi / 4),
-         (long if k % 2 else short) * math.sin(k * math.pi / 4))
-        for k in range(8)
-    ]  # fmt: skip
+        (reach * math.cos(angle), reach * math.sin(angle))
+        for k in range(16)
+        for reach in (RADIUS if k % 2 == 0 else 1.3 * RADIUS,)
+        for angle in (k * math.pi / 8,)
+    ]
     found = []
     for (ax, ay), (bx, by) in zip(ring, [*ring[1:], ring[0]], strict=True):
         low = [(ax, ay, -half), (bx, by, -half), (0.0, 0.0, -half)]

@@ -193,17 +193,13 @@ class PossibleList(QScrollArea):
             hint = f"Carry out {row.address}"
             button = self._button(row.name, hint, self.chosen, row)
             across.addWidget(self._fixed(button, 0))
-            # Names of operations often begin alike, so their middle is left out; the tooltip has
-            # it.
             room = button.maximumWidth() - PADDING
-            middle = Qt.TextElideMode.ElideMiddle
-            metrics = QFontMetrics(text_font(13, 500))
-            words = metrics.elidedText(plain_text(row.name), middle, room)
-            button.setText(as_it_is(words))
+            button.setText(as_it_is(_shortened(row.name, 500, room)))
             button.setAccessibleName(plain_text(row.name))
         else:
             plain = row.kind in ("waits", "pruned", "refused", "later")
-            across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
+            words = _shortened(row.name, 600, self._column_width(0) - 2)
+            across.addWidget(self._fixed(label(words, "medium" if plain else "strong"), 0))
         across.addWidget(self._fixed(label(row.target, "mono"), 1))
         if row.kind in REASONED or self._narrow:
             # The reason why an operation is not possible is never cut. It stands below and wraps.
@@ -273,6 +269,14 @@ class PossibleList(QScrollArea):
         button = row_button(words, hint)
         button.clicked.connect(lambda _=False: signal.emit(row.address))
         return button
+
+
+def _shortened(name: str, weight: int, room: int) -> str:
+    """Return a name that fits into so many pixels. Names of operations often begin alike, so their
+    middle is left out; the tooltip has it.
+    """
+    metrics = QFontMetrics(text_font(13, weight))
+    return metrics.elidedText(plain_text(name), Qt.TextElideMode.ElideMiddle, room)
 
 
 class _Words(Label):
