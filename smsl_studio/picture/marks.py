@@ -51,3 +51,5 @@ class Marks:
     ways: tuple[Address, ...] = ()
     dimmed: bool = False
     walked: bool = False
+    failing: frozenset[Address] = frozenset()
+    """The operations with which a run that is shown comes to its bad end. They look like errors."""

@@ -128,6 +128,8 @@ class Looks:
             self._note(marks.hit, "hit", True, nodes, edges)
         for address, letter in marks.findings.items():
             self._note(address, "finding", letter, nodes, edges)
+        for address in marks.failing:
+            self._note(address, "finding", "E", nodes, edges)
         for address, sign in marks.changes.items():
             self._note(address, "change", sign, nodes, edges)
         for address, number in marks.conflicts.items():

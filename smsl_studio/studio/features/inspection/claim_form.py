@@ -17,9 +17,12 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
 from smsl_studio.studio.base.controls import Combo, Label, label, row
+from smsl_studio.studio.base.icons import pixmap
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.inspection.claim_entry import FIELDS, ClaimEntry, EntryFault
+from smsl_studio.studio.features.inspection.claim_model import PICTURES
 from smsl_studio.studio.features.inspection.formula_field import FormulaField
 
 KINDS = {
@@ -43,12 +46,15 @@ class ClaimForm(QWidget):
     """ClaimEntry: the person wants it so. It has no fault."""
     left = Signal()
     """The person leaves the form without a change."""
+    typed = Signal(object)
+    """ClaimEntry: what stands in the fields now, if it can be read; None if it cannot."""
     duplicated = Signal()
     deleted = Signal()
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._blueprint: Blueprint | None = None
+        self._tokens = tokens
         self._begun = ClaimEntry()
         self.kind, self.severity = Combo(), Combo()
         self.kind.addItems(list(KINDS.values()))
@@ -58,6 +64,8 @@ class ClaimForm(QWidget):
         self.title = label("", "heading")
         self.sentence, self.fault = label("", "strong"), label("", "refusal")
         self.sentence.setWordWrap(True)
+        self.mark, self.verdict = Label(), label("", "second")
+        self._verdict = ""
         self.apply = QPushButton("Add")
         self.apply.setProperty("role", "primary")
         self.cancel = QPushButton("Cancel")
@@ -117,6 +125,7 @@ class ClaimForm(QWidget):
         told.setContentsMargins(14, 2, 14, 6)
         told.setSpacing(2)
         told.addWidget(self.sentence)
+        told.addLayout(row(self.mark, self.verdict, None, spacing=6))
         told.addWidget(self.fault)
         whole.addLayout(told)
 
@@ -133,8 +142,10 @@ class ClaimForm(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
+        self._tokens = tokens
         self.first.set_tokens(tokens)
         self.second.set_tokens(tokens)
+        self.tell(self._verdict, self.verdict.text())
 
     @property
     def entry(self) -> ClaimEntry:
@@ -186,6 +197,18 @@ class ClaimForm(QWidget):
         self.fault.setText(sentence)
         self.fault.setVisible(bool(sentence))
 
+    def tell(self, verdict: str, words: str) -> None:
+        """Show whether what stands in the fields holds. Both texts may be empty."""
+        self._verdict = verdict
+        tokens = self._tokens
+        ink = {FAILS: tokens.bad, HOLDS: tokens.ok}.get(verdict, tokens.unk)
+        self.mark.setVisible(bool(verdict))
+        if verdict:
+            ratio = self.devicePixelRatioF()
+            self.mark.setPixmap(pixmap(PICTURES[verdict], ink, tokens.surf, 14, ratio))
+        self.verdict.setText(words)
+        self.verdict.setVisible(bool(words))
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape leaves the form. If something was typed it goes to *Cancel*, so that one key does
         not lose it."""
@@ -236,6 +259,8 @@ class ClaimForm(QWidget):
             field.mark(fault.at if fault is not None and fault.field == key else -1)
         self.refuse(self._told(entry, fault))
         self.apply.setEnabled(fault is None)
+        self.tell("", "")
+        self.typed.emit(entry if fault is None or fault.field == "name" else None)
 
     def _told(self, entry: ClaimEntry, fault: EntryFault | None) -> str:
         """The sentence about a fault. What is only missing yet in a new entry is no fault."""

@@ -22,6 +22,7 @@ from smsl_studio.studio.features.inspection.claim_entry import (
     written_at,
 )
 from smsl_studio.studio.features.inspection.claim_form import ClaimForm
+from smsl_studio.studio.features.inspection.claim_preview import ClaimPreview, preview_words
 
 LONGEST = 10_000
 """A condition with more characters is not shown in the form."""
@@ -40,6 +41,8 @@ class ClaimWriting(QObject):
         """Whether the form is shown."""
         self._place: ClaimPlace | None = None
         self._address: Address | None = None
+        self.preview = ClaimPreview(self)
+        form.typed.connect(self._look)
         form.written.connect(self._write)
         form.left.connect(lambda: self._end(None))
         form.duplicated.connect(self._duplicate)
@@ -50,16 +53,15 @@ class ClaimWriting(QObject):
         """Show a hazard or property in the form, or a new one; False if it is too long for it."""
         blueprint = self._session.blueprint
         if claim is None:
-            self._place = self._address = None
+            self.open, self._place, self._address = True, None, None
             self._form.show_entry(blueprint, ClaimEntry(), new=True)
         else:
             place = _place(claim)
             entry = entry_of(claim.kind, written_at(blueprint, place), blueprint)
             if max(len(entry.first), len(entry.second)) > LONGEST:
                 return False
-            self._place, self._address = place, claim.address
+            self.open, self._place, self._address = True, place, claim.address
             self._form.show_entry(blueprint, entry, new=False)
-        self.open = True
         return True
 
     def holds(self, claim: ClaimRow | None) -> bool:
@@ -76,6 +78,11 @@ class ClaimWriting(QObject):
     def drop(self) -> None:
         """Leave the form, because another file was opened."""
         self.open = False
+        self.preview.drop()
+
+    def stop(self) -> None:
+        """End all work, because the window closes."""
+        self.preview.stop()
 
     def delete(self, claim: ClaimRow) -> None:
         """Delete a hazard or property."""
@@ -109,11 +116,23 @@ class ClaimWriting(QObject):
                         lambda bp: put_entry(bp, copy, None, place.file)):  # fmt: skip
             self._end(Address(copy.key, name))
 
+    def _look(self, entry: ClaimEntry | None) -> None:
+        """Ask whether what is typed would hold."""
+        self.preview.drop()
+        if self.open and entry is not None:
+            where = self._place, self._file
+            self.preview.look(self._session.blueprint, entry, where, self._seen)
+
+    def _seen(self, row: ClaimRow | None) -> None:
+        if row is not None and self.open:
+            self._form.tell(row.verdict, preview_words(row))
+
     def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
         return try_edit(self._session, words, change, self._form.refuse)
 
     def _end(self, address: Address | None) -> None:
         self.open = False
+        self.preview.drop()
         self._place = self._address = None
         self.ended.emit(address)
 

@@ -54,7 +54,7 @@ class InspectionFeature(Feature):
     def stop(self) -> None:
         """End all work, because the window closes."""
         panel = self.panel
-        for part in (panel.look, panel.configuration, panel.equivalence):
+        for part in (panel.look, panel.configuration, panel.equivalence, panel.writing):
             part.stop()
 
     def show_page(self) -> None:

@@ -27,6 +27,7 @@ class LitRun(QObject):
         self._session, self._canvas = session, canvas
         self.steps: tuple[RunStep, ...] = ()
         self.at = 0
+        self._bad = False
         session.branch_changed.connect(lambda _: self._light())
 
     @property
@@ -34,9 +35,10 @@ class LitRun(QObject):
         """The number of the last step."""
         return len(self.steps) - 1
 
-    def show_steps(self, steps: Sequence[RunStep], at: int = 0) -> None:
-        """Light another run. Without steps nothing is lit."""
-        self.steps, self.at = tuple(steps), at
+    def show_steps(self, steps: Sequence[RunStep], at: int = 0, bad: bool = False) -> None:
+        """Light another run. Without steps nothing is lit. ``bad`` says that its last operation is
+        marked as a fault."""
+        self.steps, self.at, self._bad = tuple(steps), at, bad
         self._light()
 
     def go(self, at: int) -> None:
@@ -57,11 +59,12 @@ class LitRun(QObject):
         marks, branch = self._canvas.marks, self._session.branch
         if not self.steps:
             lit = replace(marks, active=None, visited=frozenset(), trail=(), running=None,
-                          next_states=frozenset(), walked=False)  # fmt: skip
+                          next_states=frozenset(), walked=False, failing=frozenset())  # fmt: skip
         else:
             step, past = self.steps[self.at], self.steps[: self.at + 1]
             later = {one.configuration.get(branch, "") for one in self.steps[self.at + 1 :]}
             during = step.during
+            ends = self.steps[-1].edges if self._bad else ()
             running = (during, None) if during is not None and during.branch == branch else None
             lit = replace(
                 marks,
@@ -71,6 +74,7 @@ class LitRun(QObject):
                 running=running,
                 next_states=frozenset(later - {step.configuration.get(branch, "")}),
                 walked=True,
+                failing=frozenset(edge for edge in ends if edge.branch == branch),
             )
         if lit != marks:
             self._canvas.set_marks(lit)

@@ -18,10 +18,11 @@ from smsl_studio.studio.features.inspection.claim_form import ClaimForm
 from smsl_studio.studio.features.inspection.claim_model import CHANGED, NEW, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
-from smsl_studio.studio.features.inspection.configuration_page import ConfigurationPage
+from smsl_studio.studio.features.inspection.configuration_page import HEAD, ConfigurationPage
 from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, recovery_of
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
+from smsl_studio.studio.features.inspection.lower_part import LowerPart
 from smsl_studio.studio.features.inspection.page_tools import PageTools
 from smsl_studio.studio.features.inspection.recovery_table import RecoveryTable
 from smsl_studio.studio.features.inspection.run_view import RunView
@@ -98,6 +99,7 @@ class InspectionPanel(QWidget):
             self.below.addWidget(page)
         parts = (self.above, self.below)
         tables = split(Qt.Orientation.Vertical, parts, (180, LOWER), (1, 0))
+        self._lower = LowerPart(tables, self.below, LOWER)
         self.add_empty = QPushButton("Add property…")
         self.add_empty.setProperty("role", "primary")
         self._pages = QStackedWidget()
@@ -167,7 +169,7 @@ class InspectionPanel(QWidget):
         self._pages.setCurrentIndex(1)
         self.run.clear()
         self.writing.begin()
-        self.below.setCurrentWidget(self.form)
+        self._lower.show(self.form, LOWER)
         self.form.name.setFocus()
 
     def choose(self, address: Address) -> None:
@@ -206,7 +208,7 @@ class InspectionPanel(QWidget):
     def _edit(self, claim: ClaimRow) -> None:
         self.run.clear()
         if self.writing.begin(claim):
-            self.below.setCurrentWidget(self.form)
+            self._lower.show(self.form, LOWER)
             self.form.first.setFocus()
         else:
             self.said.setText("Its condition is too long for the form. Change it in the source.")
@@ -345,7 +347,7 @@ class InspectionPanel(QWidget):
         chosen, rows = self.recovery.chosen, self.look.answer
         if chosen is not None and chosen.run is not None and self.isVisible():
             self.run.show_way(self._session.blueprint, chosen.run)
-            self.below.setCurrentWidget(self.run)
+            self._show_run()
             return
         self.run.clear()
         if rows is None:
@@ -391,4 +393,8 @@ class InspectionPanel(QWidget):
             self.below.setCurrentWidget(self.said)
             return
         self.run.show_run(self._session.blueprint, claim)
-        self.below.setCurrentWidget(self.run)
+        self._show_run()
+
+    def _show_run(self) -> None:
+        """Show the run as high as its rows."""
+        self._lower.show(self.run, HEAD + self.run.strip.height())

@@ -126,7 +126,7 @@ class RunView(QWidget):
         self._name_rows()
         for button in (self.play, self.save):
             button.setVisible(self._begins_at_start)
-        self.lit.show_steps(steps)
+        self.lit.show_steps(steps, bad=bad)
         self._moved(0)
 
     def clear(self) -> None:
