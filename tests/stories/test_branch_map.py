@@ -40,6 +40,15 @@ def test_the_keys_go_from_card_to_card_and_into_a_branch(sit: Sit) -> None:
     assert person.window.mode == "draw"
 
 
+def test_enter_goes_into_a_branch_as_space_does(sit: Sit) -> None:
+    person = sit(LEVELS)
+    shown = opened(person)
+    person.press(Key.Key_Tab)
+    person.press(Key.Key_Return)
+    assert person.window.session.branch == "REGISTRATION"
+    assert not shown.isVisible()
+
+
 def test_an_edit_and_undo_are_followed_while_the_map_is_open(sit: Sit) -> None:
     person = sit(LEVELS)
     shown = opened(person)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.words import BLANK
 from smsl_studio.studio.features.draw.panels.branch_model import HEADS
 from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
@@ -12,6 +13,7 @@ from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
 Key = Qt.Key
+OP_1B = Address("SB1", "State_aaa", "Op_1b")
 CTRL_SHIFT = [Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier]
 
 
@@ -75,6 +77,43 @@ def test_a_row_tells_whose_task_an_operation_is(sit: Sit) -> None:
     rows = {row[2]: row[4] for row in cells(at_table(person))}
     fix = next(words for name, words in rows.items() if name.startswith("Op_FixHead"))
     assert "Done by human (nurse)." in fix
+
+
+def test_a_finding_of_several_places_says_which_place_its_words_are_about(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-digitization.json")
+    person.until_inspected()
+    rows = {(row[0].split(" (")[0], row[2]): row for row in cells(at_table(person))}
+    own, other = rows["State100", "ClearLandmarks"][5], rows["State110", "Registered"][5]
+    said = "ClearLandmarks and ReinitState lead to State000"
+    assert f"Note R18: {said}" in own
+    assert f"Note R18, as at State100/ClearLandmarks: {said}" in other
+    assert "Note R18: " not in other
+    # What an operation does to the fact of a sub-SB is told, as the marks show it.
+    assert "Turns Landmarks digitized off together with" in rows["State110", "ClearLandmarks"][4]
+    assert "DIGITIZATION moves first." in rows["State110", "ClearLandmarks"][4]
+
+
+def test_a_row_of_the_findings_names_the_further_places(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-digitization.json")
+    person.until_inspected()
+    read = QAccessible.queryAccessibleInterface(person.window.findings.list)
+    rows = [read.child(at).text(QAccessible.Text.Name) for at in range(read.childCount())]
+    (row,) = [one for one in rows if one.startswith("Note R17, REGISTRATION/")]
+    assert row.endswith(
+        "Also at State100/LandmarksPlanned, State110/LandmarksDigitized"
+        " and State111/UsePrevRegister."
+    )
+
+
+def test_enter_comes_to_the_name_of_the_target(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    table = at_table(person)
+    table.setCurrentIndex(table.lines.index(table.lines.row_of(OP_1B), 2))
+    person.press(Key.Key_Return)
+    assert table.currentIndex().data() == "State_baa"
+    person.press(Key.Key_Right)
+    person.press(Key.Key_Return)
+    assert table.currentIndex().column() == 1, "from the facts to the facts"
 
 
 def test_cells_select_and_enter_leads_on(sit: Sit) -> None:

@@ -54,6 +54,11 @@ def test_keys_lead_along_every_operation_and_back(sit: Sit) -> None:
     person.press(Key.Key_O, [Shift])
     person.press(Key.Key_G)
     assert person.selected() == [f"SB1/{table['State100'][last]}"]
+    # From the state that G came to, Shift+G leads back to the operation, and then to its source.
+    person.press(Key.Key_G, [Shift])
+    assert person.selected() == [f"SB1/State100/{last}"]
+    person.press(Key.Key_G, [Shift])
+    assert person.selected() == ["SB1/State100"]
     # The menu has the same, and waits as long as it has no meaning.
     person.select("SB1/State000")
     assert not person.window.actions_table["go_to_target"].isEnabled()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleEvent
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
@@ -16,3 +16,9 @@ def announce(about: QWidget, words: str, urgent: bool = False) -> None:
         if urgent:
             event.setPoliteness(QAccessible.AnnouncementPoliteness.Assertive)
         QAccessible.updateAccessibility(event)
+
+
+def tell_name(of: QWidget) -> None:
+    """Let a screen reader know that a widget is called otherwise now, because it keeps names."""
+    if QAccessible.isActive():
+        QAccessible.updateAccessibility(QAccessibleEvent(of, QAccessible.Event.NameChanged))

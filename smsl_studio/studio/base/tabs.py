@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+from weakref import ref
+
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QApplication,
@@ -13,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.studio.base.announcement import tell_name
 from smsl_studio.studio.base.controls import label, rule
 
 HEIGHT = 36
@@ -28,7 +32,15 @@ def tab_bar() -> QTabBar:
     bar.setUsesScrollButtons(False)
     bar.setElideMode(Qt.TextElideMode.ElideNone)
     bar.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    # A bar without a name of its own is called as its chosen tab.
+    bar.currentChanged.connect(partial(_renamed, ref(bar)))
     return bar
+
+
+def _renamed(bar: ref[QTabBar], _: int) -> None:
+    shown = bar()
+    if shown is not None:
+        tell_name(shown)
 
 
 class Tabs(QWidget):

@@ -4,21 +4,31 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAccessible, QAccessibleInterface
-from PySide6.QtWidgets import QComboBox, QListView, QTabBar, QTreeView
+from PySide6.QtWidgets import QApplication, QComboBox, QListView, QTabBar, QTreeView
 from shiboken6 import getCppPointer, isValid
 
 from smsl_studio.studio.base.canvas.accessible_tree import CanvasAccessible
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.shell.accessible_areas import area_of
 from smsl_studio.studio.shell.accessible_choice import ChoiceAccessible
+from smsl_studio.studio.shell.accessible_focus import focus_moved
+from smsl_studio.studio.shell.accessible_proxies import handing_on
 from smsl_studio.studio.shell.accessible_rows import rows_of
 from smsl_studio.studio.shell.accessible_tabs import TabsAccessible
 
 INSTALLED = "smsl accessible factory"
 
-QT_S_OWN = ("QListView", "QListWidget", "QTreeView", "QTreeWidget", "QTabBar", "QComboBox")
-"""Classes of Qt that the window uses itself. What Qt makes inside its own dialogs and combo boxes
-has other names, and keeps Qt's interfaces."""
+QT_S_OWN = (
+    "QListView",
+    "QListWidget",
+    "QTreeView",
+    "QTreeWidget",
+    "QTabBar",
+    "QComboBox",
+    "QComboBoxListView",
+)
+"""Classes of Qt that the window uses itself, with the list inside a combo box. What Qt makes inside
+its own dialogs has other names, and keeps Qt's interfaces."""
 
 
 class Factory:
@@ -32,6 +42,9 @@ class Factory:
 
     def __call__(self, class_name: str, thing: QObject) -> QAccessibleInterface | None:
         made = _made(thing)
+        if made is None:
+            # Only now, because a class may have an interface of its own here.
+            made = handing_on(class_name, thing)
         if made is None:
             return area_of(class_name, thing)
         # PySide would free what nobody holds. Qt has deleted the interfaces of what is gone.
@@ -61,3 +74,5 @@ def install(application: QCoreApplication) -> None:
     if not application.property(INSTALLED):
         application.setProperty(INSTALLED, True)
         QAccessible.installFactory(Factory())
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(focus_moved)

@@ -19,8 +19,10 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QAccessibleWidget,
     QApplication,
+    QComboBox,
     QListView,
     QTreeView,
+    QWidget,
 )
 from shiboken6 import isValid
 
@@ -122,6 +124,19 @@ class LinesAccessible(RowsAccessible):
 
     def __init__(self, view: QTreeView) -> None:
         super().__init__(view, QAccessible.Role.Tree)
+        self._head: HeadAccessible | None = None
+
+    def child(self, index: int) -> Any:
+        """The line with this number; 0 is the heading. None if there is none."""
+        if index != 0:
+            return super().child(index)
+        if (self._head is None or not isValid(self._head)) and self.view is not None:
+            self._head = HeadAccessible(self, self.view)
+        return self._head
+
+    def indexOfChild(self, child: QAccessibleInterface) -> int:
+        """The number of a line, 0 for the heading; -1 for anything else."""
+        return 0 if isinstance(child, HeadAccessible) else super().indexOfChild(child)
 
     def index_of(self, number: int) -> QModelIndex:
         """The place of a line in the model; invalid for the heading, and if there is none."""
@@ -158,6 +173,38 @@ class LinesAccessible(RowsAccessible):
         view = self.view
         first = view.model().index(0, 0) if view is not None else QModelIndex()
         return first if first.isValid() and not view.visualRect(first).isEmpty() else None
+
+
+class HeadAccessible(LeafAccessible):
+    """The heading of a tree: Qt counts it, though it is hidden here."""
+
+    def __init__(self, above: RowsAccessible, view: QWidget) -> None:
+        super().__init__(above, view)
+        self._list = above
+
+    def isValid(self) -> bool:
+        """Whether the tree is still there."""
+        return self._list.view is not None
+
+    def text(self, kind: QAccessible.Text) -> str:
+        """The name of the tree; empty for other kinds of text."""
+        view = self._list.view
+        named = kind == QAccessible.Text.Name and view is not None
+        return plain_text(view.accessibleName()) if named else ""
+
+    def role(self) -> QAccessible.Role:
+        """The heading of a column."""
+        return QAccessible.Role.ColumnHeader
+
+    def rect(self) -> QRect:
+        """Empty: nobody sees it."""
+        return QRect()
+
+    def state(self) -> QAccessible.State:
+        """Hidden."""
+        found = QAccessible.State()
+        found.invisible = True
+        return found
 
 
 class RowAccessible(LeafAccessible):
@@ -248,6 +295,12 @@ def _has_focus(view: Any) -> bool:
 
 
 def _press(view: Any, index: QModelIndex) -> None:
+    combo = combo_of(view)
+    if combo is not None:
+        combo.setCurrentIndex(index.row())
+        combo.activated.emit(index.row())
+        combo.hidePopup()
+        return
     # A list that never has the keyboard would take it from the field beside it.
     if view.focusPolicy() != Qt.FocusPolicy.NoFocus:
         view.setFocus()
@@ -258,6 +311,13 @@ def _press(view: Any, index: QModelIndex) -> None:
 def _open_menu(view: Any, index: QModelIndex) -> None:
     view.setCurrentIndex(index)
     view.customContextMenuRequested.emit(view.visualRect(index).center())
+
+
+def combo_of(view: QAbstractItemView) -> QComboBox | None:
+    """The combo box whose entries a list shows; None for all other lists."""
+    frame = view.parentWidget()
+    combo = frame.parentWidget() if frame is not None else None
+    return combo if isinstance(combo, QComboBox) and combo.view() is view else None
 
 
 def rows_of(view: QAbstractItemView) -> RowsAccessible | None:

@@ -31,8 +31,11 @@ def found(thing: QObject) -> Any:
 
 
 def children(thing: QObject) -> list[Any]:
+    """The rows, lines or tabs; the heading of a tree is none."""
     above = found(thing)
-    return [one for at in range(above.childCount()) if (one := above.child(at)) is not None]
+    every = [above.child(at) for at in range(above.childCount())]
+    assert None not in every
+    return [one for one in every if one.role() != QAccessible.Role.ColumnHeader]
 
 
 def names(thing: QObject) -> list[str]:

@@ -16,7 +16,7 @@ from weakref import ref
 
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
-from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
+from PySide6.QtWidgets import QApplication, QMenu, QMenuBar, QWidget
 from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
@@ -36,6 +36,7 @@ from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.canvas.element_details import operation_details, state_details
 from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.overlays.card import PassingCard
 
 TO, FROM = QAccessible.RelationFlag.FlowsTo, QAccessible.RelationFlag.FlowsFrom
 """Qt names a relation by what the other part is: the target of an operation flows from it."""
@@ -85,11 +86,25 @@ class CanvasAccessible(QAccessibleInterface):
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
     def childCount(self) -> int:
-        """The number of states, groups and notes in the SB that is shown, and of its open menu."""
+        """The number of states, groups and notes in the SB that is shown, of the form that is open
+        over it, and of its open menu."""
+        return self._drawn_count + len(self._above)
+
+    @property
+    def _drawn_count(self) -> int:
         sheet = self.sheet
-        if sheet is None:
-            return 0
-        return self.states + len(sheet.drawn.listed()) + (self.menu is not None)
+        return self.states + len(sheet.drawn.listed()) if sheet is not None else 0
+
+    @property
+    def _above(self) -> list[QWidget]:
+        """What lies open over the drawing and follows it in the tree: a form, and then a menu."""
+        if not self.isValid():
+            return []
+        found: list[QWidget] = [
+            one for one in self.canvas.children() if isinstance(one, PassingCard) and one.is_open
+        ]
+        menu = self.menu
+        return [*found, menu] if menu is not None else found
 
     @property
     def menu(self) -> QMenu | None:
@@ -112,14 +127,14 @@ class CanvasAccessible(QAccessibleInterface):
         return len(sheet.picture) if sheet is not None else 0
 
     def child(self, index: int) -> Any:
-        """The state with this number, or the group or note after the states; None if there is
-        none."""
+        """The state with this number, or the group, note, form or menu after the states; None if
+        there is none."""
         if not 0 <= index < self.childCount():
             return None
         sheet = self.sheet
-        menu = self.menu
-        if menu is not None and index == self.childCount() - 1:
-            return QAccessible.queryAccessibleInterface(menu)
+        above = index - self._drawn_count
+        if above >= 0:
+            return QAccessible.queryAccessibleInterface(self._above[above])
         if sheet is not None and index >= self.states:
             key = sheet.drawn.listed()[index - self.states]
             return kept(self._drawn, key, partial(DrawnAccessible, self, self._held, key))
@@ -136,12 +151,16 @@ class CanvasAccessible(QAccessibleInterface):
         return operation
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
-        """The number of a state, group or note; -1 for anything else."""
+        """The number of a state, group, note, form or menu; -1 for anything else."""
         sheet = self.sheet
         if isinstance(child, DrawnAccessible) and sheet is not None:
             keys = sheet.drawn.listed()
             return self.states + keys.index(child.key) if child.key in keys else -1
-        return child.index if isinstance(child, StateAccessible) else -1
+        if isinstance(child, StateAccessible):
+            return child.index
+        above = [id(one) for one in self._above]
+        thing = id(child.object())
+        return self._drawn_count + above.index(thing) if thing in above else -1
 
     def childAt(self, x: int, y: int) -> Any:
         """The state, note or title at a point of the screen (pixels); None if there is none."""

@@ -85,6 +85,8 @@ class BranchView(DrawnStage):
         self.pending = QRectF()
         """The place of a new state that is being named (scene), so nothing may float over it; empty
         if there is none."""
+        self.came_by: Address | None = None
+        """The operation along which a key came to the selected state; None before that."""
         self.crowded = False
         """Whether the SB has so many operations that it is or can be collapsed."""
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""

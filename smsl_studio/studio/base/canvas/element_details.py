@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from smsl_studio.blueprint.annotations import OperationNote, StateNote
+from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.picture.guards import needs_words
 from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.chips import fact_words
+from smsl_studio.studio.base.words import series
 
 SAFE = {True: "Declared safe", False: "Declared not safe"}
 
@@ -39,7 +42,29 @@ def operation_details(picture: Picture, edge: int) -> str:
     note = branch.operation_note(address.state, address.operation)
     needs = needs_words(picture.guards(edge))
     cost = f"Cost {branch.cost(address.state, address.operation):g}"
-    return _sentences((note.title, cost, *_annotated(note), needs[:1].upper() + needs[1:]))
+    effect = effect_told(branch, branch.operation(address.state, address.operation))
+    return _sentences((note.title, effect, cost, *_annotated(note), needs[:1].upper() + needs[1:]))
+
+
+def effect_told(branch: StateBranch, operation: Operation) -> str:
+    """What an operation does to the facts of sub-SBs: ``Turns Fact 2 on, so SB2 moves first``.
+
+    It says in words what the marks at the line show. Empty if it turns no fact of a sub-SB.
+    """
+    kind = sub_mark(branch, operation)
+    if not kind:
+        return ""
+    turned = {
+        digit: branch.is_on(operation.target, digit)
+        for digit in sorted(branch.subs)
+        if branch.is_on(operation.source, digit) != branch.is_on(operation.target, digit)
+    }
+    words = [f"{branch.fact_name(at)} {'on' if on else 'off'}" for at, on in turned.items()]
+    subs = series([branch.subs[digit] for digit in turned])
+    with_others = " together with other facts" if kind == "mixed" else ""
+    note = branch.operation_note(operation.source, operation.name)
+    how = f"without a move of {subs}" if note.subs == "load" else f"{subs} moves first"
+    return f"Turns {series(words)}{with_others}, {how}"
 
 
 def _annotated(note: OperationNote) -> list[str]:

@@ -20,6 +20,7 @@ from smsl_studio.studio.base.canvas.operation_steps import (
     step_operation,
 )
 from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.words import counted
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
 VERBS = {
@@ -41,6 +42,16 @@ MISSING = {
 }
 """What is said where such a key leads nowhere."""
 NOTHING = "Nothing is selected. Ctrl and an arrow selects a state."
+PLAIN = Modifier.NoModifier
+NEEDS = {
+    (PLAIN, Key.Key_F2), (PLAIN, Key.Key_Delete), (PLAIN, Key.Key_D), (PLAIN, Key.Key_B),
+    (Modifier.ShiftModifier, Key.Key_B),
+    *((Modifier.ControlModifier, key) for key in (Key.Key_C, Key.Key_X, Key.Key_D, Key.Key_G)),
+}  # fmt: skip
+"""Keys, with what is held, that do nothing as long as nothing is selected."""
+NOTES = Modifier.ControlModifier | Modifier.AltModifier, Key.Key_M
+"""The next note or group; without one the row of the menu waits, and the key comes here."""
+WORDS = {(-1.0, 0.0): "left", (1.0, 0.0): "right", (0.0, -1.0): "up", (0.0, 1.0): "down"}
 PAN_STEP = 64.0
 ENTER = (Key.Key_Return, Key.Key_Enter)
 
@@ -50,6 +61,13 @@ def press(canvas: BranchView, event: QKeyEvent) -> bool:
     key = Key(event.key())
     modifiers = event.modifiers() & ~Modifier.KeypadModifier
     if press_drawn_key(canvas, key, modifiers):
+        return True
+    nothing = not canvas.marks.selection and canvas.drawn.chosen is None
+    if canvas.editing and nothing and (modifiers, key) in NEEDS:
+        canvas.say(NOTHING)
+        return True
+    if (modifiers, key) == NOTES and canvas.sheet and not canvas.sheet.drawn.listed():
+        canvas.say("There is no note and no group here.")
         return True
     if key in ARROWS and not modifiers & ~(Modifier.ShiftModifier | Modifier.ControlModifier):
         return _arrow(canvas, *ARROWS[key], modifiers)
@@ -99,6 +117,8 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
     selection = canvas.marks.selection
     if key == Key.Key_Escape:
         canvas.selection_wanted.emit(())
+        if selection:
+            announce(canvas, "Nothing is selected.")
     elif key in ENTER and canvas.editing and not canvas.positions:
         canvas.quick_add_wanted.emit()
     elif key in ENTER:
@@ -143,6 +163,7 @@ def select_all(canvas: BranchView) -> None:
     if sheet is not None:
         count = len(sheet.picture)
         canvas.selection_wanted.emit(tuple(sheet.address_of_state(i) for i in range(count)))
+        announce(canvas, f"{counted(count, 'state')} selected.")
 
 
 def _arrow(canvas: BranchView, dx: float, dy: float, modifiers: Qt.KeyboardModifier) -> bool:
@@ -164,6 +185,8 @@ def _arrow(canvas: BranchView, dx: float, dy: float, modifiers: Qt.KeyboardModif
     elif canvas.editing and not ctrl:
         step = 1.0 if shift else GRID
         canvas.nudge_wanted.emit(dx * step, dy * step)
+        moved = sheet.picture.names[states[0]] if len(states) == 1 else f"{len(states):,} states"
+        announce(canvas, f"{moved} moved {WORDS[dx, dy]} by {step:g}.")
     else:
         _select_next(canvas, sheet, states, (dx, dy), shift)
     return True
@@ -189,3 +212,5 @@ def _select_next(
     chosen = (*canvas.marks.selection, address) if extend else (address,)
     canvas.selection_wanted.emit(tuple(dict.fromkeys(chosen)))
     canvas.reveal(address)
+    if len(canvas.marks.selection) > 1:
+        announce(canvas, f"{len(canvas.marks.selection):,} selected.")

@@ -42,6 +42,7 @@ def go_to_target(canvas: BranchView) -> bool:
     branch = sheet.picture.branch
     target = branch.table[chosen.state][chosen.operation]
     if target in branch.table:
+        canvas.came_by = chosen
         _select(canvas, Address(branch.name, target))
     else:
         canvas.say(f"{chosen.operation} leads to {target}, which is no state of {branch.name}.")
@@ -49,11 +50,23 @@ def go_to_target(canvas: BranchView) -> bool:
 
 
 def go_to_source(canvas: BranchView) -> bool:
-    """Select the state that the selected operation leaves; False if none is selected alone."""
+    """Select the state that the selected operation leaves. From a state it leads back to the
+    operation by which ``go_to_target`` came there. False if there is none."""
     chosen = _chosen(canvas)
-    if chosen is None or not chosen.operation:
+    if chosen is None:
         return False
+    if not chosen.operation:
+        return _go_back(canvas, chosen)
     _select(canvas, Address(chosen.branch, chosen.state))
+    return True
+
+
+def _go_back(canvas: BranchView, state: Address) -> bool:
+    by, sheet = canvas.came_by, canvas.sheet
+    row = sheet.picture.branch.table.get(by.state, {}) if by is not None and sheet else {}
+    if by is None or by.branch != state.branch or row.get(by.operation) != state.state:
+        return False
+    _select(canvas, by)
     return True
 
 

@@ -69,6 +69,11 @@ class PassingCard(Card):
         self._closing = False
         self.float_up()
 
+    @property
+    def is_open(self) -> bool:
+        """Whether the card is shown and waits for its answer."""
+        return not self._closing and not self.isHidden()
+
     def settle(self) -> None:
         """Use the text that was typed into the card, because the person leaves it or saves.
 

@@ -75,6 +75,7 @@ class ConnectCard(PassingCard):
             layout.addWidget(widget)
         self._sought = ""
         self.setFixedWidth(252)
+        self.setAccessibleName("New operation")
         self._describe()
         self._wire()
         self._filter("")

@@ -28,6 +28,7 @@ from smsl_studio.studio.features.draw.canvas.new_operation import NewOperation
 from smsl_studio.studio.features.draw.canvas.nudge import Nudge
 from smsl_studio.studio.features.draw.canvas.quick_add import QuickAdd
 from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
+from smsl_studio.studio.features.draw.canvas.step_told import StepTold
 from smsl_studio.studio.features.draw.canvas.step_views import StepViews
 from smsl_studio.studio.features.draw.canvas.way_back import WayBack
 
@@ -68,7 +69,7 @@ class CanvasEditor(QObject):
         canvas.quick_add_wanted.connect(self.quick_add.go_on)
         canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
-        self.way_back = WayBack(session, canvas)
+        self.way_back, self.step_told = WayBack(session, canvas), StepTold(session, canvas)
         self.views = StepViews(session, canvas)
         self.nudge, self.bends = Nudge(session, canvas), Bends(session, canvas)
         canvas.state_pick = self._pick

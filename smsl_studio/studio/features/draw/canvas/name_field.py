@@ -31,6 +31,7 @@ class NameField(TextCard):
         super().__init__(parent, tokens, commit)
         self._before = text
         self._then: Callable[[], object] | None = None
+        self.setAccessibleName("Name")
         self.field = NameLine(self, tokens, hint)
         self.field.setText(text)
         self.field.selectAll()

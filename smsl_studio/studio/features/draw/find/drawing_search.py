@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.paint.drawn_paint import READABLE
@@ -61,6 +62,7 @@ class DrawingSearch(QObject):
         self.show_drawn: Callable[[DrawnKey, float], None] = lambda key, least: None
         """Selects a note or group of the SB that is shown, and scrolls to it."""
         self._begun: _Begin | None = None
+        self._told = ""
         self._again = _timer(self, WAIT, self.look)
         # It waits until no key is left to be read, so typing calls off what it makes obsolete.
         self._soon = _timer(self, 0, self._typed)
@@ -85,6 +87,7 @@ class DrawingSearch(QObject):
 
     def close(self) -> None:
         """Close the bar. View and selection stay as they are."""
+        self._told = ""
         self.bar.hide()
         self._again.stop()
         self._soon.stop()
@@ -246,6 +249,17 @@ class DrawingSearch(QObject):
             self._canvas.set_marks(replace(marks, found=found, hit=hit))
 
     def _say(self) -> None:
+        """Show the number of the hit and where it was found, and let a reader read both."""
+        self._show_words()
+        there = self._shown()
+        where = self._canvas.describe(there) if isinstance(there, Address) and there.state else ""
+        said = self.bar.count.text(), where, self.bar.found.words
+        told = ". ".join(part for part in said if part)
+        if told != self._told:
+            self._told = told
+            announce(self.bar, told)
+
+    def _show_words(self) -> None:
         typed, hits, total = self.bar.field.text().strip(), self.hits, f"{len(self.hits):,}"
         total += " or more" if hits.more else ""
         words = self.bar.found

@@ -75,10 +75,12 @@ class Palette(QFrame):
     def close_palette(self) -> None:
         """Close, and return the keyboard focus to the widget that had it."""
         if self.isVisible():
-            self.hide()
-            # A field on the canvas closes when it loses the focus; it may be gone.
+            # First the focus and then the list: Qt would give the focus to the next part in the
+            # order of Tab for a moment, and a reader would read it. A field on the canvas closes
+            # when it loses the focus; it may be gone.
             if self._before is not None and isValid(self._before):
                 self._before.setFocus()
+            self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Close when the field loses the keyboard focus.

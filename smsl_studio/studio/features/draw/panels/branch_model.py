@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
@@ -19,6 +19,7 @@ from smsl_studio.studio.base.canvas.element_details import (
 )
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import BLANK, whole_sentence
+from smsl_studio.studio.features.draw.panels.finding_rows import named, place_in
 
 Index = QModelIndex | QPersistentModelIndex
 HEADS = ("State", "Facts", "Operation", "Target", "Details", "Findings")
@@ -128,7 +129,17 @@ class BranchModel(QAbstractTableModel):
         state = Address(found.branch, found.state)
         own: Mapping[Address, None] = dict.fromkeys((found, state))
         about = [finding for one in own for finding in self._findings.get(one, ())]
-        return " ".join(f"{finding.rule}: {whole_sentence(finding)}" for finding in about)
+        return " ".join(_finding_told(finding, own) for finding in about)
+
+
+def _finding_told(finding: Finding, here: Collection[Address]) -> str:
+    """A finding in the row of one of its places: ``Note R17: leads back to its own state.``
+
+    Its sentence may name the elements of its first place, so another place says which one that is.
+    """
+    first = finding.address
+    other = "" if first in here else f", as at {place_in(finding, first)}"
+    return f"{named(finding)}{other}: {whole_sentence(finding)}"
 
 
 def _with_marks(state: str, initial: str, activating: str) -> str:

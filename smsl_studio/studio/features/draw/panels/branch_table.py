@@ -13,6 +13,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.branch_model import (
     OPERATION,
+    STATE,
     TARGET,
     BranchModel,
     Index,
@@ -125,9 +126,10 @@ class BranchTable(QTableView):
             super().keyPressEvent(event)
 
     def _go(self, address: Address, column: int) -> None:
-        """Choose the first cell of an element. A state is chosen in a column about states."""
+        """Choose the first cell of an element. A state is chosen in a column about states: in that
+        of its name, if the column was about operations."""
         row = self.lines.row_of(address)
-        column = min(column, OPERATION - 1) if not address.operation else column
+        column = STATE if not address.operation and column >= OPERATION else column
         self.setCurrentIndex(self.lines.index(row, column))
 
     def _show(self) -> None:

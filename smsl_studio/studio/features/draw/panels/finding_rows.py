@@ -21,13 +21,14 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.base.words import capital, subject
+from smsl_studio.studio.base.words import capital, counted, series, subject
 from smsl_studio.studio.features.draw.panels.unfinished import to_finish
 
 Index = QModelIndex | QPersistentModelIndex
@@ -35,6 +36,8 @@ LOW, HIGH, BUTTON = 35, 52, 26
 MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 216
 RIGHT = Qt.TextElideMode.ElideRight
 WORDS = {"E": "Error", "W": "Warning", "I": "Note"}
+NAMED = 6
+"""So many further places of a finding are named; the others are counted."""
 
 
 class _Model(QAbstractListModel):
@@ -58,8 +61,9 @@ class _Model(QAbstractListModel):
         if role == Qt.ItemDataRole.UserRole:
             return finding
         if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
-            kind = "To finish:" if to_finish(finding) else WORDS[finding.severity.value]
-            return f"{kind} {finding.rule}, {finding.address}: {sentence(finding)}"
+            said = f"{named(finding)}, {finding.address}: {sentence(finding)}"
+            also = also_told(finding) if role == Qt.ItemDataRole.AccessibleTextRole else ""
+            return f"{said} {also}" if also else said
         if role == Qt.ItemDataRole.ToolTipRole:
             fix = f"\nCtrl+. {finding.fix.words}" if finding.fix else ""
             also = f", {finding.also}" if finding.also else ""
@@ -217,6 +221,32 @@ def sentence(finding: Finding) -> str:
     """The message and the advice of a finding, as sentences."""
     advice = f" {capital(finding.advice)}" if finding.advice else ""
     return f"{capital(finding.message)}{advice}"
+
+
+def named(finding: Finding) -> str:
+    """The severity and the rule of a finding: ``Warning R14``, ``To finish: R10``."""
+    kind = "To finish:" if to_finish(finding) else WORDS[finding.severity.value]
+    return f"{kind} {finding.rule}"
+
+
+def also_told(finding: Finding) -> str:
+    """The further places of a finding by their names: ``Also at State1/Op_1 and State2/Op_2.``
+
+    Names and not lines, because this is read out. Empty if there are none.
+    """
+    others = [one for one in finding.addresses if one != finding.address]
+    if not others:
+        return f"{capital(finding.also)}." if finding.also else ""
+    shown = [place_in(finding, one) for one in others[:NAMED]]
+    left = len(others) - len(shown) + finding.more
+    shown += [counted(left, "more place")] if left else []
+    return f"Also at {series(shown)}."
+
+
+def place_in(finding: Finding, address: Address) -> str:
+    """An address in the words of a finding: without the SB if the finding is about this SB."""
+    inside = address.branch == finding.address.branch and address.state
+    return "/".join(address.path[1:]) if inside else str(address)
 
 
 def place_of(finding: Finding) -> str:

@@ -20,7 +20,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.broken import Broken, faults_of
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
+from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView, named
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.unfinished import sum_of, to_finish
@@ -268,6 +268,7 @@ class Findings(Panel):
         fix = finding.fix
         if fix is not None and self._session.edit(fix.words, partial(mend, finding=finding)):
             self._session.show_branch(finding.address.branch)
+            announce(self, f"Done: {fix.words}. {named(finding)}, {finding.address}.")
 
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)

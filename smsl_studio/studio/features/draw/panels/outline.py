@@ -15,6 +15,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.key_menu import show_key
 from smsl_studio.studio.base.theme import Tokens
@@ -74,6 +75,7 @@ class Outline(Panel):
         self.add_button.clicked.connect(self.add_branch)
         layout = self._heading.layout()
         assert layout is not None
+        self._heading.right.setAccessibleName("Level, at the right of each State Branch")
         layout.removeWidget(self._heading.right)
         layout.addWidget(self.add_button)
         layout.addWidget(self._heading.right)
@@ -224,6 +226,10 @@ class Outline(Panel):
         if index.isValid():
             self.tree.setCurrentIndex(index)
         menu = QMenu(self)
+        line = self.tree.currentIndex()
+        menu.setAccessibleName(
+            plain_text(f"Menu of {line_of(line).text}") if line.isValid() else "Menu of the outline"
+        )
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
         if self._session.fact is not None:
             # As the keys do on this line: on the fact, not on its SB.

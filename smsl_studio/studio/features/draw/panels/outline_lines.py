@@ -18,8 +18,8 @@ class OutlineLine:
     """A line of the outline: an SB (``digit`` is None) or one of its facts.
 
     ``right`` is the level of an SB, or the values of a fact if they are not just 0 and 1. ``file``
-    is the file of an imported SB. A line with a ``fault`` is an import that failed; its ``right``
-    says why in a word.
+    is the file of an imported SB, ``sub_name`` the sub-SB of a fact. A line with a ``fault`` is an
+    import that failed; its ``right`` says why in a word.
     """
 
     branch: str
@@ -30,6 +30,7 @@ class OutlineLine:
     severity: str = ""
     file: str = ""
     fault: str = ""
+    sub_name: str = ""
 
     @property
     def home(self) -> str:
@@ -56,7 +57,7 @@ class OutlineLine:
         if self.digit is not None:
             said = [self.text, f"digit {self.digit} of {self.branch}"]
             said += [f"values {self.right}"] if self.right else []
-            said += ["expanded by a sub-SB"] if self.sub else []
+            said += [f"expanded by {self.sub_name}"] if self.sub else []
             return ", ".join(said)
         said = [self.text, "State Branch", f"level {self.right}"]
         said += [f"below {above.text} of {above.branch}"] if above is not None else []
@@ -77,7 +78,8 @@ def fact_line(blueprint: Blueprint, name: str, digit: int) -> OutlineLine:
     branch = blueprint.branches[name]
     values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
     right = "" if set(values) <= {"0", "1"} else " ".join(values)
-    return OutlineLine(name, digit, branch.fact_name(digit), right, digit in branch.subs)
+    return OutlineLine(name, digit, branch.fact_name(digit), right, digit in branch.subs,
+                       sub_name=branch.subs.get(digit, ""))  # fmt: skip
 
 
 def fault_line(fault: ImportFault) -> OutlineLine:

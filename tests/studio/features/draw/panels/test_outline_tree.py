@@ -60,7 +60,7 @@ def test_a_line_says_its_level_and_what_stands_above_it(make: Make) -> None:
     assert said == [
         "A, State Branch, level 0",
         "Fact 1, digit 0 of A",
-        "Fact 2, digit 1 of A, expanded by a sub-SB",
+        "Fact 2, digit 1 of A, expanded by B",
         "B, State Branch, level 1, below Fact 2 of A, warning",
         "Fact 1, digit 0 of B",
         "C, State Branch, level 0",
