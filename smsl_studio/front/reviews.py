@@ -40,6 +40,11 @@ def review_of(file: str) -> Review:
     return _read(review_beside(file))[0].merged(_journalled(file))
 
 
+def waiting_answers(file: str) -> Review:
+    """Return the answers that wait in the journal until the file of the review can be written."""
+    return _journalled(file)
+
+
 def review_in(path: str) -> Review:
     """Return the review in a file, such as one from another computer. ReadError if it is none."""
     found, seen = _read(path)

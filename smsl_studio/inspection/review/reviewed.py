@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 from smsl_studio.inspection.reading.plain_names import counted
 from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine, ReadingSection
@@ -146,7 +147,23 @@ class ReviewedReading:
         return found
 
 
-def stands_for(entry: ReviewEntry, section: ReadingSection, line: ReadingLine) -> bool:
+class SaidOfLine(Protocol):
+    """What somebody has said of a line: the key of its section, its words, and its elements."""
+
+    @property
+    def section(self) -> str:
+        """The key of the section."""
+
+    @property
+    def heading(self) -> str:
+        """The words of the line at that time."""
+
+    @property
+    def about(self) -> tuple[str, ...]:
+        """The addresses that the line tells."""
+
+
+def stands_for(entry: SaidOfLine, section: ReadingSection, line: ReadingLine) -> bool:
     """Return whether a line tells what an entry was about, perhaps in other words.
 
     It has the same heading, or it is about the same operation or situation.

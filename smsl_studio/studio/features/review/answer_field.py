@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.inspection.review.review_file import LONGEST
@@ -42,12 +42,31 @@ class AnswerField(QWidget):
 
     def give(self) -> None:
         """Hand over what is written, if there is something."""
-        text = self.text.toPlainText().strip()
+        text = self.written.strip()
         if text:
             self.given.emit(text[:LONGEST])
 
+    @property
+    def written(self) -> str:
+        """The text so far."""
+        return self.text.toPlainText()
+
+    def begin(self, text: str) -> None:
+        """Show a text that was begun before, with the cursor behind it."""
+        self.text.setPlainText(text)
+        self.text.moveCursor(QTextCursor.MoveOperation.End)
+
+    def stand_as(self, other: AnswerField) -> None:
+        """Put the cursor, and what is marked, where they are in another field of the same text."""
+        if self.written != other.written:
+            return
+        theirs, mine = other.text.textCursor(), self.text.textCursor()
+        mine.setPosition(theirs.anchor())
+        mine.setPosition(theirs.position(), QTextCursor.MoveMode.KeepAnchor)
+        self.text.setTextCursor(mine)
+
     def _typed(self) -> None:
-        self.keep.setEnabled(bool(self.text.toPlainText().strip()))
+        self.keep.setEnabled(bool(self.written.strip()))
 
 
 class _Text(QPlainTextEdit):

@@ -18,6 +18,8 @@ class CommentDialog(QDialog):
     """(ReviewComment, str): the answer."""
     line_wanted = Signal(object)
     """ReviewComment: show its line in Review."""
+    begun = Signal(object, str)
+    """(ReviewComment, str): an answer that is not kept yet, when the dialog shows the line."""
 
     def __init__(self, comment: ReviewComment, style: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -46,5 +48,7 @@ class CommentDialog(QDialog):
         self.accept()
 
     def _show(self, comment: ReviewComment) -> None:
+        if self.field.written.strip():
+            self.begun.emit(comment, self.field.written)
         self.reject()
         self.line_wanted.emit(comment)

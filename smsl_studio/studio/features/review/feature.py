@@ -20,6 +20,7 @@ from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import refusal_words
 from smsl_studio.studio.features.review.asked_findings import asked_findings
+from smsl_studio.studio.features.review.drafts import REPLY, ReviewDraft, ReviewDrafts
 from smsl_studio.studio.features.review.open_review import OpenReview
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.running.window_parts import WindowParts
@@ -64,10 +65,13 @@ class ReviewFeature(Feature):
         self.review.changed.connect(self._changed)
         self.review.kept.connect(self._kept)
         self.review.refused.connect(self._refuse)
+        self.drafts = ReviewDrafts(parts.settings, lambda: str(parts.files.path or ""))
+        parts.session.opened.connect(self._take_drafts)
+        parts.files.changed.connect(self._follow_file)
         self._beside = Beside(parts.window)
         self._approval: ApprovalWords = UNINSPECTED
         self._asked: tuple[tuple[Finding, ReviewComment], ...] = ()
-        self._saved = ""
+        self._saved, self._found = "", 0
         self.signing: SignDialog | None = None
         """The dialog in which somebody signs, after it was opened for the first time."""
         self.signed: Callable[[], object] = lambda: None
@@ -118,6 +122,7 @@ class ReviewFeature(Feature):
         dialog = CommentDialog(comment, sheet, self._parts.window)
         dialog.answered.connect(self.review.reply)
         dialog.line_wanted.connect(self.show_comment)
+        dialog.begun.connect(self._begin)
         dialog.open()
 
     def show_comment(self, comment: ReviewComment) -> None:
@@ -230,7 +235,7 @@ class ReviewFeature(Feature):
     def _make(self) -> ReviewPage:
         from smsl_studio.studio.features.review.page import ReviewPage
 
-        page = ReviewPage(self.review, self._parts.settings, self._tokens)
+        page = ReviewPage(self.review, self.drafts, self._parts.settings, self._tokens)
         page.sign_wanted.connect(self.sign)
         page.watch_wanted.connect(self.watch)
         page.print_wanted.connect(self.print)
@@ -246,6 +251,25 @@ class ReviewFeature(Feature):
         column.left.connect(lambda: self.page.right.setCurrentWidget(self.page.side))
         self.page.right.addWidget(column)
         return column
+
+    def _begin(self, comment: ReviewComment, text: str) -> None:
+        """Take an answer that was begun in a dialog along to the line."""
+        one, person = comment.entry, self.review.author.person
+        self.drafts.put(
+            ReviewDraft(REPLY, person, one.line, one.section, one.heading, one.about, one.id, text)
+        )
+
+    def _take_drafts(self) -> None:
+        self.drafts.load()
+        self._found = len(self.drafts.begun(self.review.author.person))
+
+    def _follow_file(self) -> None:
+        self.drafts.follow()
+        # Not earlier: a message is taken away when a file is opened.
+        many, self._found = self._found, 0
+        if many:
+            texts = "A text is" if many == 1 else f"{many} texts are"
+            self._parts.toast.say(f"{texts} begun in Review and not kept yet")
 
     def _changed(self) -> None:
         found = asked_findings(self._parts.session.blueprint, self.review.review)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
@@ -19,6 +19,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.review.answer_field import AnswerField
 from smsl_studio.studio.features.review.comment_view import CommentView, signed, told
+from smsl_studio.studio.features.review.drafts import COMMENT, NOTE, REPLY, ReviewDraft
 from smsl_studio.studio.features.review.line_mark import ANSWERED, ASKED, OPEN, LineMark
 
 BUTTONS = 128
@@ -33,12 +34,14 @@ MOST_INNER = 40
 class LineLooks:
     """What a line needs besides its words: colours, text size, room, and who may close what.
 
+    ``narrow`` says that the buttons stand below the text.
+
     ``changed`` says that the line means something else than when it was last signed.
     """
 
     tokens: Tokens
     size: float
-    width: int
+    narrow: bool
     changed: bool
     closable: frozenset[str]
 
@@ -57,11 +60,17 @@ class LineCard(QFrame):
     """A field was opened, so that the line needs more room."""
     entered = Signal()
     """The line has the keyboard focus now, or was clicked."""
+    typed = Signal(str, str, str)
+    """(kind of a draft, id of a comment, text): a field was opened, or its text is another one."""
+    left = Signal()
+    """The person leaves the field without keeping its text."""
 
     def __init__(self, reviewed: ReviewedLine, looks: LineLooks) -> None:
         super().__init__()
         self.reviewed, self._looks = reviewed, looks
         self.field: AnswerField | None = None
+        self.may_write: Callable[[], bool] = lambda: True
+        """Whether an answer can be kept now. It tells the person if not."""
         self.setProperty("role", "readLine")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(plain_text(spoken(reviewed, looks.changed)))
@@ -79,7 +88,7 @@ class LineCard(QFrame):
         across.setSpacing(16)
         across.addWidget(mark, 0, Qt.AlignmentFlag.AlignTop)
         across.addLayout(self._text, 1)
-        if looks.width < NARROW * looks.size:
+        if looks.narrow:
             self._text.addLayout(row(self.approve, self.ask, None))
         else:
             beside = QVBoxLayout()
@@ -110,27 +119,33 @@ class LineCard(QFrame):
         if self.reviewed.approval is not None:
             self.take_back_wanted.emit()
         elif self.reviewed.line.open_point:
-            question = "This point is open. Write why it may stay as it is"
-            self._write(question, "Approve with this note").given.connect(self.approve_wanted)
+            self._open(NOTE)
         else:
             self.approve_wanted.emit("")
 
     def write_comment(self) -> None:
         """Open the field for a comment."""
-        field = self._write("Write what is not clear or not right", "Keep the comment")
-        field.given.connect(self.comment_wanted)
+        self._open(COMMENT)
 
     def write_reply(self, comment: ReviewComment) -> None:
         """Open the field for an answer to a comment."""
-        field = self._write(f"Answer {comment.entry.person}", "Keep the answer")
-        field.given.connect(lambda text: self.reply_wanted.emit(comment, text))
+        self._open(REPLY, comment.entry.id)
+
+    def begin(self, draft: ReviewDraft) -> None:
+        """Open the field with a text that was begun before; the focus stays where it is."""
+        self._show_field(draft.kind, draft.to).begin(draft.text)
 
     def leave_field(self) -> None:
-        """Close the field without keeping its text."""
-        field, self.field = self.field, None
-        if field is not None:
+        """Close the field without keeping its text, with the focus at the line."""
+        if self.field is not None:
             # First: else the focus of the hidden field would go to another line.
             self.setFocus()
+            self.put_away()
+
+    def put_away(self) -> None:
+        """Close the field; whoever asks for it has its text."""
+        field, self.field = self.field, None
+        if field is not None:
             field.hide()
             field.deleteLater()
 
@@ -144,14 +159,42 @@ class LineCard(QFrame):
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         event.accept()
 
-    def _write(self, question: str, verb: str) -> AnswerField:
-        self.leave_field()
-        self.field = AnswerField(question, verb)
-        self.field.left.connect(self.leave_field)
-        self._text.addWidget(self.field)
-        self.field.text.setFocus()
+    def _open(self, kind: str, to: str = "") -> None:
+        """Open a field. One in which something is written stays, whatever it is for."""
+        if not self.may_write():
+            return
+        self.entered.emit()
+        if self.field is None or not self.field.written.strip():
+            self.put_away()
+            self._show_field(kind, to)
+            self.typed.emit(kind, to, "")
+        if self.field is not None:
+            self.field.text.setFocus()
         self.grew.emit()
-        return self.field
+
+    def _show_field(self, kind: str, to: str) -> AnswerField:
+        comment = next((one for one in self.reviewed.comments if one.entry.id == to), None)
+        if kind == NOTE:
+            question = "This point is open. Write why it may stay as it is"
+            field = AnswerField(question, "Approve with this note")
+            field.given.connect(self.approve_wanted)
+        elif comment is not None:
+            field = AnswerField(f"Answer {comment.entry.person}", "Keep the answer")
+            field.given.connect(lambda text: self.reply_wanted.emit(comment, text))
+        else:
+            field = AnswerField("Write what is not clear or not right", "Keep the comment")
+            field.given.connect(self.comment_wanted)
+        field.left.connect(self._leave)
+        field.text.textChanged.connect(lambda: self.typed.emit(kind, to, field.written))
+        self.field = field
+        self._text.addWidget(field)
+        # At once: a field that is not shown yet cannot take the focus.
+        field.show()
+        return field
+
+    def _leave(self) -> None:
+        self.leave_field()
+        self.left.emit()
 
     def _button(self, words: str, name: str, tip: str) -> QPushButton:
         made = QPushButton(f" {words}")

@@ -17,7 +17,7 @@ from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.review.comment_view import CommentView
-from smsl_studio.studio.features.review.line_card import LineCard, LineLooks
+from smsl_studio.studio.features.review.line_card import NARROW, LineCard, LineLooks
 
 _LINES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right)
 AT_ONCE = 40
@@ -43,6 +43,9 @@ class LinesColumn(QScrollArea):
         self.setAccessibleName("The reading")
         self.cards: list[LineCard] = []
         self.at = ""
+        self.torn = ""
+        """The key of the line whose field was taken from under the hands of the person, until the
+        field is there again, or the person goes elsewhere. In between letters are no keys."""
         self._lines: tuple[ReviewedLine, ...] = ()
         self._looks: Callable[[ReviewedLine], LineLooks] = self._no_looks
         self._make_parts()
@@ -137,9 +140,8 @@ class LinesColumn(QScrollArea):
             """What the card of a line needs."""
             own = frozenset(c.entry.id for c in one.comments if closable(c))
             return LineLooks(
-                self._tokens, self.size_factor, self.viewport().width(),
-                one.line.key in changed, own,
-            )  # fmt: skip
+                self._tokens, self.size_factor, self._is_narrow(), one.line.key in changed, own
+            )
 
         self._looks = looks
         if self.at not in {one.line.key for one in self._lines}:
@@ -190,7 +192,7 @@ class LinesColumn(QScrollArea):
 
     def take(self, key: str, focus: bool) -> None:
         """Make a line the one at hand, and show it."""
-        self.at = key
+        self.at, self.torn = key, ""
         for card in self.cards:
             card.show_here(card.reviewed.line.key == key)
         chosen = self.card(key)
@@ -244,7 +246,7 @@ class LinesColumn(QScrollArea):
             self._body.insertWidget(place, card)
             card.show()
             if old is not None:
-                if focused and one.line.key == self.at:
+                if focused and one.line.key == self.at and not self._is_written(old):
                     # First: else the focus of the old card would go to another line.
                     card.setFocus()
                 self._drop(old)
@@ -252,6 +254,8 @@ class LinesColumn(QScrollArea):
             else:
                 self.cards.append(card)
             self.card_made.emit(card)
+            if card.field is not None and old is not None and old.field is not None:
+                card.field.stand_as(old.field)
         while len(self.cards) > len(wanted):
             self._drop(self.cards.pop())
         self._tell_more()
@@ -260,8 +264,32 @@ class LinesColumn(QScrollArea):
             card.show_here(here)
             if focused and here and card.field is None:
                 card.setFocus()
+        self._give_back()
+
+    def _give_back(self) -> None:
+        """Give the keys back to the field from which they were taken."""
+        if not self.torn or QApplication.focusWidget() is not self:
+            return
+        card = next((one for one in self.cards if one.reviewed.line.key == self.torn), None)
+        if card is None or card.field is None:
+            card = next((one for one in self.cards if one.field is not None), None)
+        if card is not None and card.field is not None:
+            card.field.text.setFocus()
+            if card.field.text.hasFocus():
+                self.torn = ""
+
+    def _is_written(self, card: LineCard) -> bool:
+        focus = QApplication.focusWidget()
+        return card.field is not None and focus is not None and card.field.isAncestorOf(focus)
+
+    def _is_narrow(self) -> bool:
+        return self.viewport().width() < NARROW * self.size_factor
 
     def _drop(self, card: LineCard) -> None:
+        if self._is_written(card):
+            # Else the keys would go to whatever comes next, such as another line.
+            self.torn = card.reviewed.line.key
+            self.setFocus()
         self._body.removeWidget(card)
         card.hide()
         card.deleteLater()
@@ -284,7 +312,7 @@ class LinesColumn(QScrollArea):
         self.cards = []
 
     def _no_looks(self, one: ReviewedLine) -> LineLooks:
-        return LineLooks(self._tokens, self.size_factor, 0, False, frozenset())
+        return LineLooks(self._tokens, self.size_factor, True, False, frozenset())
 
 
 def _wrapped(role: str) -> Label:

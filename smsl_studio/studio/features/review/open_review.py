@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError, UsageError
 from smsl_studio.front.review_matter import ReviewMatter, review_matter
-from smsl_studio.front.reviews import keep_answers, review_in, review_of
+from smsl_studio.front.reviews import keep_answers, review_in, review_of, waiting_answers
 from smsl_studio.inspection.review.entry import ReviewEntry
 from smsl_studio.inspection.review.review import Review, ReviewComment
 from smsl_studio.inspection.review.review_author import ReviewAuthor
@@ -93,21 +93,28 @@ class OpenReview(QObject):
             self._beside.do(partial(_matter_of, blueprint), partial(self._came, blueprint))
             self.changed.emit()
 
-    def approve(self, one: ReviewedLine, note: str = "") -> None:
-        """Approve a line. An open point needs a note."""
-        self._do(lambda: self.author.approve(self.review, one, note))
+    def may_answer(self) -> bool:
+        """Whether answers can be kept beside a file; tells the person if there is no file."""
+        if self._files.path is None:
+            self.refused.emit(_no_file())
+        return self._files.path is not None
+
+    def approve(self, one: ReviewedLine, note: str = "") -> bool:
+        """Approve a line. An open point needs a note. Like each answer, it returns whether the
+        answer is kept."""
+        return self._do(lambda: self.author.approve(self.review, one, note))
 
     def take_back(self, one: ReviewedLine) -> None:
         """Take the approval of a line back."""
         self._do(lambda: self.author.take_back(self.review, one))
 
-    def comment(self, one: ReviewedLine, text: str) -> None:
+    def comment(self, one: ReviewedLine, text: str) -> bool:
         """Write a comment on a line."""
-        self._do(lambda: self.author.comment(self.review, one, text))
+        return self._do(lambda: self.author.comment(self.review, one, text))
 
-    def reply(self, comment: ReviewComment, text: str) -> None:
+    def reply(self, comment: ReviewComment, text: str) -> bool:
         """Answer a comment."""
-        self._do(lambda: self.author.reply(self.review, comment, text))
+        return self._do(lambda: self.author.reply(self.review, comment, text))
 
     def close(self, comment: ReviewComment) -> None:
         """Close a comment."""
@@ -121,13 +128,11 @@ class OpenReview(QObject):
         self._do(lambda: review_in(path).entries)
         return len(self.review.entries) - before
 
-    def _do(self, make: Callable[[], tuple[ReviewEntry, ...]]) -> None:
+    def _do(self, make: Callable[[], tuple[ReviewEntry, ...]]) -> bool:
+        entries: tuple[ReviewEntry, ...] = ()
         try:
             if not self._files.path:
-                raise UsageError(
-                    "Answers are kept beside the file, and this one has no file yet",
-                    advice="Save the procedure first.",
-                )
+                raise _no_file()
             entries = make()
             if entries:
                 self.review = self.review.merged(keep_answers(str(self._files.path), entries))
@@ -135,8 +140,11 @@ class OpenReview(QObject):
         except StudioError as error:
             self.refused.emit(error)
             self.look()
-            return
+            # What could not be written yet waits in the journal, and comes with the next answer.
+            kept = waiting_answers(str(self._files.path)).entries if self._files.path else ()
+            return bool(entries) and set(entries) <= {*kept, *self.review.entries}
         self._see()
+        return True
 
     def _moved_on(self) -> None:
         """Forget the reading, because the blueprint is another one now."""
@@ -163,6 +171,13 @@ class OpenReview(QObject):
         if self.matter is not None:
             self.seen = ReviewedReading(self.matter.reading, self.review, self.author.person)
         self.changed.emit()
+
+
+def _no_file() -> UsageError:
+    return UsageError(
+        "Answers are kept beside the file, and this one has no file yet",
+        advice="Save the procedure first.",
+    )
 
 
 def _matter_of(blueprint: Blueprint) -> ReviewMatter | StudioError:

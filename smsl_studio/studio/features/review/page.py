@@ -10,15 +10,18 @@ from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QStackedWidget, QWidget
 
 from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords
 from smsl_studio.inspection.review.review import ReviewComment
+from smsl_studio.inspection.review.review_file import LONG_NAME, MOST_ABOUT
 from smsl_studio.inspection.review.reviewed import ReviewedLine
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.features.review.answer_field import AnswerField
 from smsl_studio.studio.features.review.contents import WIDE as CONTENTS
 from smsl_studio.studio.features.review.contents import ContentsColumn
+from smsl_studio.studio.features.review.drafts import ReviewDraft, ReviewDrafts
 from smsl_studio.studio.features.review.line_card import LineCard
 from smsl_studio.studio.features.review.lines_column import LinesColumn
 from smsl_studio.studio.features.review.open_review import OpenReview
@@ -43,9 +46,12 @@ class ReviewPage(QWidget):
     """ReviewedLine: play this step."""
     print_wanted = Signal()
 
-    def __init__(self, review: OpenReview, settings: Settings, tokens: Tokens) -> None:
+    def __init__(
+        self, review: OpenReview, drafts: ReviewDrafts, settings: Settings, tokens: Tokens
+    ) -> None:
         super().__init__()
         self._review, self._settings, self._tokens = review, settings, tokens
+        self._drafts, self._person = drafts, ""
         self.setAccessibleName("Review")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.bar = ReviewBar(tokens)
@@ -87,6 +93,10 @@ class ReviewPage(QWidget):
         """Show the present reading and its answers."""
         review, author = self._review, self._review.author
         self.bar.show_person(author.person, author.role)
+        if author.person != self._person:
+            self._person = author.person
+            for card in self.reading.cards:
+                card.put_away()
         if self.isVisible():
             review.read()
         seen, matter = review.seen, review.matter
@@ -102,6 +112,8 @@ class ReviewPage(QWidget):
                 self.reading.show_hint(NOTHING)
             else:
                 self.reading.show_section(matter, seen, at, self._may_close)
+                for card in self.reading.cards:
+                    self._restore(card)
                 place = keys.index(at.key) + 1
                 after = seen.sections[place] if place < len(keys) else None
                 self.reading.show_next(after, len(seen.of_section(after.key)) if after else 0)
@@ -109,13 +121,20 @@ class ReviewPage(QWidget):
             if self._sought:
                 self.show_comment(self._sought)
         self.side.show_matter(matter, seen)
-        reasons = seen.why_not_signed() if seen is not None else ("There is no reading yet.",)
-        if review.fault and seen is not None:
-            reasons = (review.fault, *reasons)
-        self.side.show_signing(reasons, self.approval, author.person)
+        self._show_signing()
         self.side.reject.setEnabled(seen is not None)
         for button in (self.bar.previous, self.bar.next):
             button.setEnabled(seen is not None)
+
+    def _show_signing(self) -> None:
+        seen, fault = self._review.seen, self._review.fault
+        reasons = seen.why_not_signed() if seen is not None else ("There is no reading yet.",)
+        if fault and seen is not None:
+            reasons = (fault, *reasons)
+        begun = [one.heading for one in self._drafts.begun(self._person)]
+        if begun:
+            reasons = (f"What you write at “{begun[0]}” is not kept yet.", *reasons)
+        self.side.show_signing(reasons, self.approval, self._person)
 
     def show_approval(self, said: ApprovalWords) -> None:
         """Show who has signed."""
@@ -212,6 +231,8 @@ class ReviewPage(QWidget):
                 Qt.Key.Key_Minus: lambda: self.set_size(-1),
                 Qt.Key.Key_0: lambda: self.set_size(0),
             }.get(Qt.Key(key))
+        elif not held and key in _ON_LINE and not self._hears_letters():
+            call = self._go_on_writing
         elif not held:
             call = {
                 Qt.Key.Key_Down: lambda: self.step(1),
@@ -225,6 +246,23 @@ class ReviewPage(QWidget):
             super().keyPressEvent(event)
         else:
             call()
+
+    def _hears_letters(self) -> bool:
+        """Whether a letter is a key of the page: the page or a line has the focus, and nobody
+        writes."""
+        focus = QApplication.focusWidget()
+        here = focus in (self, self.reading) or self.reading.has_focus()
+        return here and not self.reading.torn and self._open_field() is None
+
+    def _open_field(self) -> AnswerField | None:
+        return next((card.field for card in self.reading.cards if card.field is not None), None)
+
+    def _go_on_writing(self) -> None:
+        """Lead the keys to the field that is open, instead of taking a letter for an answer."""
+        card = next((one for one in self.reading.cards if one.field is not None), None)
+        if card is not None and card.field is not None:
+            card.field.text.setFocus()
+            self.reading.show_field(card)
 
     # The size of the text.
 
@@ -266,28 +304,68 @@ class ReviewPage(QWidget):
         review = self._review
         card.entered.connect(lambda: self._entered(card))
         card.grew.connect(lambda: self.reading.show_field(card))
+        card.typed.connect(lambda kind, to, text: self._typed(card, kind, to, text))
+        card.left.connect(lambda: self._left(card.reviewed))
+        card.may_write = review.may_answer
         card.approve_wanted.connect(lambda note: self._approve(card, note))
         card.take_back_wanted.connect(lambda: review.take_back(card.reviewed))
         card.comment_wanted.connect(lambda text: self._say(card, text))
         card.reply_wanted.connect(lambda comment, text: self._reply(card, comment, text))
         card.close_wanted.connect(review.close)
+        self._restore(card)
 
     def _entered(self, card: LineCard) -> None:
         key = card.reviewed.line.key
+        for other in self.reading.cards:
+            if other is not card and other.field is not None and not other.field.written.strip():
+                other.put_away()
+                self._left(other.reviewed)
         if key != self.reading.at:
             self.reading.take(key, focus=False)
 
     def _approve(self, card: LineCard, note: str) -> None:
-        card.leave_field()
-        self._review.approve(card.reviewed, note)
+        kept = self._review.approve(card.reviewed, note)
+        if note:
+            self._close_field(card, kept)
 
     def _say(self, card: LineCard, text: str) -> None:
-        card.leave_field()
-        self._review.comment(card.reviewed, text)
+        self._close_field(card, self._review.comment(card.reviewed, text))
 
     def _reply(self, card: LineCard, comment: ReviewComment, text: str) -> None:
-        card.leave_field()
-        self._review.reply(comment, text)
+        self._close_field(card, self._review.reply(comment, text))
+
+    # What is written and not kept yet.
+
+    def _typed(self, card: LineCard, kind: str, to: str, text: str) -> None:
+        at = card.reviewed
+        about = tuple(str(one)[:LONG_NAME] for one in at.line.about[:MOST_ABOUT])
+        heading = at.line.heading[:LONG_NAME]
+        self._drafts.put(
+            ReviewDraft(kind, self._person, at.line.key, at.section.key, heading, about, to, text)
+        )
+        self._show_signing()
+
+    def _left(self, at: ReviewedLine) -> None:
+        self._drafts.drop(self._person, at.line.key)
+        self._show_signing()
+
+    def _close_field(self, card: LineCard, kept: bool) -> None:
+        """Close the field of a line if its text is kept; else the text stays."""
+        if kept:
+            self._left(card.reviewed)
+            # The answer may have made another card of this line.
+            now = self.reading.card(card.reviewed.line.key)
+            if now is not None:
+                now.leave_field()
+
+    def _restore(self, card: LineCard) -> None:
+        """Open the field of a line again if something was begun there."""
+        seen = self._review.seen
+        if seen is None or card.field is not None:
+            return
+        draft = self._drafts.of_line(card.reviewed, seen.lines, self._person)
+        if draft is not None:
+            card.begin(draft)
 
     def _may_close(self, comment: ReviewComment) -> bool:
         return self._review.author.may_close(comment)
@@ -304,4 +382,5 @@ class ReviewPage(QWidget):
             self.reading.take(self.reading.at, focus=True)
 
 
+_ON_LINE = (Qt.Key.Key_Y, Qt.Key.Key_C, Qt.Key.Key_W)
 _CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
