@@ -30,6 +30,8 @@ from smsl_studio.smsl.inputs import NOTHING, Seen, read_ordinary
 PATIENCE = 2.0
 """The longest time to wait for another program that keeps answers in this folder (wall seconds)."""
 _EMPTY = Review()
+_SHOWN = 200
+"""So many letters of a comment and of its line are said in a refusal."""
 
 
 def review_of(file: str) -> Review:
@@ -43,6 +45,18 @@ def review_of(file: str) -> Review:
 def waiting_answers(file: str) -> Review:
     """Return the answers that wait in the journal until the file of the review can be written."""
     return _journalled(file)
+
+
+def open_comments_said(file: str) -> tuple[str, ...]:
+    """Return a sentence about each open comment on a blueprint's file. ReadError as ``review_of``.
+
+    Nobody signs while there is one.
+    """
+    return tuple(
+        f"a comment of {one.person}{f' ({one.role})' if one.role else ''} is open, about "
+        f"“{one.heading[:_SHOWN]}”: {one.text[:_SHOWN]}"
+        for one in (comment.entry for comment in review_of(file).open_comments)
+    )
 
 
 def review_in(path: str) -> Review:

@@ -22,6 +22,7 @@ from smsl_studio.front.approval_files import (
 )
 from smsl_studio.front.check_findings import WHOLE, CheckAnswer, whole_check
 from smsl_studio.front.former_record import changes_since_record
+from smsl_studio.front.reviews import open_comments_said
 from smsl_studio.front.version import version
 from smsl_studio.front.world_codes import WorldSurvey, surveyed
 from smsl_studio.inspection.approval.audit_log import append_act
@@ -128,10 +129,11 @@ class SignedApproval:
 def approve(request: ApprovalRequest) -> SignedApproval:
     """Sign the result of the check, and a person's decision about it.
 
-    ApprovalRefused, with every reason, if an error is open, if a warning has no disposition, if the
-    key is revoked, or if an earlier record has a later time than the clock. A rejection may have
-    open errors and warnings. SealError if the passphrase is wrong, SaveError if the record cannot
-    be written.
+    ApprovalRefused, with every reason, if an error is open, if a warning has no disposition, if a
+    comment in the review beside the file is open, if the key is revoked, or if an earlier record
+    has a later time than the clock. A rejection may have open errors, warnings and comments.
+    SealError if the passphrase is wrong, ReadError if the review cannot be read, SaveError if the
+    record cannot be written.
 
     >>> key = make_key("L. Brandt", "engineer", b"a passphrase").id
     >>> blueprint = read("hanoi-corrected.json")
@@ -156,7 +158,8 @@ def approve(request: ApprovalRequest) -> SignedApproval:
     dispositions = _dispositions(asked, answer)
     apart = {one.file for _, one in parts if name_in(asked.blueprint, one.file) in relied}
     if asked.verdict != REJECTED:
-        _refuse_open(answer, dispositions, apart)
+        asks = open_comments_said(asked.blueprint.file)
+        _refuse_open(answer, dispositions, apart, asks)
     predicate = Predicate(
         rules=_rules(answer, asked.options),
         properties=[
@@ -303,17 +306,20 @@ def _disposition(text: str, known: Iterable[tuple[str, str]]) -> Disposition:
     return Disposition(rule=rule, address=address, text=words)
 
 
-def _refuse_open(answer: CheckAnswer, dispositions: Sequence[Disposition], apart: set[str]) -> None:
+def _refuse_open(
+    answer: CheckAnswer, dispositions: Sequence[Disposition], apart: set[str], asks: Sequence[str]
+) -> None:
     disposed = {(one.rule, one.address) for one in dispositions}
     open_ = list(answer.errors(apart))
     for one in answer.of(Severity.WARNING, apart):
         if (one.rule, str(one.address)) not in disposed:
             open_.append(f"{one.rule} {one.address} has no disposition: {one.message}")
-    if open_:
-        raise ApprovalRefused(
-            "\n".join(dict.fromkeys(open_)),
-            advice="Mend each error. Say about each warning: --disposition RULE@ADDRESS=TEXT.",
-        )
+    advice = "Mend each error. Say about each warning: --disposition RULE@ADDRESS=TEXT."
+    if asks:
+        advice = f"{advice} " if open_ else ""
+        advice += "Answer each comment in Review, and let its writer close it."
+    if open_ or asks:
+        raise ApprovalRefused("\n".join(dict.fromkeys((*open_, *asks))), advice=advice)
 
 
 def open_warnings(request: ApprovalRequest) -> tuple[Finding, ...]:
