@@ -9,7 +9,8 @@ from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, split_fact
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.dispatch.people.task import KINDS as TASKS
 from smsl_studio.dispatch.supervision.row import (
     AMOUNT,
@@ -123,15 +124,21 @@ def scalar(_: Blueprint, value: Json) -> Json:
 
 
 def sensed(blueprint: Blueprint, value: Json) -> str:
-    """Return the name of a sensor, or a fact ``SB/digit`` that exists. UsageError for an unknown
-    fact."""
+    """Return the name of a sensor, or a fact ``SB/digit`` that exists in the blueprint or in one
+    that an operation runs. UsageError for an unknown fact."""
     fact = split_fact(_name(value))
     if fact is not None:
-        branch = blueprint.branches.get(fact[0])
+        branch = blueprint.branches.get(fact[0]) or _branch_below(blueprint, fact[0])
         if branch is None or not branch.table or fact[1] >= branch.num_facts:
             near = did_you_mean(fact[0], blueprint.branches) if branch is None else ""
             raise UsageError(f"there is no fact {value!r}", advice=near or "Write SB/digit.")
     return str(value)
+
+
+def _branch_below(blueprint: Blueprint, name: str) -> StateBranch | None:
+    """Return the SB of a name in what the operations of a blueprint run. None if there is none."""
+    parts = procedures_of(blueprint).parts
+    return next((part[name] for part in parts if name in part.branches), None)
 
 
 def one_of(known: Iterable[str]) -> Check:
