@@ -28,11 +28,12 @@ def approval_stamps(file: str, policy: Path | None) -> tuple[object, ...]:
     revocations of the store. Nothing is read."""
     store = user_folder() / "store"
     others = () if policy is None else (policy,)
-    return tuple(map(_stamp, (Path(f"{file}.record.json"), store / "revoked.json",
+    return tuple(map(file_stamp, (Path(f"{file}.record.json"), store / "revoked.json",
                               store / "keys", *others)))  # fmt: skip
 
 
-def _stamp(file: Path) -> tuple[int, int, int] | None:
+def file_stamp(file: Path) -> tuple[int, int, int] | None:
+    """Return a value that changes when a file or a folder is written. None if there is none."""
     try:
         found = file.stat()
     except (OSError, ValueError):

@@ -52,11 +52,28 @@ def dependants_of(digest: str) -> tuple[Dependant, ...]:
 
 
 def revocation_of(entry: StoredBlueprint) -> str:
-    """Return why a stored blueprint, or a part of it, is revoked by this user. Empty if none is."""
-    for digest, why in revoked_digests().items():
-        if digest in (entry.digest, entry.behaviour, *entry.parts):
-            return why
-    return ""
+    """Return why a stored blueprint, or a part of it, is revoked by this user. Empty if none is.
+
+    Parts of parts count, as for ``dependants_of``.
+    """
+    revoked = revoked_digests()
+    held = _held(entry) if revoked else frozenset()
+    return next((why for digest, why in revoked.items() if digest in held), "")
+
+
+def _held(entry: StoredBlueprint) -> Set[str]:
+    """Return the digests of a stored blueprint and of everything that it uses, directly or not."""
+    known = {one.digest: one for one in stored_blueprints()} | {entry.digest: entry}
+    held: set[str] = set()
+    ahead = [entry.digest]
+    while ahead:
+        digest = ahead.pop()
+        one = known.get(digest)
+        if one is not None and digest not in held:
+            held.add(one.behaviour)
+            ahead += one.parts
+        held.add(digest)
+    return held
 
 
 def _touched(digest: str) -> Set[str]:

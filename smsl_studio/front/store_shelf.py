@@ -162,6 +162,10 @@ def opened_stored(entry: StoredBlueprint) -> Blueprint:
     return blueprint
 
 
+REVOKED, ANOTHER_CONTENT = "Revoked", "Not what was stored"
+"""The marks of what must not be used any more."""
+
+
 def mark_of(entry: StoredBlueprint) -> ApprovalWords:
     """Return the words of a stored blueprint's badge: whether it is approved, and why not."""
     from smsl_studio.front.approval_badge import ApprovalWords, approval_words
@@ -170,10 +174,10 @@ def mark_of(entry: StoredBlueprint) -> ApprovalWords:
     try:
         blueprint = opened_stored(entry)
     except SealError as error:
-        return ApprovalWords("Not what was stored", (error.sentence,), error.advice)
+        return ApprovalWords(ANOTHER_CONTENT, (error.sentence,), error.advice)
     reason = revocation_of(entry)
     if reason:
-        return ApprovalWords("Revoked", (reason,), "Do not use it any more.")
+        return ApprovalWords(REVOKED, (reason,), "Do not use it any more.")
     return approval_words(blueprint)
 
 

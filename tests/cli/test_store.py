@@ -172,6 +172,26 @@ def test_a_procedure_needs_a_record_of_its_own_and_a_revoked_one_refuses(desk: D
     assert stored(desk) == [("door", "Revoked"), ("part", "Revoked")]
 
 
+def test_a_revoked_part_of_a_part_is_told_and_marked(desk: Desk) -> None:
+    part = added(desk, desk.write(PART, "part.json"))["digest"].removeprefix("sha256:")
+    middle = added(desk, desk.write(base(part), "middle.json"))["digest"].removeprefix("sha256:")
+    run = {"binding": {"blueprint": f"store:{middle}", "goal": "BASE/State_11"}}
+    outer = {
+        "WARD": {
+            "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1},
+            "_operations": {"prepare": run},
+            "State_0": {"prepare": "State_1"},
+            "State_1": {"again": "State_0"},
+        }
+    }
+    added(desk, desk.write(outer))
+    found = desk("store", "dependants", part, "--format", "json").json["dependants"]
+    assert {one["file"] for one in found} == {"middle.json", "door.json"}
+    assert {mark for _, mark in stored(desk)} == {"Uninspected"}
+    assert desk("store", "revoke", part, "--key", "ada", "--why", "a wrong needle").status == 0
+    assert {mark for _, mark in stored(desk)} == {"Revoked"}
+
+
 def test_a_record_is_added_with_the_blueprint_beside_it(desk: Desk, tmp_path: Path) -> None:
     part = desk.write(PART, "part.json")
     assert desk("approve", part, "--key", "ada").status == 0

@@ -72,6 +72,7 @@ class Features(QObject):
         self.approval = ApprovalFeature(parts)
         self.export.trust = lambda: self.approval.badge.said
         self.approval.compare = self.draw.comparing.with_signed
+        self.approval.store.told = self.draw.library.set_stored
         self.merge = MergeFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)

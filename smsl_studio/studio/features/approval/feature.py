@@ -18,6 +18,7 @@ from smsl_studio.studio.base.file_dialogs import ask_to_open
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.approval.badge import ApprovalBadge
 from smsl_studio.studio.features.approval.reason_card import ReasonCard
+from smsl_studio.studio.features.approval.store_watch import StoreWatch
 from smsl_studio.studio.running.window_parts import WindowParts
 
 IDLE = 400
@@ -48,6 +49,7 @@ class ApprovalFeature(Feature):
         self.told: Callable[[ApprovalWords], None] = lambda said: None
         """Hears what the badge says, whenever it says something else."""
         self.ask_file: Callable[[Path], Path | None] = self._asked
+        self.store = StoreWatch(parts.window)
         self._beside = Beside(parts.window)
         self._later = QTimer(parts.window)
         self._later.setSingleShot(True)
@@ -119,6 +121,7 @@ class ApprovalFeature(Feature):
     def stop(self) -> None:
         """End all work, because the window closes."""
         self._watch.stop()
+        self.store.stop()
         self._later.stop()
         self._beside.stop()
 

@@ -1,4 +1,4 @@
-"""The list of the operations that the blueprint uses, and those that plugins offer."""
+"""The operations that the blueprint uses, and what plugins and the user's store offer."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from itertools import chain
 
 from PySide6.QtCore import QMimeData, QModelIndex, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.annotations import PLAIN, OperationNote
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.stored_lines import StoredLine
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.base.controls import label, name_parts
 from smsl_studio.studio.base.icons import ACTOR_ICON, icon
@@ -30,6 +31,7 @@ MOST = 2_000
 """At most this many operations of the blueprint have a row; the filter finds the others."""
 LOW = 200
 """A panel that is lower (pixels) has no room for the hint."""
+_COPY = "Press Enter to copy its name, for a binding or an import."
 NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
 
 
@@ -51,10 +53,11 @@ class TemplateRow:
 
 
 class Library(Panel):
-    """Operations by name: how often each is used, and who acts.
+    """Operations by name: how often each is used, and who acts. Blueprints of the user's store.
 
     A click selects the edges of one SB. A row can be dragged to the canvas. Enter uses it there,
-    as ``use`` (kind, name) does; if that returns False, Enter is as a click.
+    as ``use`` (kind, name) does; if that returns False, Enter is as a click. At a blueprint of the
+    store Enter copies the name by which a binding or an import calls it.
     """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -62,6 +65,7 @@ class Library(Panel):
         self._session, self._tokens = session, tokens
         self.use: Callable[[str, str], bool] = lambda kind, name: False
         self._offers: tuple[LibraryEntry, ...] = ()
+        self._stored: tuple[StoredLine, ...] = ()
         self._severities: dict[str, str] = {}
         self.tools: QLabel = label("", "small")
         self.tools.setContentsMargins(0, 0, 8, 0)
@@ -109,6 +113,12 @@ class Library(Panel):
             self._offers = tuple(offers)
             self._session.afterwards.show(self._show)
 
+    def set_stored(self, lines: Sequence[StoredLine]) -> None:
+        """Show what the user's store holds, with the mark of each blueprint."""
+        if tuple(lines) != self._stored:
+            self._stored = tuple(lines)
+            self._session.afterwards.show(self._show)
+
     @property
     def offered(self) -> tuple[str, ...]:
         """The names or patterns of the operations that plugins offer."""
@@ -124,7 +134,9 @@ class Library(Panel):
 
     def _activated(self, index: QModelIndex) -> None:
         row: ListRow = index.data(Qt.ItemDataRole.UserRole)
-        if row.kind == LINE and not self.use(*_offer_of(row)):
+        if isinstance(row.payload, StoredLine):
+            QGuiApplication.clipboard().setText(row.payload.name)
+        elif row.kind == LINE and not self.use(*_offer_of(row)):
             self._clicked(index)
 
     def _clicked(self, index: QModelIndex) -> None:
@@ -153,6 +165,7 @@ class Library(Panel):
             of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
             rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
+        rows += _stored_rows(self._stored, wanted)
         self.tools.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
         # Plugins may offer many operations. The few templates stand above them.
         above = len(here[:MOST]) + bool(here) + (len(here) > MOST)
@@ -195,8 +208,9 @@ class Library(Panel):
 
 
 def _dragged(row: ListRow) -> QMimeData | None:
-    """What is dragged with a row; None for a heading."""
-    return library_data(*_offer_of(row)) if row.kind == LINE else None
+    """What is dragged with a row; None for a heading, and for what the store holds."""
+    still = row.kind != LINE or isinstance(row.payload, StoredLine)
+    return None if still else library_data(*_offer_of(row))
 
 
 def _offer_of(row: ListRow) -> tuple[str, str]:
@@ -228,6 +242,30 @@ def _offered(offer: LibraryEntry) -> ListRow:
         tip=f"{offer.pattern}, offered by {offer.plugin}; serves {names}.",
         pale=not offer.names,
     )
+
+
+def _stored_rows(lines: Sequence[StoredLine], wanted: str) -> list[ListRow]:
+    """The rows of the store in whose title, State Branches, operations or facts a text stands."""
+    found = [one for one in lines if any(wanted in word.casefold() for word in _words_of(one))]
+    many = sum(not one.operation for one in found)
+    rows = [
+        ListRow(
+            one.title,
+            one,
+            "arrow" if one.operation else "shield",
+            right=one.mark,
+            severity="" if one.is_good or not one.withdrawn else "E",
+            tip=f"{one.told} {_COPY}" if one.name else one.told,
+            pale=not one.is_good,
+        )
+        for one in found
+    ]
+    return [ListRow(f"From your store · {many}", kind="section"), *rows] if rows else []
+
+
+def _words_of(line: StoredLine) -> tuple[str, ...]:
+    """The words of a line by which the filter finds it. An operation is found by its own name."""
+    return (line.title,) if line.operation else (line.title, *line.words)
 
 
 def _used(blueprint: Blueprint) -> Counter[str]:
