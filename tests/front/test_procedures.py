@@ -222,6 +222,12 @@ def _another_operation(lines: list[Json]) -> None:
     lines[_told(lines, "committed")]["operation"] = "TOWER/State_bba/Op_3c"
 
 
+def _another_time(lines: list[Json]) -> None:
+    at = _told(lines, "run_finished")
+    event = json.loads(lines[at]["told"])
+    lines[at]["told"] = json.dumps({**event, "t": event["t"] + 0.001}, separators=(",", ":"))
+
+
 def test_a_log_of_it_is_believed_and_impossible_ones_are_not(tmp_path: Path) -> None:
     blueprint, log = smsl.read(TOWER), tmp_path / "run.jsonl"
     smsl.run(blueprint, log=log)
@@ -229,7 +235,8 @@ def test_a_log_of_it_is_believed_and_impossible_ones_are_not(tmp_path: Path) -> 
     assert forged(raw, lambda lines: None) == raw
     assert told_again(raw, blueprint) == ""
     assert verified(tmp_path, raw)
-    for change in (_no_goal, _other_target, _unseen, _elsewhere, _another_operation):
+    changes = (_no_goal, _other_target, _unseen, _elsewhere, _another_operation, _another_time)
+    for change in changes:
         wrong = forged(raw, change)
         assert told_again(wrong, blueprint), change.__name__
         assert not verified(tmp_path, wrong), change.__name__
