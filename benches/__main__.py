@@ -29,6 +29,7 @@ BENCHES = (
     "physics",
     "faults",
     "worlds",
+    "previews",
     "saving",
     "edits",
     "fuzz",
