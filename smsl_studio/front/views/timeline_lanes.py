@@ -51,6 +51,10 @@ def lanes(
         if branch.name in history.states:
             coming = soon[1:] if status.running and status.running.branch == branch.name else ()
             blocks = (*_states(branch, history.states[branch.name], ended), *coming)
+            begun = blocks[0].start
+            if begun > 0:
+                # The run held at its start. What was believed then is not recorded.
+                blocks = (Block(0.0, begun, "?", "unknown"), *blocks)
         elif branch.name in status.configuration:
             # Before the run has begun, the start is believed and nobody has confirmed it.
             name = short_name(branch, status.configuration[branch.name])

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.front.views.hold_advice import ways_out
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.front.views.run_marks import run_marks
 from smsl_studio.front.views.states import short_name
@@ -33,12 +34,12 @@ from smsl_studio.studio.running.shown import DrawnPlaces, ShownRun
 
 TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
 ADVICE = {
-    "fault_hold": "Choose an operation, restore one, or end the run.",
-    "no_route": "Choose an operation, restore one, or end the run.",
     "stopped": "Reset unlatches the run, End run ends it.",
     "taken_over": "Give it back in Supervise mode.",
 }
-"""What the person can do about a run that has not ended, by its phase."""
+"""What the person can do about a run that has not ended, by its phase. What can be done about a
+hold depends on the run (``ways_out``)."""
+HELD = ("fault_hold", "no_route")
 SAID = ("stopped", "taken_over")
 """The phases whose sentence already names the phase."""
 TALLER = 1.2
@@ -52,6 +53,8 @@ MOVED_ON = "The drawing has moved on. This run holds the version it started with
 RESULTS = "The drawing has moved on. These are the results of the version that ran"
 ANOTHER = "{drawn} is open in Draw mode now. This is {what} of {run}"
 """The banner of a run of another file than the drawing."""
+NEXT = "Play starts a run of {drawn}"
+"""What is added when such a run has ended."""
 
 
 class RunCanvas(QWidget):
@@ -199,7 +202,8 @@ class RunCanvas(QWidget):
         if run.foreign and run.blueprint is not None:
             drawn, ran = (Path(one.file).name for one in (self._session.blueprint, run.blueprint))
             what = "the run" if run.exists else "the result"
-            return ANOTHER.format(drawn=drawn, what=what, run=ran)
+            said = ANOTHER.format(drawn=drawn, what=what, run=ran)
+            return said if run.exists else f"{said}. {NEXT.format(drawn=drawn)}"
         return MOVED_ON if run.exists else RESULTS
 
     def _notes(self) -> tuple[str, ...]:
@@ -214,7 +218,10 @@ class RunCanvas(QWidget):
         run = self._run
         if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
             return ""
-        advice = ADVICE.get(run.phase, "") if run.exists else "Play starts a new run."
+        advice = "" if run.foreign else "Play starts a new run."
+        if run.exists:
+            held = run.phase in HELD and run.status is not None
+            advice = ways_out(run.status) if held and run.status else ADVICE.get(run.phase, "")
         words = capital(run.sentence)
         if run.phase not in SAID:
             words = f"{phase_words(run.phase)[0]}: {words}"

@@ -6,21 +6,21 @@ the pointer, a drag pans, a double click shows everything and follows the run.
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QWidget
 
 from smsl_studio.front.views.timeline_lanes import Block, Lane
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label
 from smsl_studio.studio.base.focus_line import FocusLine
-from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
+from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.lane_blocks import seen_blocks, words_font, words_width
 
 AXIS = 27
 LABELS, WIDEST, EMPTY = 94, 190, 160
@@ -32,6 +32,8 @@ NARROW = 2.0
 """A block narrower than this (pixels) has no round corners and no words."""
 BESIDE = 4.0
 """Pixels between a block and words behind it."""
+GAP = 8.0
+"""How long ago a block may have ended that has words behind it (pixels)."""
 SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
 """The visible simulated seconds of a young run; a longer run is shown whole."""
 
@@ -300,11 +302,12 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
             narrow = self._colours(lane.kind, "past")[0]
             last = len(lane.blocks) - 1
             pitch = float(PITCH[lane.kind])
-            for at in _seen(lane.blocks, starts, left, right, pixel):
+            for at in seen_blocks(lane.blocks, starts, left, right, pixel):
                 block = lane.blocks[at]
                 end = self.time if block.end is None else block.end
                 room = transform.mapRect(QRectF(block.start, top, end - block.start, pitch))
-                if at == last and room.width() < _wide(lane.kind, block.words):
+                gap = (self.time - end) * transform.m11()
+                if at == last and gap < GAP and room.width() < words_width(lane.kind, block.words):
                     self._say_beside(painter, room, lane.kind, block)
                 if room.width() < NARROW:
                     painter.fillRect(room.adjusted(0, 2, NARROW, -2), narrow)
@@ -323,23 +326,25 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         needed = 0.0
         for lane in self.lanes:
             for block in lane.blocks[-1:]:
-                wide = _wide(lane.kind, block.words)
+                wide = words_width(lane.kind, block.words)
                 end = self.time if block.end is None else block.end
-                if (end - block.start) / max(until, 1e-9) * width < wide:
+                each = width / max(until, 1e-9)
+                if (end - block.start) * each < wide and (self.time - end) * each < GAP:
                     needed = max(needed, wide + BESIDE)
         return min(needed, width / 3)
 
     def _say_beside(self, painter: QPainter, room: QRectF, kind: str, block: Block) -> None:
         """Paint the last words of a lane behind their block if the block is too short for them.
 
-        So the goal of a long run can be read.
+        So the goal of a long run can be read. A block that ended before has no words behind it:
+        they would stand where something else was, or nothing.
         """
         if block.look == "predicted":
             return
-        painter.setFont(_font(kind))
+        painter.setFont(words_font(kind))
         painter.setPen(self.tokens.tx)
         left = max(room.right(), room.left() + NARROW) + BESIDE
-        words = QRectF(left, room.top(), _wide(kind, block.words), room.height())
+        words = QRectF(left, room.top(), words_width(kind, block.words), room.height())
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, plain_text(block.words))
 
     def _holds(self, block: Block) -> bool:
@@ -357,9 +362,9 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.setPen(QPen(line, 1.2, style) if line is not None else Qt.PenStyle.NoPen)
         painter.setBrush(fill)
         painter.drawRoundedRect(box, 3 if line is not None else 0, 3 if line is not None else 0)
-        painter.setFont(_font(kind))
+        painter.setFont(words_font(kind))
         seen = box.intersected(clip)
-        if _wide(kind, block.words) <= seen.width():
+        if words_width(kind, block.words) <= seen.width():
             painter.setPen(ink)
             painter.drawText(seen, Qt.AlignmentFlag.AlignCenter, plain_text(block.words))
 
@@ -374,27 +379,3 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         if kind == "operation":
             return (t.accs, t.acc, t.acc) if look == "now" else (t.sunk, t.line2, t.tx)
         return (t.accs, t.accl, t.acc) if look == "beyond" else (t.sunk, None, t.tx)
-
-
-def _font(kind: str) -> QFont:
-    return text_font(12, 600) if kind == "operation" else mono_font(12, 500)
-
-
-def _wide(kind: str, words: str) -> float:
-    """The width of a block's words (pixels)."""
-    return QFontMetricsF(_font(kind)).horizontalAdvance(words) + 6
-
-
-def _seen(
-    blocks: Sequence[Block], starts: Sequence[float], left: float, right: float, pixel: float
-) -> Iterator[int]:
-    """The blocks between two times.
-
-    If several fall on one pixel, it takes the first and the last, which may continue for long.
-    """
-    at = max(bisect_right(starts, left) - 1, 0)
-    while at < len(blocks) and starts[at] <= right:
-        yield at
-        end = blocks[at].end
-        narrow = end is not None and end - starts[at] < pixel
-        at = max(bisect_left(starts, starts[at] + pixel) - 1, at + 1) if narrow else at + 1

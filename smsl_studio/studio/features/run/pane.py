@@ -12,27 +12,26 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.merge.choice import refusal_of_open
-from smsl_studio.errors import RunRefused, StudioError
-from smsl_studio.front.approval_badge import refusal_line
+from smsl_studio.errors import StudioError
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
 from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
 from smsl_studio.front.views.timeline_lanes import lanes
-from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.runlog.events import Event, OperationRefused
+from smsl_studio.runlog.events import Event
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital, refusal_words
+from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.event_list import EventList
 from smsl_studio.studio.features.run.facts_place import FactsPlace
 from smsl_studio.studio.features.run.low_page import LowPage
 from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
+from smsl_studio.studio.features.run.refused_words import asked_words, begin_words
 from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import decisions
@@ -47,7 +46,6 @@ from smsl_studio.studio.running.timeline import Timeline
 
 FRAME = 33
 """Milliseconds between two pictures of the world."""
-NOT_APPROVED = "The run does not start, because it is not approved."
 
 
 class RunPane(QWidget):
@@ -331,7 +329,8 @@ class RunPane(QWidget):
         if self.isVisible():
             self.next.offer()
         self.canvas.drawing_changed()
-        self._say()
+        self._show_active()
+        self.said.emit()
 
     def _text_repaired(self) -> None:
         if self._session.broken is None:
@@ -343,7 +342,7 @@ class RunPane(QWidget):
         if self.isVisible():
             self.next.offer()
         self.canvas.refresh()
-        self._say()
+        self.said.emit()
         if status is None or blueprint is None:
             self._show_nothing()
             return
@@ -359,8 +358,16 @@ class RunPane(QWidget):
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
-        active = {} if run.foreign else status.configuration
-        self.moved.emit(active, running.branch if running and active else "")
+        self._show_active()
+
+    def _show_active(self) -> None:
+        """Tell the active states, but not if the drawing is another since the run ended."""
+        run, status = self.run, self.run.status
+        if status is None or run.blueprint is None:
+            return
+        over = run.foreign or (not run.exists and self.canvas.moved_on)
+        active = {} if over else status.configuration
+        self.moved.emit(active, status.running.branch if status.running and active else "")
 
     def _show_nothing(self) -> None:
         self.facts.show_rows(())
@@ -372,14 +379,12 @@ class RunPane(QWidget):
         self._facts_note.setText("")
         self.moved.emit({}, "")
 
-    def _say(self) -> None:
-        self.said.emit()
-
     def _tell(self, events: tuple[Event, ...]) -> None:
         self.events.add_events(events)
         for event in events:
-            if isinstance(event, OperationRefused):
-                self.canvas.say("; ".join(map(capital, event.reasons)))
+            why = asked_words(event)
+            if why:
+                self.canvas.say(why)
 
     def _show_world(self) -> None:
         self._facts_rate.setText(rate_words(self.run.sensors))
@@ -392,8 +397,4 @@ class RunPane(QWidget):
 
     def _say_refused(self, error: StudioError) -> None:
         self._frames.stop()
-        codes = error.refusals if isinstance(error, RunRefused) else ()
-        lines = [refusal_line(Refusal(*one)) for one in codes]
-        self.canvas.show_refusal(
-            "\n".join([NOT_APPROVED, *lines] if lines else [refusal_words(error)])
-        )
+        self.canvas.show_refusal(begin_words(error))

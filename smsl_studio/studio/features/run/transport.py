@@ -123,10 +123,16 @@ class Transport(QWidget):
         self.stop.setToolTip(
             tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
         )
-        running, stopped = phase in ("running", "opening"), exists and phase == "stopped"
+        # As in Supervise mode: a task for a person can be held, and what a person has taken over
+        # is given back there, so these commands would be refused.
+        running = phase in ("running", "opening") or (exists and phase == "waiting")
+        stopped, taken = exists and phase == "stopped", exists and phase == "taken_over"
+        for button in (self.step, self.play):
+            self._precedence.want(button, not taken)
         if (running, stopped) != (self._running, self._stopped):
             self._running, self._stopped = running, stopped
             self._name_play()
+            self._shorten()
         self._precedence.fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -150,8 +156,7 @@ class Transport(QWidget):
         wide = self.width()
         for words in self._labels:
             words.setVisible(wide >= WIDE)
-        for button in (self.step, self.play):
-            button.set_short(wide < NARROW, wide < BARE)
+        self._shorten()
         self.phase.set_brief(wide < BARE)
         self.seed.setVisible(wide >= SEEDED)
         self.play.setMinimumWidth(112 if wide >= NARROW else 0)
@@ -159,6 +164,13 @@ class Transport(QWidget):
         self._precedence.want(self._choices, wide >= NARROWEST)
         self._precedence.want(self.more, wide < NARROWEST)
         self._precedence.fit()
+
+    def _shorten(self) -> None:
+        """Hide the words of Step and Play in a narrow row. Those of Reset stay, because its icon
+        and key are those of Play."""
+        wide = self.width()
+        self.step.set_short(wide < NARROW, wide < BARE)
+        self.play.set_short(wide < (BARE if self._stopped else NARROW), wide < BARE)
 
     def _by_hand(self) -> QToolButton:
         button = QToolButton()
