@@ -66,7 +66,8 @@ def test_reset_keeps_its_word(sit: Sit, width: int) -> None:
     at.until_phase("Stopped")
     at.person.until(lambda: play.text() == "Reset")
     words = play.fontMetrics().horizontalAdvance("Reset")
-    at.person.until(lambda: play.width() >= play.sizeHint().width() > 60 + words)
+    at.person.until(lambda: play.width() >= play.sizeHint().width() > 40 + words)
+    assert at.person.window.features.run.pane.transport.world.isVisible()
 
 
 def test_the_result_of_a_closed_file_says_what_play_runs(sit: Sit) -> None:

@@ -27,7 +27,7 @@ class KeyButton(QPushButton):
     ) -> None:
         super().__init__(words)
         self._key, self._icon, self._role, self._tokens = key, name, role, tokens
-        self._short = self._bare = False
+        self._short = self._bare = self._worded = False
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
@@ -41,10 +41,13 @@ class KeyButton(QPushButton):
         self.updateGeometry()
         self.update()
 
-    def set_short(self, short: bool, bare: bool = False) -> None:
-        """Show only icon and key, where there is little room; ``bare`` shows the icon alone."""
-        if (short, bare) != (self._short, self._bare):
-            self._short, self._bare = short, bare
+    def set_short(self, short: bool, bare: bool = False, worded: bool = False) -> None:
+        """Show only icon and key, where there is little room; ``bare`` shows the icon alone.
+
+        ``worded`` shows the words in place of the key, where these two alone say too little.
+        """
+        if (short, bare, worded) != (self._short, self._bare, self._worded):
+            self._short, self._bare, self._worded = short, bare, worded
             self.setMinimumWidth(0)
             self.updateGeometry()
             self.update()
@@ -76,12 +79,12 @@ class KeyButton(QPushButton):
         left += ICON + GAP
         painter.setPen(ink)
         painter.setFont(self._font())
-        if not self._short:
+        if not self._short or (self._worded and not self._bare):
             wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
             room = QRectF(left, 0, wide + 1, self.height())
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self.text()))
             left += wide + GAP
-        if not self._bare:
+        if not self._bare and not (self._short and self._worded):
             self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
         painter.end()
 
@@ -116,9 +119,11 @@ class KeyButton(QPushButton):
     def _wide(self) -> float:
         if self._bare:
             return ICON
-        if self._short:
+        if self._short and not self._worded:
             return ICON + GAP + self._chip()
         wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
+        if self._short:
+            return ICON + GAP + wide
         return ICON + GAP + wide + GAP + self._chip()
 
 

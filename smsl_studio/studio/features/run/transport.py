@@ -166,11 +166,11 @@ class Transport(QWidget):
         self._precedence.fit()
 
     def _shorten(self) -> None:
-        """Hide the words of Step and Play in a narrow row. Those of Reset stay, because its icon
-        and key are those of Play."""
+        """Hide the words of Step and Play in a narrow row. Those of Reset stay in place of its key,
+        because its icon and key are those of Play."""
         wide = self.width()
         self.step.set_short(wide < NARROW, wide < BARE)
-        self.play.set_short(wide < (BARE if self._stopped else NARROW), wide < BARE)
+        self.play.set_short(wide < NARROW, wide < BARE, worded=self._stopped)
 
     def _by_hand(self) -> QToolButton:
         button = QToolButton()
