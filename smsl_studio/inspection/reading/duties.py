@@ -10,7 +10,7 @@ from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.inspection.reading.plain_names import duration, listed, opened, people
 from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection, bounded
-from smsl_studio.inspection.reading.step_words import SYSTEM, StepWords
+from smsl_studio.inspection.reading.step_words import SYSTEM, StepWords, answer_time
 
 _SUPERVISION = {
     HUMAN: "A person lets each step of the way begin.",
@@ -135,6 +135,11 @@ def _source(
         )
     if level != AUTOMATIC and note.question:
         yield f"The question is: “{note.question}”"
+    if level != AUTOMATIC:
+        if note.roles:
+            yield f"It is answered by {people(note.roles)}."
+        if late := answer_time(note):
+            yield f"{late} Without an answer the fact is not known."
 
 
 def _agreement(note: FactNote, many: int) -> str:

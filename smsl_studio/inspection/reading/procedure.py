@@ -261,12 +261,33 @@ class Procedure:
         several = "What it changes depends on the situation."
         return ReadingLine(
             self._names.operation(edges[0]),
-            (*self._same(edges), f"The blueprint permits it {where} of {branch.name}."),
+            (
+                *self._same(edges),
+                *self._taken_back(edges),
+                f"The blueprint permits it {where} of {branch.name}.",
+            ),
             who=self._words.who(edges[0]),
             check=several if len(effects) > 1 else self._words.facts(branch, next(iter(effects))),
             about=tuple(edges),
             inner=tuple(self._effects(branch, effects)) if len(effects) > 1 else (),
         )
+
+    def _taken_back(self, edges: Sequence[Address]) -> Iterator[str]:
+        """Say to which state a sub-procedure goes back with all of these operations: a fact that
+        falls leads it to its INITIAL.
+        """
+        if self._grounds.start is None:
+            return
+        found = [self._stepper.edges.get(edge) for edge in edges]
+        known = [one for one in found if one is not None and not one.load]
+        if len(known) < len(edges):
+            return
+        branch = self._blueprint[edges[0].branch]
+        for digit in known[0].falls:
+            sub = branch.subs.get(digit)
+            if sub is not None and all(digit in one.falls for one in known):
+                begin = self._names.state(self._blueprint[sub], self._blueprint[sub].initial)
+                yield f"Its sub-procedure goes back to its beginning: {begin}."
 
     def _effects(self, branch: StateBranch, effects: Effects) -> Iterator[ReadingLine]:
         """Yield a line for each different effect of an operation."""

@@ -62,7 +62,13 @@ _SOURCE = """
   for one in told.pictures {
     heading(level: 3, one.title)
     if one.svg == "" { par(one.reason) } else {
-      image(bytes(one.svg), format: "svg", alt: one.title, width: 100%)
+      layout(room => {
+        let drawn = (..size) => image(bytes(one.svg), format: "svg", alt: one.title, ..size)
+        let high = measure(block(width: room.width, drawn(width: 100%))).height
+        // A picture that is higher than a page would be cut at both ends.
+        let most = 0.9 * room.height
+        if high > most { align(center, drawn(height: most)) } else { drawn(width: 100%) }
+      })
     }
   }
 }

@@ -57,9 +57,7 @@ class StepWords:
         if note.timeout is not None:
             yield f"It has failed if it takes longer than {duration(note.timeout)}."
         if note.answer_within is not None and (level in (HUMAN, SHARED) or note.confirm):
-            late = f"The answer must come within {duration(note.answer_within)}"
-            also = f"; after half of that time the {note.escalates_to} may answer too"
-            yield f"{late}{also if note.escalates_to else ''}. No answer is never a yes."
+            yield f"{answer_time(note)} No answer is never a yes."
         if note.stop is not None:
             yield _STOPS[note.stop]
         if note.repeatable:
@@ -124,3 +122,14 @@ class StepWords:
 
 def _roles(note: FactNote | None) -> tuple[str, ...]:
     return note.roles if note is not None else ()
+
+
+def answer_time(note: OperationNote | FactNote) -> str:
+    """Return the time limit of the answer to a question, and who else may answer then. Empty
+    without a limit.
+    """
+    if note.answer_within is None:
+        return ""
+    also = f"; after half of that time the {note.escalates_to} may answer too"
+    late = f"The answer must come within {duration(note.answer_within)}"
+    return f"{late}{also if note.escalates_to else ''}."

@@ -142,3 +142,35 @@ def test_only_for_an_engineer_the_names_of_the_file_are_told() -> None:
     assert "Op_" not in plain
     assert "State_" not in plain
     assert "Fix the head [Op_FixHead]" in whole
+
+
+def test_a_high_picture_stands_whole_below_its_heading(tmp_path: Path) -> None:
+    """The map of the parts is higher than a page is wide."""
+    out = tmp_path / "femoroplasty.pdf"
+    report(sample("femoroplasty.json"), out)
+    pages = PdfReader(out).pages
+    (first,) = [page for page in pages if "How the parts of the procedure" in page.extract_text()][
+        -1:
+    ]
+    texts = first.extract_text()
+    assert all(part in texts for part in ("LEG", "TRACKER", "INJECTION"))
+
+
+def test_a_fact_that_people_say_tells_who_answers_and_how_long() -> None:
+    told = reading(sample("femoroplasty.json"))
+    watched = next(one for one in told.sections if one.key == "watched")
+    markers = next(one for one in watched.lines if one.heading == "Markers on the bone")
+    assert markers.text[-2:] == (
+        "It is answered by the surgeon.",
+        "The answer must come within 2 minutes; after half of that time the nurse may answer too."
+        " Without an answer the fact is not known.",
+    )
+
+
+def test_a_step_that_takes_a_sub_procedure_back_says_to_where() -> None:
+    told = reading(sample("femoroplasty.json"))
+    others = next(one for one in told.sections if one.key == "others")
+    back = next(
+        one for one in others.lines if one.heading == "Discard the match of patient and scan"
+    )
+    assert "Its sub-procedure goes back to its beginning: “No markers”." in back.text
