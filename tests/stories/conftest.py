@@ -86,6 +86,8 @@ def sit(
         assert isinstance(window, Window)
         window.settle()
         window.session.history.setClean()
+        # A form in which a story has left something would ask.
+        window.files.take_over = lambda: ""
         pane = window.features.run.part.made
         if pane is not None:
             pane.run.close()

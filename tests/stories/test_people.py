@@ -284,3 +284,25 @@ def test_why_a_run_holds_is_said_once(sit: Sit, tmp_path: Path) -> None:
     assert "within 0.5 s" in room.run.sentence
     room.person.until(supervise.hold.isVisible)
     assert supervise.step_in.refusal == ""
+
+
+def test_enter_decides_while_the_choice_of_the_person_has_the_focus(
+    sit: Sit, tmp_path: Path
+) -> None:
+    room = AtTasks(sit(asking(tmp_path, go={"actor": "human"})), NURSE, SURGEON)
+    room.start()
+    room.until_asked("go: please carry it out")
+    who = room.card.answer.who
+    room.person.click(who.choice)
+    view = who.choice.view()
+    room.person.until(view.isVisible)
+    QTest.keyClick(view, Key.Key_Escape)
+    who.choice.setFocus()
+    room.person.press(Key.Key_Return)
+    assert room.card.card is not None, "without an answer Enter decides nothing"
+    room.choose("Done")
+    room.answer_as(SURGEON)
+    who.choice.setFocus()
+    assert room.card.answer.button.text() == "Done: press Enter"
+    room.person.press(Key.Key_Return)
+    room.until_said("A. Okafor: Done.")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.runlog.events import Commanded
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
@@ -74,3 +74,57 @@ def test_a_person_is_named_by_keyboard_and_stops_a_run_in_that_name(
     person.until(lambda: any(isinstance(e, Commanded) for e in room.events))
     (stop,) = [e for e in room.events if isinstance(e, Commanded)]
     assert (stop.command, stop.by) == ("stop", "A. Okafor")
+
+
+def test_close_takes_over_who_is_typed_and_says_what_it_cannot(sit: Sit) -> None:
+    person = sit()
+    dialog = _open(person)
+    person.click(dialog.new_name)
+    QTest.keyClicks(dialog.new_name, "L. Brandt")
+    person.click(dialog.new_role)
+    QTest.keyClicks(dialog.new_role, "surgeon")
+    person.click(_close(dialog))
+    assert not dialog.isVisible()
+    assert [one.words for one in person.windows.persons.all] == ["L. Brandt, surgeon"]
+
+    # A name that is taken is said, and stays until it is another one or Close is pressed again.
+    again = _open(person)
+    person.click(again.new_name)
+    QTest.keyClicks(again.new_name, "L. Brandt")
+    person.click(_close(again))
+    assert again.isVisible()
+    assert "already" in again.refusal.text()
+    again.new_name.selectAll()
+    QTest.keyClicks(again.new_name, "A. Okafor")
+    person.click(_close(again))
+    assert not again.isVisible()
+    assert [one.name for one in person.windows.persons.all] == ["L. Brandt", "A. Okafor"]
+
+    # A PIN that is typed once is no PIN yet; typed twice it is kept.
+    third = _open(person)
+    row = third.rows[0]
+    person.click(row.pin_button)
+    QTest.keyClicks(row.new, "2468")
+    person.click(_close(third))
+    assert third.isVisible()
+    assert "differ" in row.refusal.text()
+    QTest.keyClicks(row.again, "2468")
+    person.click(_close(third))
+    assert not third.isVisible()
+    first = person.windows.persons.all[0]
+    assert first.has_pin
+    assert first.opens_with("2468")
+
+    # What nobody can take over does not hold a person in the dialog.
+    last = _open(person)
+    QTest.keyClicks(last.new_role, "nurse")
+    person.click(_close(last))
+    assert last.isVisible()
+    person.click(_close(last))
+    assert not last.isVisible()
+    assert len(person.windows.persons.all) == 2
+
+
+def _close(dialog: PersonsDialog) -> QPushButton:
+    (found,) = (one for one in dialog.findChildren(QPushButton) if one.text() == "Close")
+    return found

@@ -21,6 +21,7 @@ class TaskOutcome:
     words: str
     late: tuple[str, ...] = ()
     """Sentences about answers that came after the end."""
+    question: str = ""
 
 
 class Outcomes:
@@ -44,21 +45,33 @@ class Outcomes:
         for task in tasks:
             options = {option.value: option.words for option in task.options}
             self._asked[task.name] = task.question, options
+            self._asked_again(task.name, task.question)
 
     def tell(self, events: Iterable[Event]) -> None:
         """Take in the next events."""
         for event in events:
             if isinstance(event, TaskOpened):
                 self._asked.setdefault(event.task, (event.question, {}))
+                self._asked_again(event.task, event.question)
             elif isinstance(event, TaskClosed):
                 self.refusals.pop(event.task, None)
-                self._add(TaskOutcome(event.task, event.outcome, self._words(event)))
+                question = self._asked.get(event.task, ("", {}))[0]
+                words = self._words(event)
+                self._add(TaskOutcome(event.task, event.outcome, words, question=question))
             elif isinstance(event, TaskAnswered):
                 self._answered(event)
 
     def dismiss(self, line: TaskOutcome) -> None:
         """Remove one line."""
         self.lines = tuple(one for one in self.lines if one != line)
+
+    def _asked_again(self, task: str, question: str) -> None:
+        """Remove the line that a question is not asked any more, because it is."""
+        self.lines = tuple(
+            one
+            for one in self.lines
+            if one.kind != "withdrawn" or one.question != question or one.task == task
+        )
 
     def _add(self, line: TaskOutcome) -> None:
         self.lines = (*self.lines, line)[-MOST:]
@@ -90,7 +103,7 @@ class Outcomes:
             who = _listed(list(said))
             only = f"Only {who} answered in time" if said else "Nobody answered in time"
             return f"{asked}{only}. This is no yes."
-        return f"{asked}No longer asked: the run has moved on."
+        return f"{asked}No longer asked: no answer is needed now."
 
 
 def _listed(names: list[str]) -> str:

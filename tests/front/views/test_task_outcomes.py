@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from smsl_studio.front.views.task_outcomes import MOST, Outcomes
 from smsl_studio.runlog.events import TaskAnswered, TaskClosed
@@ -34,7 +35,7 @@ def test_what_people_said_is_told_when_it_is_over() -> None:
     assert _words("timed_out", {"A": "yes"}) == (
         f"{asked} Only A answered in time. This is no yes."
     )
-    assert _words("withdrawn", {}) == f"{asked} No longer asked: the run has moved on."
+    assert _words("withdrawn", {}) == f"{asked} No longer asked: no answer is needed now."
 
 
 def test_a_late_answer_is_told_beside_the_outcome() -> None:
@@ -52,6 +53,19 @@ def test_a_refused_answer_to_an_open_task_is_told_until_one_counts() -> None:
     assert found.refusals == {TASK.name: "The answer of B does not count: no such role."}
     found.tell((TaskAnswered(t=2.0, task=TASK.name, by="A", role="surgeon"),))
     assert not found.refusals
+
+
+def test_a_question_that_is_asked_again_is_not_said_to_be_asked_no_longer() -> None:
+    found = _closed("withdrawn", {})
+    found.see((TASK,))
+    assert len(found.lines) == 1, "the same task may be seen once more before it is gone"
+    found.see((replace(TASK, name="task-9", question="Another?"),))
+    assert len(found.lines) == 1
+    found.see((replace(TASK, name="task-2"),))
+    assert not found.lines
+    late = _closed("timed_out", {})
+    late.see((replace(TASK, name="task-2"),))
+    assert len(late.lines) == 1, "that nobody answered in time is still worth reading"
 
 
 def test_lines_stay_until_dismissed_and_are_few() -> None:

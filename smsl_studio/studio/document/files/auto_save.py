@@ -40,7 +40,7 @@ class AutoSave(QObject):
         """Save now if that is wanted and needs no question; returns whether it was saved."""
         if not self._settings.autosave or not self._files.edited or self._asks():
             return False
-        return self._files.save()
+        return self._files.save(by_itself=True)
 
     def _asks(self) -> bool:
         """Whether Save would ask something."""

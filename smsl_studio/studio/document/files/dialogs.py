@@ -123,6 +123,11 @@ class Dialogs:
             "Save",
         )
 
+    def may_drop(self, said: str) -> bool:
+        """Ask whether to leave what is typed in a form and cannot be taken over."""
+        why = "It is written nowhere else. Go back to complete it, or leave without it."
+        return self._agrees("Not added yet", said, why, "Leave without it")
+
     def may_save_broken(self, name: str, faults: str) -> bool:
         """Ask whether a text that cannot be read as a blueprint may be saved as it is."""
         return self._agrees(

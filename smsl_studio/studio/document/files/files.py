@@ -25,7 +25,7 @@ from smsl_studio.studio.document.files.on_disk import OnDisk
 from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file
 from smsl_studio.studio.document.files.questions import Answer, Asker
 from smsl_studio.studio.document.files.store import Pairs, store
-from smsl_studio.studio.document.files.title import Title
+from smsl_studio.studio.document.files.title import Title, told_apart
 from smsl_studio.studio.document.save_as import (
     form_words,
     leaves_comments,
@@ -59,8 +59,11 @@ class Files(QObject):
         self.path: Path | None = None
         self.is_open = False
         """Whether a file was opened or a drawing was begun. At first a window has neither."""
+        self.take_over: Callable[[], str] = lambda: ""
+        """Takes over what is typed in a form that has a button for this. Returns why it could not,
+        as a sentence; empty if nothing is left. The owner of the form sets it."""
         self.on_disk = OnDisk()
-        self._name = UNTITLED
+        self._name, self._left = UNTITLED, ""
         self._told: set[str] = set()
         self._given_up: set[tuple[Path, tuple[str, ...]]] = set()
         session.unsaved = lambda one: self.on_disk.is_nowhere(one.file, one.text)
@@ -183,12 +186,14 @@ class Files(QObject):
             self.is_open = True
             self.begun.emit()
 
-    def save(self) -> bool:
+    def save(self, by_itself: bool = False) -> bool:
         """Save all texts that differ from the disk, all or none.
 
-        Ask for a place if there is none yet.
+        Ask for a place if there is none yet. A save ``by_itself`` leaves a form alone in which
+        somebody may be typing.
         """
         self.settling.emit()
+        self._left = "" if by_itself else self.take_over()
         if self.path is None:
             return self.save_as()
         files = self.unsaved
@@ -201,6 +206,7 @@ class Files(QObject):
     def save_as(self) -> bool:
         """Ask for a place and save the blueprint's own text there; the suffix decides the form."""
         self.settling.emit()
+        self._left = self.take_over()
         path = self._asker.file_to_save(self.path or self._folder() / self._name)
         return path is not None and self._save_to(path.absolute())
 
@@ -216,24 +222,17 @@ class Files(QObject):
         same name, so the question then says more about the file.
         """
         self.settling.emit()
+        left = self.take_over()
+        if left and not self._asker.may_drop(left):
+            return "cancel"
         if not self.edited:
             return "discard"
         names = [self.display(file) for file in self.unsaved]
         has = "has" if len(names) == 1 else "have"
         said = f"{series(names)} {has} unsaved changes."
-        return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
-
-    def _told_apart(self) -> str:
-        """Words that tell this file from another one with the same name."""
-        if self.path is not None:
-            return f"{self._name} is in {self.path.parent}."
-        states = sum(len(branch.table) for branch in self._session.blueprint)
-        history = self._session.history
-        last = history.text(history.index() - 1) or "As it was opened"
-        return (
-            f"{self._name} was never saved. It has {counted(states, 'state')}; the last step "
-            f"is “{last}”."
-        )
+        if several:
+            said = f"{said} {told_apart(self._name, self.path, self._session)}"
+        return self._asker.unsaved(said)
 
     def _folder(self) -> Path:
         if self.path is not None:
@@ -368,7 +367,8 @@ class Files(QObject):
 
     def _saved(self, names: Sequence[str]) -> None:
         self.changed.emit()
-        self.said.emit(f"Saved {series(names)}." if names else f"{self._name} is saved already.")
+        said = f"Saved {series(names)}." if names else f"{self._name} is saved already."
+        self.said.emit(f"{said} {self._left}".rstrip())
 
     def _document(self, file: str) -> Document:
         """A document as it will be written, with the typed text if that is broken."""

@@ -33,5 +33,8 @@ class Asker(Protocol):
     def may_save_broken(self, name: str, faults: str) -> bool:
         """Whether to save a text that cannot be read as a blueprint."""
 
+    def may_drop(self, said: str) -> bool:
+        """Whether to leave although something typed is nowhere else; ``said`` tells it."""
+
     def may_leave_comments(self, name: str, form: str) -> bool:
         """Whether to save in a form without the comments."""

@@ -166,6 +166,14 @@ class ClaimForm(QWidget):
         """Whether something was typed or chosen that is not written yet."""
         return self.entry != self._begun
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether it is a new entry in which nothing is typed yet."""
+        entry = self.entry
+        return self._begun == ClaimEntry() and entry == replace(
+            ClaimEntry(), kind=entry.kind, severity=entry.severity
+        )
+
     def show_entry(self, blueprint: Blueprint, entry: ClaimEntry, new: bool) -> None:
         """Show an entry; ``new`` says whether it is not written yet."""
         self._blueprint, self._begun = blueprint, entry

@@ -13,6 +13,7 @@ from smsl_studio.front.claim_rows import ClaimRow
 from smsl_studio.studio.document.attempt import try_edit
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.inspection.claim_entry import (
+    HAZARDS,
     ClaimEntry,
     ClaimPlace,
     entry_of,
@@ -84,6 +85,23 @@ class ClaimWriting(QObject):
         """End all work, because the window closes."""
         self.preview.stop()
 
+    def take_over(self) -> str:
+        """Write what is typed, because a save or another file comes next.
+
+        Returns why that is not possible, as a sentence; empty if nothing is left in the form.
+        """
+        form, entry = self._form, self._form.entry
+        if not self.open or not form.changed or form.is_empty:
+            return ""
+        fault = entry.fault(self._session.blueprint)
+        if fault is None and self._write(entry):
+            return ""
+        kind = "hazard" if entry.key == HAZARDS else "property"
+        named = f" “{entry.name.strip()}”" if entry.name.strip() else ""
+        done = "added" if self._place is None else "changed"
+        why = fault.sentence if fault is not None else form.fault.text()
+        return f"The {kind}{named} in Inspection is not {done} yet: {why}"
+
     def delete(self, claim: ClaimRow) -> None:
         """Delete a hazard or property."""
         place = _place(claim)
@@ -96,11 +114,13 @@ class ClaimWriting(QObject):
         if self._edit(f"Delete “{name}”", lambda bp: without_entry(bp, place)):
             self._end(None)
 
-    def _write(self, entry: ClaimEntry) -> None:
+    def _write(self, entry: ClaimEntry) -> bool:
         place, file, name = self._place, self._file, entry.name.strip()
         words = f"{'Add' if place is None else 'Change'} “{name}”"
-        if self._edit(words, lambda bp: put_entry(bp, entry, place, file)):
-            self._end(Address(entry.key, name))
+        if not self._edit(words, lambda bp: put_entry(bp, entry, place, file)):
+            return False
+        self._end(Address(entry.key, name))
+        return True
 
     def _duplicate(self) -> None:
         place, blueprint = self._place, self._session.blueprint

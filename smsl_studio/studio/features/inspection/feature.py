@@ -34,6 +34,7 @@ class InspectionFeature(Feature):
         self.start_at: Callable[[tuple[str, ...]], None] = lambda states: None
         """Lets the next run start in these states. The feature Run sets it."""
         panel = self.panel
+        parts.files.take_over = panel.writing.take_over
         for run in (panel.run, panel.configuration.run, panel.equivalence.run):
             run.play_wanted.connect(lambda text: self.play(text, self._name))
             run.save_wanted.connect(self._save)

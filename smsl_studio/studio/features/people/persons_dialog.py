@@ -102,12 +102,12 @@ class PersonRow(QWidget):
         self.old, self.new, self.again = map(PinField, ("PIN", "New PIN", "Again"))
         self.old.returnPressed.connect(self._unlock)
         self.new.returnPressed.connect(self.again.setFocus)
-        self.again.returnPressed.connect(self._keep_pin)
+        self.again.returnPressed.connect(lambda: self._keep_pin())
         keep = QPushButton("Keep")
         keep.setToolTip("Leave both fields empty to remove the PIN")
         keep.setProperty("role", "row")
         keep.setAutoDefault(False)
-        keep.clicked.connect(self._keep_pin)
+        keep.clicked.connect(lambda: self._keep_pin())
         for widget in (self.old, self.new, self.again, keep):
             across.addWidget(widget)
         self.keep = keep
@@ -137,7 +137,14 @@ class PersonRow(QWidget):
             self._lock(False)
             self.new.setFocus()
 
-    def _keep_pin(self) -> None:
+    def settle(self) -> bool:
+        """Take over what is typed; returns whether nothing is left, else the reason is shown."""
+        if self.new.text() or self.again.text():
+            return self._keep_pin()
+        self._typed()
+        return True
+
+    def _keep_pin(self) -> bool:
         pin = self.new.text()
         if pin != self.again.text():
             self.refusal.say("The two new PINs differ. Type them again.")
@@ -145,6 +152,8 @@ class PersonRow(QWidget):
             self.refusal.say(f"A PIN has {SHORTEST} characters or more. Type a longer one.")
         else:
             self.given.emit(self._person, self._person.with_pin(pin))
+            return True
+        return False
 
     def _typed(self) -> None:
         name, role = " ".join(self.name.text().split()), " ".join(self.role.text().split())
@@ -153,11 +162,16 @@ class PersonRow(QWidget):
 
 
 class PersonsDialog(QDialog):
-    """The dialog. Every change takes effect at once."""
+    """The dialog. Every change takes effect at once, and closing it takes over what is typed.
+
+    If that is not possible, the dialog says why and stays. Closing it once more, with the same
+    text, leaves the text.
+    """
 
     def __init__(self, persons: Persons, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._persons = persons
+        self._told: tuple[str, ...] = ()
         self.setWindowTitle("Persons")
         self.setMinimumSize(560, 380)
         open_at(self, 560, 380)
@@ -200,6 +214,31 @@ class PersonsDialog(QDialog):
         column.addWidget(done, 0, Qt.AlignmentFlag.AlignRight)
         self._rebuild()
         self.new_name.setFocus()
+
+    def done(self, result: int) -> None:
+        """Close, unless something typed could be lost that the person has not been told of."""
+        if not self._settle() and self._told != self._texts:
+            self._told = self._texts
+            return
+        super().done(result)
+
+    @property
+    def _texts(self) -> tuple[str, ...]:
+        """What is typed and taken over nowhere."""
+        fields: list[QLineEdit] = [self.new_name, self.new_role]
+        for row in self.rows:
+            fields += [row.name, row.role, row.new, row.again]
+        return tuple(field.text() for field in fields)
+
+    def _settle(self) -> bool:
+        """Take over what is typed; returns whether nothing is left."""
+        self.refusal.say("")
+        for row in self.rows:
+            if not row.settle() or self.refusal.text():
+                return False
+        if self.new_name.text().strip() or self.new_role.text().strip():
+            self._add()
+        return not self.refusal.text()
 
     def _rebuild(self) -> None:
         for row in self.rows:

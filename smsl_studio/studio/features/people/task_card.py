@@ -297,8 +297,12 @@ class TaskCard(QWidget):
             self.answers.clear()
             return
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            # Enter has moved the focus to the button. If it went on to the page, the page would
-            # press that button.
+            # If it went on to the page, the page would press the button. An Enter that has just
+            # moved the focus to the button does not decide. One at the choice of persons, or at
+            # the card, does, because the button says "press Enter".
+            here = QApplication.focusWidget() in (self, self.answer.who.choice)
+            if here and not event.isAutoRepeat():
+                self.answer.button.click()
             return
         typing = isinstance(QApplication.focusWidget(), QLineEdit)
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier

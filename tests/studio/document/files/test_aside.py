@@ -40,6 +40,9 @@ class Nobody:
     def may_leave_comments(self, name: str, form: str) -> bool:
         raise AssertionError(name)
 
+    def may_drop(self, said: str) -> bool:
+        raise AssertionError(said)
+
     def may_lose(self, said: str) -> bool:
         raise AssertionError(said)
 
