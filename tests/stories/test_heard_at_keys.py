@@ -111,3 +111,15 @@ def test_the_history_is_read_by_arrows_and_gone_to_by_enter(
     assert "State010" in person.blueprint["SB1"].table
     assert rows_of(person)[1:] == [f"{first}, present step", f"{second}, undone"]
     assert words(heard) == [f"Undone: {second}."]
+
+
+def test_an_undo_in_another_branch_is_told_once(sit: Sit, heard: Heard) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State110")
+    person.press(Key.Key_Delete)
+    person.window.session.show_branch("SB2")
+    words(heard)
+    person.ctrl(Key.Key_Z)
+    told = [one for one in words(heard) if one.startswith("Undone")]
+    assert len(told) == 1
+    assert told[0].endswith("in SB1")

@@ -114,3 +114,19 @@ def test_the_fields_say_what_they_are_for_and_how_to_leave(sit: Sit) -> None:
         assert told.startswith(begin)
         assert "Enter adds it" in told
         assert "Tab leaves, and adds nothing" in told
+
+
+def test_tab_goes_from_the_numbers_of_the_header_to_the_facts(sit: Sit) -> None:
+    person = sit(HFSM)
+    header = person.window.properties.header
+    header.num_states.setFocus()
+    names = [fact.name for fact in header.facts]
+    for name in names:
+        person.press(Key.Key_Tab)
+        assert focus() is name
+    # The rows of facts that come later stand there, too.
+    person.window.session.show_branch("SB2")
+    person.window.session.show_branch("SB1")
+    header.num_states.setFocus()
+    person.press(Key.Key_Tab)
+    assert focus() is header.facts[0].name

@@ -121,3 +121,15 @@ def test_the_first_child_of_a_tree_is_its_heading(sit: Sit) -> None:
     assert head.role() == QAccessible.Role.ColumnHeader
     assert head.state().invisible
     assert tree.indexOfChild(head) == 0
+
+
+def test_a_reader_can_give_the_focus_to_a_state_and_an_operation(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.window.outline.tree.setFocus()
+    canvas = QAccessible.queryAccessibleInterface(person.window.canvas)
+    state = canvas.child(1)
+    for part in (state.child(0), state):
+        assert "SetFocus" in part.actionInterface().actionNames()
+        part.actionInterface().doAction("SetFocus")
+        assert person.window.canvas.hasFocus()
+        assert part.state().focused

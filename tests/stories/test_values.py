@@ -159,7 +159,9 @@ def test_the_keyboard_alone_changes_a_fact(door: Person) -> None:
     door.select("SB1/State_1b")
     door.press(Key.Key_D)
     menu = opened(door)
-    assert rows(menu) == ["0  Door", "1  Fact 2"]
+    assert rows(menu) == ["0  Door: open (1)", "1  Fact 2: b"]
+    closed = [below for one in menu.actions() if isinstance(below := one.menu(), QMenu)]
+    assert [one.activeAction() for one in closed] == [None, None], "closed menus say nothing"
     for key in (Key.Key_Down, Key.Key_Down, Key.Key_Right):
         QTest.keyClick(menu, key)
     door.until(lambda: QApplication.activePopupWidget() is not menu)

@@ -10,7 +10,7 @@ from functools import partial
 from PySide6.QtCore import SignalInstance
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.base.canvas.accessible_leaf import MENU, PRESS, Acts, Call
+from smsl_studio.studio.base.canvas.accessible_leaf import FOCUS, MENU, PRESS, Acts, Call
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.operation_steps import go_to_source, go_to_target
 
@@ -45,7 +45,10 @@ def operation_acts(canvas: Canvas, operation: Address) -> Acts:
 
 
 def _acts(canvas: Canvas, address: Address) -> dict[str, tuple[str, Call]]:
-    found: dict[str, tuple[str, Call]] = {PRESS: ("Select it", partial(_choose, canvas, address))}
+    choose = partial(_choose, canvas, address)
+    found: dict[str, tuple[str, Call]] = {PRESS: ("Select it", choose)}
+    # What the tools of Linux call grabbing the focus.
+    found[FOCUS] = ("Select it, so that the keys are about it", choose)
     if canvas.editing:
         delete = partial(_then, canvas, address, canvas.delete_wanted)
         found[RENAME] = ("Edit its name in place", partial(canvas.rename_wanted.emit, address))

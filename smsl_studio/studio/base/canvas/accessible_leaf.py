@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QAccessibleWidget, QWidget
 
 from smsl_studio.studio.base.canvas.accessible_held import HELD
 
-PRESS, MENU = "Press", "ShowMenu"
+PRESS, MENU, FOCUS = "Press", "ShowMenu", "SetFocus"
 """Qt's names of the actions that every assistive tool knows."""
 
 Call = Callable[..., object]

@@ -69,8 +69,8 @@ class CanvasEditor(QObject):
         canvas.quick_add_wanted.connect(self.quick_add.go_on)
         canvas.sibling_wanted.connect(self.quick_add.sibling)
         canvas.pressed.connect(self._leave_card)
-        self.way_back, self.step_told = WayBack(session, canvas), StepTold(session, canvas)
-        self.views = StepViews(session, canvas)
+        self.way_back, self.views = WayBack(session, canvas), StepViews(session, canvas)
+        self.step_told = StepTold(session, canvas, self.views)
         self.nudge, self.bends = Nudge(session, canvas), Bends(session, canvas)
         canvas.state_pick = self._pick
         canvas.extended = lambda: session.extended

@@ -12,7 +12,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.chips import values_of
+from smsl_studio.studio.base.chips import fact_words, values_of
 from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.words import as_it_is, counted
@@ -88,7 +88,7 @@ class ValueMenu(QObject):
             return
         menu = self._new("Facts of the selected states")
         for digit in range(min(count, MOST_FACTS)):
-            inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
+            inner = menu.addMenu(as_it_is(f"{digit}  {self._told(branch, digit)}"))
             self._fill(inner, branch, digit)
         menu.popup(self._beside(0, menu.sizeHint()))
 
@@ -100,6 +100,13 @@ class ValueMenu(QObject):
         branch = self._session.branch
         chosen = self._session.selection
         return [a.state for a in chosen if a.branch == branch and a.state and not a.operation]
+
+    def _told(self, branch: StateBranch, digit: int) -> str:
+        """A fact with its present value: ``Clamp: fixed (1)``, ``Clamp: several values``."""
+        present = {branch.facts(state)[digit] for state in self._states()}
+        if len(present) == 1:
+            return fact_words(branch, digit, *present)
+        return f"{branch.fact_name(digit)}: several values"
 
     def _clicked(self, digit: int) -> None:
         branch = self._branch
@@ -125,7 +132,8 @@ class ValueMenu(QObject):
             entry.setCheckable(True)
             entry.setChecked(present == {value})
             if present == {value}:
-                menu.setActiveAction(entry)
+                # Not before it opens: a reader would read the rows of closed menus.
+                menu.aboutToShow.connect(partial(menu.setActiveAction, entry))
         menu.addAction("Another value…", partial(self._ask, digit))
         menu.addSeparator()
         sub = branch.subs.get(digit)

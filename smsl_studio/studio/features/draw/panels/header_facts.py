@@ -51,9 +51,10 @@ class HeaderFacts(QWidget):
     """(digit, SB): the person chose this sub-SB; None for none, ``NEW`` for a new one."""
     wanted = Signal(int)
 
-    def __init__(self, tokens: Tokens) -> None:
+    def __init__(self, tokens: Tokens, after: QWidget) -> None:
+        """``after`` stands above: Tab goes from it to the first name."""
         super().__init__()
-        self._tokens = tokens
+        self._tokens, self._after = tokens, after
         self.rows: list[HeaderFactRow] = []
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 8, 0, 0)
@@ -88,7 +89,7 @@ class HeaderFacts(QWidget):
 
     def _order_keys(self) -> None:
         """Let Tab go through all names first, because people name all facts one after the other."""
-        order: list[QWidget] = [fact.name for fact in self.rows]
+        order: list[QWidget] = [self._after, *(fact.name for fact in self.rows)]
         order += [widget for fact in self.rows for widget in (fact.chip, fact.sub)]
         for before, after in pairwise(order):
             QWidget.setTabOrder(before, after)
@@ -133,6 +134,7 @@ class HeaderFacts(QWidget):
         return fact
 
     def _typed(self, digit: int) -> None:
-        field = self.rows[digit].name
-        if field.changed:
+        # A field that had the keys ends its editing while its row is taken away.
+        field = self.rows[digit].name if digit < len(self.rows) else None
+        if field is not None and field.changed:
             self.named.emit(digit, field.text().strip())

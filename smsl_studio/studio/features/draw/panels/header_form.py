@@ -76,7 +76,7 @@ class HeaderForm(Panel):
         self.num_facts, self.num_states = self.facts_line.field, self.states_line.field
         self.refusal = Sentence("refusal")
         self.column.addWidget(self.refusal)
-        self._facts = HeaderFacts(tokens)
+        self._facts = HeaderFacts(tokens, self.num_states)
         self._facts.named.connect(self._set_name)
         self._facts.sub_chosen.connect(self._set_sub)
         self._facts.wanted.connect(lambda at: self.fact_wanted.emit(self._session.branch, at))
