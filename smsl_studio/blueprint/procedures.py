@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address, note_key
-from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.project import real_path
 from smsl_studio.blueprint.reading import read_blueprint
@@ -21,6 +20,14 @@ from smsl_studio.smsl.document import Document
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import ProcedureBinding
+
+
+def _closure(blueprint: Blueprint) -> str:
+    """Return the digest of the closure. A check without such a name does not load what digests
+    need, because that takes a tenth of its start."""
+    from smsl_studio.blueprint.digests import digests
+
+    return digests(blueprint).closure
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +156,7 @@ class _ProcedureReader:
         if place not in self._by_place:
             part = read_blueprint(self._known.get(place, document))
             digest = digest_named(name)
-            if digest and digests(part).closure != digest:
+            if digest and _closure(part) != digest:
                 words = "the store holds something else under this digest"
                 raise ReadError(words, None, "Add the file to the store again.")
             self._by_place[place] = part

@@ -131,7 +131,7 @@ def test_an_import_loads_only_what_it_needs(code: str, unwanted: tuple[str, ...]
 
 def test_a_check_loads_neither_what_annotations_need_nor_what_edits_do() -> None:
     unwanted = (
-        *("pydantic", "annotated_types", "difflib", "html", "shutil"),
+        *("pydantic", "annotated_types", "difflib", "html", "shutil", "hashlib", "decimal"),
         *(f"smsl_studio.{name}" for name in ("blueprint.annotations", "blueprint.editing.draft")),
         *(f"smsl_studio.smsl.{name}" for name in ("disk", "outputs", "pending_saves")),
     )
