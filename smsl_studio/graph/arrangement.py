@@ -171,7 +171,13 @@ def ties_for(branch: StateBranch) -> Ties:
     """Return the pairs of states that operations join, with an estimate of the size of a node."""
     graph = graph_of(branch)
     far = by_steps(graph, graph.index.get(branch.initial, 0))
-    chips = max((len(branch.facts(name)) for name in graph.names), default=0)
-    wide = max(words_of(branch)[0] * LETTER + 24.0, chips * CHIP + 20.0, NARROWEST)
-    half = np.full((len(graph), 2), (min(wide, WIDEST) / 2.0 + AROUND, HIGH / 2.0 + AROUND))
+    half = half_for(branch)
     return ties_of(graph, far, half, lattice(graph, half))
+
+
+def half_for(branch: StateBranch) -> Floats:
+    """Return half the estimated width and height of each node with the room around it, (n, 2)."""
+    chips = max((len(branch.facts(name)) for name in branch.table), default=0)
+    wide = max(words_of(branch)[0] * LETTER + 24.0, chips * CHIP + 20.0, NARROWEST)
+    size = min(wide, WIDEST) / 2.0 + AROUND, HIGH / 2.0 + AROUND
+    return np.full((len(branch.table), 2), size)

@@ -23,11 +23,20 @@ from smsl_studio.graph.around_pins import (
     most_of,
     shifted_to,
 )
-from smsl_studio.graph.arrangement import BEST, arranged, has_triangle, part_of, settles, ties_for
+from smsl_studio.graph.arrangement import (
+    BEST,
+    arranged,
+    half_for,
+    has_triangle,
+    part_of,
+    settles,
+    ties_for,
+)
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.crossings import CROSSING, Floats, Ties, cost_of
 from smsl_studio.graph.fact_rows import in_fact_rows
 from smsl_studio.graph.folded import folded_chain
+from smsl_studio.graph.group_ground import without_strangers
 from smsl_studio.graph.layout import free_places, joined, place_anew
 from smsl_studio.graph.local_search import settle
 from smsl_studio.graph.taken_places import NODE_GAP
@@ -45,8 +54,28 @@ def tidied(
     """Return the place of each state in a tidy drawing (pixels).
 
     ``former`` has the places of all states now. With ``chosen``, only these states move. A pinned
-    state never moves.
+    state never moves. No state that moves stands in the frame of a group to which it does not
+    belong, if there is room elsewhere.
     """
+    found = _without_groups(branch, former, chosen, kind)
+    if not branch.drawn.groups:
+        return found
+    own = set(chosen) & branch.table.keys() or branch.table.keys()
+    moving, half = own - branch.notes.pinned, half_for(branch)
+    clear = without_strangers(branch, found, half, moving)
+    for _ in range(TURNS if clear != found else 0):
+        # The next tidying must be no step, so the drawing is tidied until it rests.
+        again = _without_groups(branch, clear, chosen, kind)
+        before, clear = clear, without_strangers(branch, again, half, moving)
+        if clear == before:
+            break
+    return clear
+
+
+def _without_groups(
+    branch: StateBranch, former: Places, chosen: Collection[str], kind: str
+) -> dict[str, Point]:
+    """Return a tidy drawing as if there were no groups."""
     pinned = branch.notes.pinned
     own = [name for name in branch.table if name in chosen]
     if 0 < len(own) < len(branch.table):

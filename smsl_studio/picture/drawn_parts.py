@@ -27,6 +27,7 @@ AROUND, BAR, GROUP_RADIUS = 14.0, 24.0, 10.0
 ARROW = 22.0
 """How far the arrow at the left of INITIAL reaches (pixels)."""
 Rect = tuple[float, float, float, float]
+NO_LOOPS: Mapping[int, Floats] = {}
 Members = tuple[NDArray[np.intp], ...]
 """The numbers of the states in each group."""
 _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
@@ -76,12 +77,15 @@ class DrawnParts:
         unit: float = 1.0,
         bar: float = BAR,
         members: Members | None = None,
+        loops: Mapping[int, Floats] = NO_LOOPS,
     ) -> Floats:
         """Return the frames of the groups, (n, 4).
 
         ``boxes`` has the centre and half the size of each node. ``unit`` is the number of scene
         units in a pixel, ``bar`` the height of titles (pixels). ``members`` replaces the states
-        that the blueprint lists for each group.
+        that the blueprint lists for each group. ``loops`` has for states what their loops and the
+        names of these cover, (m, 4). Such loops are below and beside their states, so a frame is as
+        high as without them, and its title stays where no name may stand.
         """
         found = np.zeros((len(self.groups), 4))
         for number, states in enumerate(self.members if members is None else members):
@@ -90,6 +94,9 @@ class DrawnParts:
             low[states == self._initial, 0] -= ARROW * unit
             found[number, :2] = low.min(axis=0)
             found[number, 2:] = (own[:, :2] + own[:, 2:]).max(axis=0)
+            for rects in (loops[state] for state in states.tolist() if state in loops):
+                found[number, 0] = min(found[number, 0], rects[:, 0].min())
+                found[number, 2:] = np.maximum(found[number, 2:], rects[:, 2:].max(axis=0))
         return found + np.array([-AROUND, -AROUND - bar, AROUND, AROUND]) * unit
 
     def readable(self, boxes: Floats, unit: float = 1.0, scale: float = 1.0) -> list[Rect]:

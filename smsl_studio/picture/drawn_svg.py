@@ -48,7 +48,7 @@ def draw_groups(figure: Figure, groups: Iterable[int], colours: Colours) -> Iter
 
 def draw_titles(figure: Figure, groups: Iterable[int], colours: Colours) -> Iterator[str]:
     """Yield the titles of groups. They lie above lines and have a background of their own."""
-    rects = figure.group_rects
+    rects = figure.title_rects
     for group in groups if figure.bar else ():
         left, top, right, _ = rects[group].tolist()
         middle = (left + right) / 2

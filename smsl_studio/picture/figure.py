@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
@@ -201,6 +202,13 @@ class Figure:
     @property
     def group_rects(self) -> Floats:
         """The left, top, right and bottom of each group, (n, 4) (pixels)."""
+        members = chain.from_iterable(own.tolist() for own in self.drawn.members)
+        loops = self.geometry.loops_of(members) if self.shows_nodes else {}
+        return self.drawn.group_rects(self.boxes, bar=self.bar, loops=loops)
+
+    @property
+    def title_rects(self) -> Floats:
+        """The rectangles above whose states the titles of groups stand, (n, 4) (pixels)."""
         return self.drawn.group_rects(self.boxes, bar=self.bar)
 
     @property

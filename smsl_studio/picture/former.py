@@ -36,6 +36,7 @@ class FormerLines:
         before, after = former.picture, now.picture
         self._state = [before.index.get(name, -1) for name in after.names]
         self._edges = _matched(former, now)
+        self._regrouped = before.grouped ^ after.grouped
         self._far: list[Rect] = []
         """The places at which something changed, each with a margin."""
         self._labels = LabelRooms({}, {}, (), 0.0)
@@ -193,6 +194,8 @@ class FormerLines:
         former, old = self._former, [self._edges[e] for e in own]
         if not self._same[state] or -1 in old or len(own) != self._loop_count(state):
             return False
+        if self._now.picture.names[state] in self._regrouped:
+            return False  # the title of a group above a state comes or goes
         if [former.sizes.get(o) for o in old] != sizes:
             return False
         aside = (20.0 + 30.0 * len(own)) * self._now.style.unit + max(wide for wide, _ in sizes)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy as np
+
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture import labels
 from smsl_studio.picture.curves import LineStyle
@@ -106,6 +108,22 @@ class Geometry:
         """
         shape = self.shape(edge)
         return labels.centred(shape.at(shape.length / 2), self._label_size(edge))
+
+    def loops_of(self, states: Iterable[int]) -> dict[int, Floats]:
+        """Return for each of these states that has loops what they and their names cover, (m, 4).
+
+        A name that stands away from its loop does not count.
+        """
+        found: dict[int, Floats] = {}
+        for state in states:
+            own = [e for e in self.picture.edges_of(state) if self._lines.is_loop(e)]
+            rects = [self.shape(edge).bounds for edge in own]
+            drawn = self._lines.drawn
+            names = [self.label(e) for e in own if e not in drawn or drawn[e].label is None]
+            rects += [name for name in names if name and not isinstance(name, labels.AsideRect)]
+            if rects:
+                found[state] = np.array(rects)
+        return found
 
     def covered(self, edge: int, rects: Sequence[labels.Rect]) -> list[int]:
         """Return how many pieces of other lines each rectangle covers; 0 in a large picture."""

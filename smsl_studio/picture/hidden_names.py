@@ -88,14 +88,12 @@ class HiddenMarks:
 
         It covers no node, no label and no line between other states. Without room it is a ring,
         which may lie where lines cross.
-        In a large picture not all labels have their places yet, so it is in the middle.
         """
         geometry = self._geometry
         if not marks:
             return []
         if not geometry.small:
-            points = points_along([geometry.shape(edges[0]) for edges in marks], SHARES[:1])
-            return [((x, y), RADIUS) for ((x, y),) in points.tolist()]
+            return self._off_nodes([edges[0] for edges in marks])
         edges = [edge for own in marks for edge in own]
         points = points_along(list(map(geometry.shape, edges)), MARK_SHARES)
         wanted: list[list[Point]] = points.tolist()
@@ -123,6 +121,28 @@ class HiddenMarks:
                 taken.append(rect)
             x, y = wanted[row][rank]
             found.append(((x, y), radius))
+        return found
+
+    def _off_nodes(self, edges: Sequence[int]) -> list[tuple[Point, float]]:
+        """Return the place of the mark on each line of a large picture, and its radius.
+
+        Not all labels have their places yet there, so it is in the middle, or where it covers no
+        node. Half a mark behind a node would say nothing, so there is none where nodes leave no
+        room.
+        """
+        geometry, half = self._geometry, RADIUS * self._geometry.style.unit
+        shapes = list(map(geometry.shape, edges))
+        found = [((x, y), 0.0) for ((x, y),) in points_along(shapes, SHARES[:1]).tolist()]
+        for shares in (SHARES[:1], SHARES[1:]):
+            left = [at for at, (_, radius) in enumerate(found) if not radius]
+            if not left:
+                break
+            points = points_along([shapes[at] for at in left], shares)
+            around = np.concatenate([points - half, points + half], axis=2)
+            free = geometry.places.off_nodes(around.reshape(-1, 4)).reshape(points.shape[:2])
+            for row in np.nonzero(free.any(axis=1))[0].tolist():
+                x, y = points[row, free[row].argmax()].tolist()
+                found[left[row]] = (x, y), RADIUS
         return found
 
     def _free(self, edges: Sequence[int], rects: Floats, alone: bool) -> NDArray[np.bool_]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,18 @@ STEP, ALONE, LEAST, CLOSER = 5.0, 14.0, 8.0, 2.0
 each further loop makes the innermost one smaller (pixels of a mark). A loop is so large that a
 person sees where it leads, and can grasp it beside its handles."""
 CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom", "right top")
+
+
+class LoopNeighbours(NamedTuple):
+    """What loops must spare besides lines and names: a mark below their node, and the title of a
+    group above it (``roof``).
+    """
+
+    mark: Rect | None = None
+    roof: bool = False
+
+
+NOTHING_NEAR = LoopNeighbours()
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,16 +85,18 @@ def best_corner(
     sizes: list[tuple[float, float]],
     places: LabelPlaces,
     lines: LinePieces,
-    mark: Rect | None = None,
+    near: LoopNeighbours = NOTHING_NEAR,
 ) -> Corner:
     """Return the corner of a node at which its loops and their labels cover the least.
 
-    ``sizes`` has the size of each label. ``lines`` has the other lines of the node. ``mark`` is the
-    mark below the node.
+    ``sizes`` has the size of each label. ``lines`` has the other lines of the node.
     """
-    unit = places.unit
+    unit, mark = places.unit, near.mark
     best: tuple[float, Corner] | None = None
     for order, name in enumerate(CORNERS):
+        # The title of a group stands above its states.
+        if near.roof and (name.startswith("top") or (name[0] == "r" and len(sizes) > 3)):
+            continue
         corner = corner_of(name, box, len(sizes), unit)
         rects = label_boxes(corner, sizes, unit)
         reach = corner.radius + unit
@@ -103,17 +118,17 @@ def placed(
     places: LabelPlaces,
     lines: LinePieces,
     by_hand: Mapping[int, LabelPlace | None],
-    mark: Rect | None = None,
+    near: LoopNeighbours = NOTHING_NEAR,
 ) -> dict[int, tuple[EdgeShape, Rect | None]]:
     """Return the lines of a node's loops and the places of their labels. Mark these places as
     taken.
 
     ``sizes`` has the size of each loop's label. ``lines`` has the other lines of the node.
-    ``by_hand`` has the labels that a person has moved. ``mark`` is a mark below the node. A label
-    whose place beside the loops covers something gets None.
+    ``by_hand`` has the labels that a person has moved. A label whose place beside the loops covers
+    something gets None.
     """
     wanted, found = list(sizes.values()), dict[int, tuple[EdgeShape, Rect | None]]()
-    corner = best_corner(box, wanted, places, lines, mark)
+    corner = best_corner(box, wanted, places, lines, near)
     stacked = label_boxes(corner, wanted, places.unit)
     outer = arc(corner, box, len(sizes) - 1, places.unit)
     for rank, (edge, beside) in enumerate(zip(sizes, stacked, strict=True)):

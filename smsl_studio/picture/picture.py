@@ -148,6 +148,12 @@ class Picture:
         """How many lines are drawn."""
         return len(self.operations) - len(self.bundles.hidden)
 
+    @cached_property
+    def grouped(self) -> frozenset[str]:
+        """The states that are in a group of the drawing."""
+        groups = self.branch.drawn.groups.values()
+        return frozenset(chain.from_iterable(group.states for group in groups))
+
     def chip_size(self, edge: int) -> tuple[float, float]:
         """Return the width and height of the chip of an edge's bundle (pixels of a mark)."""
         count = self.bundles.count(edge)

@@ -45,7 +45,8 @@ class StateLoops:
         pieces = LinePieces({edge: lines.shapes[edge] for edge in others})
         by_hand = {edge: lines.drawn[edge].label for edge in own if edge in lines.drawn}
         mark = stub_at(picture, state, box, lines.style.unit)
-        found = loops.placed(sizes, box, places, pieces, by_hand, mark)
+        near = loops.LoopNeighbours(mark, picture.names[state] in picture.grouped)
+        found = loops.placed(sizes, box, places, pieces, by_hand, near)
         for edge, (shape, rect) in found.items():
             lines.shapes[edge] = shape
             if self._is_beside(edge, rect):

@@ -9,13 +9,16 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QEnterEvent, QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
+from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing
+from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.shell.frame import screen_room
+from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -446,3 +449,22 @@ def test_the_buttons_leave_the_line_that_was_just_drawn_free(sit: Sit) -> None:
         for y in range(place.top(), place.bottom(), 4):
             at = canvas.mapToScene(QPoint(x, y))
             assert canvas.sheet.edge_at(at.x(), at.y()) < 0
+
+
+def test_the_key_of_short_texts_covers_no_name_in_a_large_drawing(qtbot: QtBot) -> None:
+    person, seen = Drawer(qtbot, hanoi(6)), 0
+    canvas, key = person.canvas, person.canvas.overlays.key
+    canvas.resize(740, 495)
+    for zoom in (0.65, 0.8):
+        for name in sorted(canvas.positions)[::12]:
+            canvas.camera.go(QPointF(*canvas.positions[name]), zoom, smooth=False)
+            QApplication.processEvents()
+            if key.isHidden():
+                continue
+            seen += 1
+            area = canvas.mapToScene(key.geometry()).boundingRect()
+            near = person.sheet.edges_in(area.left(), area.top(), area.right(), area.bottom())
+            for left, top, right, bottom in filter(None, map(person.sheet.geometry.label, near)):
+                rect = QRectF(left, top, right - left, bottom - top)
+                assert not area.intersects(rect), (name, zoom)
+    assert seen > 10

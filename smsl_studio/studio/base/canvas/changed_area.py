@@ -75,6 +75,7 @@ class PaintedParts:
         self.hidden = {
             tuple(map(picture.address, names.edges)): names.at
             for names in sheet.labels.hidden.of(edges)
+            if names.radius
         }
 
     def is_of(self, sheet: Sheet, view: Rect) -> bool:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize
 
-from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.labels import Rect, meet
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.lit_labels import lit_boxes
 
 SPACE = 6
 """The free room around a floating widget (pixels)."""
+MANY = 200
+"""With more operations than this near a widget their names are not looked at one by one."""
 SHARES = (1.0, 0.0, 0.5, 0.75, 0.25)
 """Where a widget is tried along each side of the view: first at the ends, then between."""
 
@@ -52,6 +55,25 @@ def on_picture(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
     if canvas.sheet is None or canvas.camera.fitted:
         return on_fitted(canvas, corner, size)
     return on_states(canvas, corner, size)
+
+
+def on_drawing(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
+    """Whether a widget of this size at this corner (pixels) covers the picture, or names of its
+    operations: text on text cannot be read.
+
+    Of an area with very many operations that is believed at once.
+    """
+    sheet = canvas.sheet
+    if on_picture(canvas, corner, size):
+        return True
+    if sheet is None or sheet.level < Level.COMPACT:
+        return False
+    sides = _sides(canvas, corner, size)
+    near = sheet.edges_in(*sides).tolist()
+    if len(near) > MANY:
+        return True
+    names = filter(None, map(sheet.geometry.label, near))
+    return any(meet(name, sides) for name in names)
 
 
 def on_names(canvas: BranchView, area: QRect) -> bool:

@@ -39,7 +39,7 @@ class DrawnPainter:
     def paint_groups(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         """Paint the exposed groups."""
         with self._scaled(painter, sheet):
-            for number, rect in self._groups(sheet, exposed):
+            for number, rect in self._frames(sheet, sheet.drawn.group_rects, exposed):
                 paint_group(painter, rect, sheet.drawn.bar, self._is_lit(sheet, number), sheet.ink)
                 key = DrawnKey("group", sheet.drawn.parts.group_keys[number])
                 self._paint_lens(painter, key, rect.topLeft(), sheet, sheet.unit)
@@ -50,18 +50,17 @@ class DrawnPainter:
         if not drawn.bar:
             return
         with self._scaled(painter, sheet):
-            for number, rect in self._groups(sheet, exposed):
+            for number, rect in self._frames(sheet, drawn.title_rects, exposed):
                 title, lit = drawn.parts.groups[number].title, self._is_lit(sheet, number)
                 paint_title(painter, rect, title, drawn.bar, lit, sheet.ink)
 
-    def _groups(self, sheet: Sheet, exposed: QRectF) -> list[tuple[int, QRectF]]:
-        """The numbers and frames (mark pixels) of the exposed groups."""
-        drawn, found = sheet.drawn, []
-        if drawn and drawn.parts.groups:
-            rects = drawn.group_rects
-            for number in _exposed(rects, exposed, MARGIN / sheet.zoom):
-                left, top, right, bottom = (rects[number] / sheet.unit).tolist()
-                found.append((number, QRectF(left, top, right - left, bottom - top)))
+    def _frames(self, sheet: Sheet, rects: Floats, exposed: QRectF) -> list[tuple[int, QRectF]]:
+        """The numbers of the exposed groups, each with its one of these rectangles (mark
+        pixels)."""
+        found = []
+        for number in _exposed(rects, exposed, MARGIN / sheet.zoom):
+            left, top, right, bottom = (rects[number] / sheet.unit).tolist()
+            found.append((number, QRectF(left, top, right - left, bottom - top)))
         return found
 
     def _is_lit(self, sheet: Sheet, number: int) -> bool:

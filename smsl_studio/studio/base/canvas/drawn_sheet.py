@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import chain
 from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import QRectF
 
 from smsl_studio.picture.drawn_parts import BAR, DrawnParts, Members, by_words, day_words, lines_of
+from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.paint.drawn_paint import READABLE, title_place
 from smsl_studio.studio.base.paint.ink import Ink
+
+NO_FRAMES = np.zeros((0, 4)), np.zeros((0, 4))
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,10 @@ class Laid(Protocol):
     level: Level
     version: int
 
+    @property
+    def geometry(self) -> Geometry:
+        """The lines and the places of labels."""
+
     def halves(self) -> Floats:
         """Half the width and height of every node, (n, 2), in scene units."""
 
@@ -47,7 +56,7 @@ class DrawnSheet:
         self._parts = DrawnParts(sheet.picture.branch, sheet.picture.index)
         self._of: object = sheet.picture.branch.drawn
         self._notes: tuple[object, Floats] = None, np.zeros((0, 4))
-        self._groups: tuple[object, Floats] = None, np.zeros((0, 4))
+        self._groups: tuple[object, tuple[Floats, Floats]] = None, NO_FRAMES
         self._aside: tuple[int, float, float] | None = None
         self._members: Members | None = None
         self.gains: frozenset[int] = frozenset()
@@ -77,7 +86,7 @@ class DrawnSheet:
         self._members = members
         pairs = enumerate(zip(self.members, written, strict=True))
         self.gains = frozenset(n for n, (now, own) in pairs if len(np.setdiff1d(now, own)))
-        self._groups = None, np.zeros((0, 4))
+        self._groups = None, NO_FRAMES
 
     @property
     def bar(self) -> float:
@@ -100,12 +109,33 @@ class DrawnSheet:
     @property
     def group_rects(self) -> Floats:
         """Where the frames of the groups lie."""
+        return self._all_frames()[0]
+
+    @property
+    def title_rects(self) -> Floats:
+        """The rectangles over which the titles of groups stand in the middle, without loops."""
+        return self._all_frames()[1]
+
+    def _all_frames(self) -> tuple[Floats, Floats]:
+        """The frames of the groups with and without loops, for the present places and zoom."""
         sheet, parts = self._sheet, self.parts
         state = parts, sheet.version, sheet.unit, sheet.level
         if self._groups[0] != state:
-            boxes = np.hstack([sheet.at, sheet.halves()])
-            self._groups = state, parts.group_rects(boxes, sheet.unit, self.bar, self.members)
+            loops, bare = self._loops(), self._frames_around({})
+            self._groups = state, (self._frames_around(loops) if loops else bare, bare)
         return self._groups[1]
+
+    def _frames_around(self, loops: Mapping[int, Floats]) -> Floats:
+        sheet = self._sheet
+        boxes = np.hstack([sheet.at, sheet.halves()])
+        return self.parts.group_rects(boxes, sheet.unit, self.bar, self.members, loops)
+
+    def _loops(self) -> Mapping[int, Floats]:
+        """What the loops of states in groups cover, where lines are drawn one by one."""
+        if not self.parts.groups or not self.bar:
+            return {}
+        states = chain.from_iterable(own.tolist() for own in self.members)
+        return self._sheet.geometry.loops_of(states)
 
     def lay_aside(self, number: int, x: float, y: float) -> None:
         """Show a note with its upper left corner elsewhere, during a drag."""
@@ -148,7 +178,7 @@ class DrawnSheet:
         number, sheet = self.title_at(x, y), self._sheet
         if number < 0:
             return False
-        left, top, right, bottom = (self.group_rects[number] / sheet.unit).tolist()
+        left, top, right, bottom = (self.title_rects[number] / sheet.unit).tolist()
         frame = QRectF(left, top, right - left, bottom - top)
         place = title_place(frame, self.parts.groups[number].title, self.bar, sheet.ink)[1]
         return place.contains(x / sheet.unit, y / sheet.unit)

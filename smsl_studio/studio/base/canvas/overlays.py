@@ -20,6 +20,7 @@ from smsl_studio.studio.base.canvas.bundle_card import BundleCard
 from smsl_studio.studio.base.canvas.covered import (
     along_the_rim,
     is_clear_of_dense,
+    on_drawing,
     on_fitted,
     on_names,
     on_picture,
@@ -122,8 +123,7 @@ class Overlays:
             self._place_legend()
 
     def show_dense(self) -> bool:
-        """Show what is collapsed, in a drawing that is or was; returns whether the legend has
-        another size."""
+        """Show what is collapsed, or was; returns whether the legend has another size."""
         sheet, before = self._canvas.sheet, (self.dense.empty, self.dense.size())
         if sheet is None or not self._canvas.crowded:
             self.dense.show_counts(False, 0, 0)
@@ -174,7 +174,7 @@ class Overlays:
         below = min(self.breadcrumb.geometry().bottom() + 6, foot)
         places = (QPoint(right, 12), QPoint(right, below), QPoint(EDGE, foot))
         free = (at for at in places if not self._taken(at, size, key))
-        place = next((at for at in free if not on_picture(canvas, at, size)), None)
+        place = next((at for at in free if not on_drawing(canvas, at, size)), None)
         key.setVisible(bool(key.rows) and place is not None)
         key.move(place or key.pos())
 
