@@ -117,3 +117,17 @@ def test_the_tools_without_room_stand_in_a_menu_of_the_row(sit: Sit) -> None:
     person.ctrl(Key.Key_A)
     (align,) = (one for one in menu.actions() if one.text() == "Align…")
     assert align.isEnabled()
+
+
+def test_a_choice_without_room_shows_the_name_of_the_state(sit: Sit) -> None:
+    """It was shown as e...L, and SB1/aa0 as SB...a0."""
+    person = sit(SAMPLES / "registration.json", (1280, 800))
+    person.ctrl(Key.Key_2)
+    start = person.window.features.run.pane.transport.start
+    metrics = start.fontMetrics()
+    for words, own in (("each INITIAL", "INITIAL"), ("SB1/aa0", "aa0")):
+        start.addItem(words, words)
+        start.setCurrentIndex(start.count() - 1)
+        assert start.words_in(metrics.horizontalAdvance(words), metrics) == words
+        assert start.words_in(metrics.horizontalAdvance(words) - 1, metrics) == own
+        assert words in start.toolTip()

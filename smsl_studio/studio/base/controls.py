@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QLocale, QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
+    QFontMetrics,
     QKeyEvent,
     QKeySequence,
     QPainter,
@@ -201,6 +202,11 @@ class Combo(QComboBox):
         self.setItemDelegate(NameDelegate(self))
         self.view().setAccessibleName("Choices")
 
+    def words_in(self, room: int, metrics: QFontMetrics) -> str:
+        """The words of the choice that are shown in so much room (pixels)."""
+        whole = plain_text(self.currentText())
+        return metrics.elidedText(whole, Qt.TextElideMode.ElideMiddle, room)
+
     def width_of_entries(self, least: int, most: int) -> int:
         """The width that the longest entry needs (pixels), between ``least`` and ``most``."""
         metrics = self.fontMetrics()
@@ -236,9 +242,7 @@ class Combo(QComboBox):
         font.setWeight(font.Weight.Medium if self.accent else font.Weight.Normal)
         painter.setFont(font)
         room = self.rect().adjusted(LEFT, 0, LEFT - BESIDE_TEXT, 0)
-        text = painter.fontMetrics().elidedText(
-            plain_text(self.currentText()), Qt.TextElideMode.ElideMiddle, room.width()
-        )
+        text = self.words_in(room.width(), painter.fontMetrics())
         painter.drawText(
             room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, plain_text(text)
         )

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Signal
-from PySide6.QtGui import QIntValidator, QResizeEvent
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.front.views.phase_words import phase_words
@@ -234,6 +234,17 @@ class _Choice(Combo):
         """Put the whole of the present choice into the tooltip."""
         chosen = self.currentText()
         self.setToolTip(tip_text(f"{self._tip}: {chosen}" if chosen else self._tip))
+
+    def words_in(self, room: int, metrics: QFontMetrics) -> str:
+        """The whole choice if it has room, else the name of the state, or the last word, alone.
+
+        The tooltip has the whole choice.
+        """
+        whole = plain_text(self.currentText())
+        if metrics.horizontalAdvance(whole) <= room:
+            return whole
+        name = whole.rpartition("/")[2].rpartition(" ")[2]
+        return metrics.elidedText(name, Qt.TextElideMode.ElideRight, room)
 
     def sizeHint(self) -> QSize:
         """The width of the longest entry, within limits."""
