@@ -47,7 +47,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--report", metavar="OUT.html", help="write a page with the table, too")
     parser.add_argument(
-        "-o", "--output", required=True, metavar="OUT.json", help="the file for the result"
+        "-o", "--output", required=True, metavar="OUT.json", help="the result, OUT.json"
     )
     add_format(parser)
 
@@ -60,9 +60,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     from smsl_studio.smsl.files import save_document
 
     blueprint = read_argument(options.file)
+    read = [one.file for one in blueprint.documents]
     look_for_garbage()
     output = Path(options.output)
-    part = output.with_name(f"{output.name}.part")
+    part = output.with_name(f"{output.name}.part") if output.name else output
+    _check_outputs(options, output, part)
     if part.exists() and not options.resume:
         note(f"{part} of an earlier campaign is not taken over; --resume would do that")
         part.unlink()
@@ -81,10 +83,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         resume=options.resume,
     )
     done = campaign(request, _progress)
-    save_document(f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii"), output)
+    told = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")
+    save_document(told, output, made_of=read)
     part.unlink(missing_ok=True)
     if options.report is not None:
-        save_document(campaign_page(request, done).encode("utf-8"), options.report)
+        save_document(campaign_page(request, done).encode("utf-8"), options.report, made_of=read)
     for name in done.left_out:
         note(f"the fault {name} is left out: its parameters are not those of an operation")
     if options.format == "json":
@@ -92,6 +95,22 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     else:
         _print(done, out)
     return 0 if all(row.held == 0 for row in done.rows if row.fault is None) else 1
+
+
+def _check_outputs(options: argparse.Namespace, output: Path, part: Path) -> None:
+    """Raise UsageError if a file that would be written is an input, or another output."""
+    written = [output, part, *([Path(options.report)] if options.report is not None else [])]
+    for one in written:
+        if one.name in ("", "-") or one.is_dir():
+            raise UsageError(f"{one} cannot be written: it is no file", advice="Name a file.")
+    if part.is_symlink() or (part.exists() and not part.is_file()):
+        raise UsageError(f"{part} is no ordinary file", advice="Remove it, or name another -o.")
+    places = [one.resolve() for one in (*written, Path(options.file))]
+    if len(set(places)) < len(places):
+        raise UsageError(
+            "a campaign would write over its blueprint, or one file over the other",
+            advice="Name other files with -o and --report.",
+        )
 
 
 def _print(done: Campaign, out: Output) -> None:

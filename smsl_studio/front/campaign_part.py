@@ -13,14 +13,15 @@ from typing import IO, Any
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.errors import SaveError
-from smsl_studio.front.campaign_runs import RunVerdict
+from smsl_studio.front.campaign_runs import RunVerdict, verdict_as_json, verdict_of_json
 from smsl_studio.front.request import RunRequest
+from smsl_studio.front.run_header import procedure_digests
 from smsl_studio.front.version import version
 from smsl_studio.front.world_codes import surveyed
 from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.smsl.files import read_content
 
 Json = Any
-_KINDS = {"reached": bool, "recovered": bool, "reason": str, "sha256": str}
 
 
 class CampaignPart:
@@ -37,8 +38,10 @@ class CampaignPart:
         """Return the key of a run."""
         if not self._base:
             said = digests(request.blueprint)
-            code = surveyed(request.blueprint, request.world).code
-            self._base = f"{version()} {said.closure} {said.meaning} {request.world} {code}"
+            below = procedure_digests(request.blueprint)
+            survey = surveyed(request.blueprint, request.world)
+            parts = (version(), said.closure, said.meaning, request.world, survey.code, below)
+            self._base = repr((*parts, survey.bindings))
         acts = [
             (act.trigger.kind, act.trigger.address, act.do, sorted(act.given.items()))
             for act in (request.script.acts if request.script else ())
@@ -54,7 +57,7 @@ class CampaignPart:
             try:
                 if self._file is None:
                     self._file = self._path.open("a", encoding="ascii")
-                values = {"key": key, **{name: getattr(verdict, name) for name in _KINDS}}
+                values = {"key": key, **verdict_as_json(verdict)}
                 self._file.write(json.dumps(values) + "\n")
                 self._file.flush()
             except OSError as error:
@@ -62,27 +65,19 @@ class CampaignPart:
                 raise SaveError(f"{self._path} was not written: {words}") from None
         return verdict
 
-    def drop(self) -> None:
-        """Delete the file, because the result is written."""
-        self.__exit__(None, None, None)
-        if self._path is not None:
-            self._path.unlink(missing_ok=True)
-
     def _read(self, path: Path) -> None:
         """Read the lines of an earlier campaign. A line that is cut or odd is left out."""
-        try:
-            lines = path.read_bytes().splitlines()
-        except OSError:
+        if not path.exists():
             return
-        for line in lines:
+        for line in read_content(path).raw.splitlines():
             try:
                 values = json.loads(line)
-            except ValueError:
+            except (ValueError, RecursionError):
                 continue
-            if isinstance(values, dict) and set(values) == {"key", *_KINDS}:
-                told = {name: values[name] for name in _KINDS}
-                if all(type(told[name]) is kind for name, kind in _KINDS.items()):
-                    self.known[str(values["key"])] = RunVerdict(**told)
+            if isinstance(values, dict) and isinstance(key := values.pop("key", None), str):
+                verdict = verdict_of_json(values)
+                if verdict is not None:
+                    self.known[key] = verdict
 
     def __enter__(self) -> CampaignPart:
         return self

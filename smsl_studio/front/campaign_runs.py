@@ -5,20 +5,18 @@ carry it out, each with its own blueprint and plugins.
 from __future__ import annotations
 
 import hashlib
-import signal
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
-from smsl_studio.front.inputs import read
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import Run, run_request
-from smsl_studio.front.script.script import DURING, WHEN, Act, Script, Trigger
+from smsl_studio.front.script.script import AT, DURING, WHEN, Act, Script, Trigger
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.runlog.events import OperationRisky, Relocalised, RoutePlanned
 from smsl_studio.world.engines import TABLE
@@ -67,16 +65,18 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
     if injection is None:
         return RunRequest(blueprint, asked.world, seed=asked.seed, host="local")
     place, edge = Place(BY, 1, 1), str(injection.edge)
-    source = str(Address(injection.edge.branch, injection.edge.state))
-    # A fault of the table world spoils the next operation, others act on the one that runs.
-    trigger = Trigger(WHEN, 0.0, source) if asked.world == TABLE else Trigger(DURING, 0.0, edge)
-    acts = [Act(place, trigger, "inject", {"fault": injection.fault, **injection.given}, BY)]
+    given = {"fault": injection.fault, **injection.given}
+    if asked.world == TABLE:
+        # A fault of the table waits for its operation; others act on the one that runs.
+        acts = [Act(place, Trigger(AT, 0.0), "inject", {**given, "operation": edge}, BY)]
+    else:
+        acts = [Act(place, Trigger(DURING, 0.0, edge), "inject", given, BY)]
     starts: tuple[Address, ...] = ()
     if injection.begins:
         start = start_for_edge(Hierarchy(blueprint), injection.edge) or {}
         starts = tuple(Address(branch, state) for branch, state in start.items())
-        ask = Act(place, Trigger(WHEN, 0.0, source), "ask", {"address": edge}, BY)
-        acts = [acts[0], ask] if asked.world == TABLE else [ask, acts[0]]
+        source = str(Address(injection.edge.branch, injection.edge.state))
+        acts.append(Act(place, Trigger(WHEN, 0.0, source), "ask", {"address": edge}, BY))
     script = Script("", tuple(acts))
     return RunRequest(
         blueprint,
@@ -113,18 +113,47 @@ def _was_disturbed(done: Run) -> bool:
     return planned > 1 or any(isinstance(e, OperationRisky | Relocalised) for e in done.events)
 
 
-# -- in a worker ---------------------------------------------------------------------------------
-
-_OWN: dict[str, Blueprint] = {}
-"""The blueprint of this worker, by its file. A worker has one."""
+# -- as plain values, for workers ------------------------------------------------------------------
 
 
-def begin(file: str) -> None:
-    """Read the blueprint of this worker. Ctrl-C is for the campaign, which ends its workers."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _OWN[file] = read(Path(file))
+def run_as_json(asked: CampaignRun) -> Json:
+    """Return what is asked for a run as plain values."""
+    values = asdict(asked)
+    if asked.injection is not None:
+        values["injection"]["edge"] = str(asked.injection.edge)
+    return values
 
 
-def judged_there(file: str, asked: CampaignRun) -> RunVerdict:
-    """Carry out one run in a worker."""
-    return judged(_OWN[file], asked)
+def run_of_json(values: Json) -> CampaignRun:
+    """Return what is asked for a run, of the values that ``run_as_json`` gives."""
+    told = values["injection"]
+    injection = None
+    if told is not None:
+        injection = Injection(**{**told, "edge": Address(*Address.split(told["edge"]))})
+    return CampaignRun(values["world"], values["seed"], injection)
+
+
+def verdict_as_json(verdict: RunVerdict) -> dict[str, Json]:
+    """Return a verdict as plain values."""
+    return asdict(verdict)
+
+
+def verdict_of_json(values: Json) -> RunVerdict | None:
+    """Return the verdict in plain values. None if they are no verdict, or contradict themselves:
+    they come from a file or from a process that ran the code of plugins.
+    """
+    if not isinstance(values, dict) or set(values) != set(_KINDS):
+        return None
+    if any(type(values[name]) is not kind for name, kind in _KINDS.items()):
+        return None
+    found = RunVerdict(**values)
+    is_sound = (
+        re.fullmatch(r"[0-9a-f]{64}", found.sha256)
+        and len(found.reason) <= 100
+        and found.reached == (found.reason == "goal_reached")
+        and found.reached >= found.recovered
+    )
+    return found if is_sound else None
+
+
+_KINDS = {"reached": bool, "recovered": bool, "reason": str, "sha256": str}

@@ -8,27 +8,25 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass
-from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import UsageError, WorldError, did_you_mean
+from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.front.campaign_part import CampaignPart
 from smsl_studio.front.campaign_runs import (
     CampaignRun,
     Injection,
     RunVerdict,
-    begin,
     judged,
-    judged_there,
     request_of,
 )
+from smsl_studio.front.campaign_workers import CampaignWorkers
 from smsl_studio.front.hosts import known_world
 from smsl_studio.front.runs import run_request
 from smsl_studio.library.bindings import bind
@@ -48,8 +46,6 @@ Z = 1.959963984540054
 """The quantile of the normal distribution for an interval of 95 %."""
 TOGETHER = 1_000
 """The number of runs that are handed to the workers at once."""
-WAIT = 0.05
-"""How long a wait for a worker lasts before a stop is looked for (s)."""
 MOST = 1_000_000
 """The largest number of runs of a campaign."""
 
@@ -127,7 +123,7 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
     """
     if request.seeds < 1 or request.workers < 1:
         raise UsageError("a campaign needs at least one seed and one worker")
-    injections, left_out = _injections(request)
+    injections, left_out = _chosen(request)
     if len(injections) * request.seeds > MOST:
         raise UsageError(
             f"these are {len(injections) * request.seeds:,} runs, and {MOST:,} are the most",
@@ -179,67 +175,41 @@ def _verdicts(
 def _judged(
     request: CampaignRequest,
     asked: Sequence[CampaignRun],
-    pool: ProcessPoolExecutor | None,
+    pool: CampaignWorkers | None,
     part: CampaignPart,
 ) -> Iterator[RunVerdict]:
     """Yield the verdicts in the order of ``asked``. What is known from before is not run again."""
-    try:
-        # Not all at once: a million runs that wait take much memory.
-        for first in range(0, len(asked), TOGETHER):
-            some = asked[first : first + TOGETHER]
-            keys = [part.key(request_of(request.blueprint, one)) for one in some]
-            anew = [one for one, key in zip(some, keys, strict=True) if key not in part.known]
-            fresh = _fresh(request.blueprint, anew, pool)
-            for key in keys:
-                heed()
-                if key not in part.known:
-                    verdict = next(fresh)
-                    if verdict.reason == "stopped":
-                        # Somebody stopped the campaign, and with it this run.
-                        raise Stopped
-                    part.keep(key, verdict)
-                yield part.known[key]
-    except BrokenProcessPool:
-        raise WorldError(
-            "a worker of the campaign died",
-            advice="What is done is kept; --resume goes on. The plugin may have crashed.",
-        ) from None
-
-
-def _fresh(
-    blueprint: Blueprint, asked: Sequence[CampaignRun], pool: ProcessPoolExecutor | None
-) -> Iterator[RunVerdict]:
-    """Yield the verdicts of runs that are carried out now."""
-    if pool is None:
-        yield from (judged(blueprint, one) for one in asked)
-        return
-    files = [blueprint.file] * len(asked)
-    results = [pool.submit(judged_there, file, one) for file, one in zip(files, asked, strict=True)]
-    for result in results:
-        while not (wait([result], timeout=WAIT).done):
+    # Not all at once: a million runs that wait take much memory.
+    for first in range(0, len(asked), TOGETHER):
+        some = asked[first : first + TOGETHER]
+        keys = [part.key(request_of(request.blueprint, one)) for one in some]
+        anew = [one for one, key in zip(some, keys, strict=True) if key not in part.known]
+        fresh = (
+            pool.verdicts(anew)
+            if pool is not None
+            else (judged(request.blueprint, one) for one in anew)
+        )
+        for key in keys:
             heed()
-        yield result.result()
+            if key not in part.known:
+                verdict = next(fresh)
+                if verdict.reason == "stopped":
+                    # Somebody stopped the campaign, and with it this run.
+                    raise Stopped
+                part.keep(key, verdict)
+            yield part.known[key]
 
 
-@contextmanager
-def _pool(request: CampaignRequest) -> Iterator[ProcessPoolExecutor | None]:
-    """Give the workers, None for a campaign in this process. They end with the campaign: what they
-    still do then is of no use.
+def _pool(request: CampaignRequest) -> AbstractContextManager[CampaignWorkers | None]:
+    """Give the workers. None for one worker in the table world: it runs no code of plugins, and is
+    this process.
     """
-    if request.workers == 1:
-        yield None
-        return
-    if not Path(request.blueprint.file).is_file():
-        raise UsageError("several workers need a blueprint in a file", advice="Save it first.")
-    context = get_context("spawn")
-    before = set(active_children())
-    pool = ProcessPoolExecutor(request.workers, context, begin, (request.blueprint.file,))
-    try:
-        yield pool
-    finally:
-        for child in set(active_children()) - before:
-            child.kill()
-        pool.shutdown(cancel_futures=True)
+    if request.workers == 1 and request.world == TABLE:
+        return nullcontext()
+    file = request.blueprint.file
+    if not Path(file).is_file():
+        raise UsageError("workers need a blueprint in a file", advice="Save it first.")
+    return CampaignWorkers(file, request.workers)
 
 
 def _is_narrow(found: Sequence[Sequence[RunVerdict]], look: int, width: float) -> bool:
@@ -281,7 +251,12 @@ def _row(injection: Injection | None, own: Sequence[RunVerdict]) -> CampaignRow:
 # -- faults and edges ----------------------------------------------------------------------------
 
 
-def _injections(
+def injections_of(request: CampaignRequest) -> list[Injection | None]:
+    """Return the injections of a campaign in the order of its rows, [None] without faults."""
+    return _chosen(request)[0]
+
+
+def _chosen(
     request: CampaignRequest,
 ) -> tuple[list[Injection | None], tuple[str, ...]]:
     """Return the injections in the order of the rows, [None] without faults, and the names of
@@ -312,6 +287,11 @@ def _injections(
                 f"the fault {name} needs {missing}, and no operation names it",
                 advice="Use a script for this fault.",
             )
+    if not edges:
+        raise UsageError(
+            "the run without a fault carries out no operation, so there is none to disturb",
+            advice="Is a person needed? --edges all disturbs each operation of the blueprint.",
+        )
     if not found:
         raise UsageError("no fault of this world can be injected without more words")
     return found, tuple(left_out)
@@ -332,6 +312,27 @@ def _injection(
     return Injection(entry.name, edge, given, begins)
 
 
+def _route(request: CampaignRequest) -> list[Address]:
+    """Return the operations with a function that the run without a fault carries out, with seed
+    0.
+    """
+    done = run_request(request_of(request.blueprint, CampaignRun(request.world, 0)))
+    began = [e.address for e in done.events if isinstance(e, OperationStarted) and e.function]
+    return [Address(*Address.split(text)) for text in dict.fromkeys(began)]
+
+
+def _all_edges(blueprint: Blueprint) -> list[Address]:
+    """Return the operations of a blueprint that have a function: others only move sub-SBs."""
+    edges = Edges(Hierarchy(blueprint))
+    return [
+        edge.address
+        for branch in blueprint
+        for state in branch.table
+        for edge in edges.out(branch.name, state)
+        if edge.function
+    ]
+
+
 def _arguments(
     blueprint: Blueprint, world: str, loaded: Loaded | None
 ) -> dict[Address, Mapping[str, Json]]:
@@ -339,14 +340,3 @@ def _arguments(
         return {}
     bound = bind(blueprint, loaded, world, bindings_beside(blueprint.file)).operations
     return {address: one.arguments for address, one in bound.items()}
-
-
-def _route(request: CampaignRequest) -> list[Address]:
-    """Return the edges of the run without a fault, with seed 0."""
-    done = run_request(request_of(request.blueprint, CampaignRun(request.world, 0)))
-    began = [event.address for event in done.events if isinstance(event, OperationStarted)]
-    return [Address(*Address.split(text)) for text in dict.fromkeys(began)]
-
-
-def _all_edges(blueprint: Blueprint) -> list[Address]:
-    return [edge.address for branch in blueprint for edge in branch.edges()]

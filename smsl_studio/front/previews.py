@@ -11,6 +11,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, flags, start_configuration
+from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.model import Blueprint
@@ -142,7 +143,7 @@ def _start(
         states = states_at(hierarchy.blueprint, several(start), "start")
         given = start_configuration(hierarchy, {at.branch: at.state for at in states})
     elif log is not None:
-        given = _last(log)
+        given = _last(hierarchy.blueprint, log)
     else:
         given = start_for_edge(hierarchy, edge) or {edge.branch: edge.state}
     if given.get(edge.branch) != edge.state:
@@ -154,14 +155,24 @@ def _start(
     return given
 
 
-def _last(log: str | os.PathLike[str]) -> Mapping[str, str]:
-    """Return the last configuration of a log. UsageError if it has none."""
-    for event in reversed(replay(log).events):
-        if isinstance(event, Committed | Relocalised):
-            return event.configuration
+def _last(blueprint: Blueprint, log: str | os.PathLike[str]) -> Mapping[str, str]:
+    """Return the last configuration of a log. UsageError if it has none, or is of another
+    blueprint.
+    """
+    told = replay(log)
+    known = told.header.get("digests")
+    if isinstance(known, Mapping) and known.get("behaviour") != digests(blueprint).behaviour:
+        raise UsageError(f"{log} is the log of another blueprint", advice="Name one of this file.")
+    found: dict[str, str] = {}
+    for event in told.events:
         if isinstance(event, RunStarted):
-            return event.start
-    raise UsageError(f"{log} has no moment at which a state was known")
+            found = dict(event.start)
+        elif isinstance(event, Committed | Relocalised):
+            # An event names the SBs that moved.
+            found |= event.configuration
+    if not found:
+        raise UsageError(f"{log} has no moment at which a state was known")
+    return found
 
 
 def _once(

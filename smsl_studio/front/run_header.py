@@ -60,16 +60,15 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
         },
         "names": names_of(blueprint),
         "grounds": grounds_of(blueprint, _code(blueprint, world, loaded)),
-        **_procedures(blueprint),
+        **({"procedures": below} if (below := procedure_digests(blueprint)) else {}),
     }
 
 
-def _procedures(blueprint: Blueprint) -> Mapping[str, Json]:
+def procedure_digests(blueprint: Blueprint) -> Mapping[str, Json]:
     """Return the closure digests of the blueprints that operations run, by their names in the
-    bindings, if there are any."""
+    bindings."""
     files = procedures_of(blueprint).files
-    found = {name: digests(part).closure for name, part in files.items()}
-    return {"procedures": found} if found else {}
+    return {name: digests(part).closure for name, part in files.items()}
 
 
 def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:

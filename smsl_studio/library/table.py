@@ -32,7 +32,7 @@ def set_facts(
     world: TableWorld, blueprint: Blueprint, edge: Address
 ) -> Generator[None, None, bool | None]:
     """Set the facts of an edge's target within the first tick, unless a fault was injected."""
-    how, other = world.befalling()
+    how, other = world.befalling(str(edge))
     if how:
         return (yield from befallen(world, how, other))
     world.set_facts(facts_of_edge(blueprint, edge))

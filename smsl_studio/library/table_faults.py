@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Mapping
 from typing import TYPE_CHECKING
 
-from smsl_studio.blueprint.address import fact_text, split_fact
+from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
@@ -22,31 +22,35 @@ if TYPE_CHECKING:
 
 
 def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
-    """Return the faults of the table world for a blueprint, by name."""
+    """Return the faults of the table world for a blueprint, by name.
+
+    A fault of the next operation waits for one, if its address is given.
+    """
 
     def set_fact(world: TableWorld, fact: str, value: str) -> None:
         """Set one sensed fact (``SB/digit``) to a value."""
         world.set_facts({_fact(blueprint, fact): value})
 
-    def fail(world: TableWorld) -> None:
+    def fail(world: TableWorld, operation: str = "") -> None:
         """Let the next operation report a failure."""
-        world.spoil("fail")
+        world.spoil("fail", at=_operation(blueprint, operation))
 
-    def break_down(world: TableWorld) -> None:
+    def break_down(world: TableWorld, operation: str = "") -> None:
         """Let the next operation raise an error."""
-        world.spoil("raise")
+        world.spoil("raise", at=_operation(blueprint, operation))
 
-    def hang(world: TableWorld) -> None:
+    def hang(world: TableWorld, operation: str = "") -> None:
         """Let the next operation never end."""
-        world.spoil("hang")
+        world.spoil("hang", at=_operation(blueprint, operation))
 
-    def nothing(world: TableWorld) -> None:
+    def nothing(world: TableWorld, operation: str = "") -> None:
         """Let the next operation report success without changing a fact."""
-        world.spoil("nothing")
+        world.spoil("nothing", at=_operation(blueprint, operation))
 
-    def elsewhere(world: TableWorld, state: str) -> None:
+    def elsewhere(world: TableWorld, state: str, operation: str = "") -> None:
         """Let the next operation report success, but set the facts of another state."""
-        world.spoil("elsewhere", _facts_of(blueprint, state))
+        at = _operation(blueprint, operation)
+        world.spoil("elsewhere", _facts_of(blueprint, state), at)
 
     named: dict[str, Callable[..., None]] = {
         "set": set_fact,
@@ -84,6 +88,19 @@ def _fact(blueprint: Blueprint, text: str) -> FactKey:
         advice = near or "Write it as SB/digit, digits counted from 0."
         raise UsageError(f"no fact called {text!r} is sensed", advice=advice)
     return key
+
+
+def _operation(blueprint: Blueprint, text: str) -> str:
+    """Return the address of an operation, empty for the next one. UsageError if there is none."""
+    if not text:
+        return ""
+    branch, state, name = Address.split(text)
+    known = blueprint.branches.get(branch)
+    if known is None or name not in known.table.get(state, {}):
+        raise UsageError(
+            f"there is no operation {text!r}", advice="Write it as SB/State/Operation."
+        )
+    return text
 
 
 def _facts_of(blueprint: Blueprint, text: str) -> dict[FactKey, str]:

@@ -27,6 +27,7 @@ class TableWorld:
         self._facts: dict[FactKey, str] = {}
         self._ticks = 0
         self._befalls: tuple[str, dict[FactKey, str]] = ("", {})
+        self._befalls_at = ""
 
     @property
     def time(self) -> float:
@@ -41,14 +42,16 @@ class TableWorld:
         """Return the value of a fact. None if the table has no value."""
         return self._facts.get((branch, digit))
 
-    def spoil(self, how: str, facts: Mapping[FactKey, str] = NOTHING) -> None:
-        """Set the fault of the next operation, which replaces an earlier one. ``""`` means no
-        fault."""
-        self._befalls = (how, dict(facts))
+    def spoil(self, how: str, facts: Mapping[FactKey, str] = NOTHING, at: str = "") -> None:
+        """Set the fault of the next operation, or of the one with the address ``at``. It replaces
+        an earlier one. ``""`` means no fault."""
+        self._befalls, self._befalls_at = (how, dict(facts)), at
 
-    def befalling(self) -> tuple[str, Mapping[FactKey, str]]:
+    def befalling(self, edge: str = "") -> tuple[str, Mapping[FactKey, str]]:
         """Return the fault of the operation that begins now, with its facts, and remove it."""
-        found, self._befalls = self._befalls, ("", {})
+        if self._befalls_at not in ("", edge):
+            return "", {}
+        found, self._befalls, self._befalls_at = self._befalls, ("", {}), ""
         return found
 
     def step(self) -> None:
@@ -73,11 +76,13 @@ class TableWorld:
     def snapshot(self) -> bytes:
         """Return the time, all facts, and the fault of the next operation."""
         how, facts = self._befalls
-        return json.dumps([self._ticks, _rows(self._facts), how, _rows(facts)]).encode()
+        at = [self._befalls_at] if self._befalls_at else []
+        return json.dumps([self._ticks, _rows(self._facts), how, _rows(facts), *at]).encode()
 
     def apply(self, snapshot: bytes) -> None:
         """Go back to the instant of a snapshot."""
-        self._ticks, facts, how, befalling = json.loads(snapshot)
+        self._ticks, facts, how, befalling, *at = json.loads(snapshot)
+        self._befalls_at = at[0] if at else ""
         self._facts, self._befalls = _facts(facts), (how, _facts(befalling))
 
     def fork(self) -> TableWorld:

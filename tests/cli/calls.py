@@ -21,11 +21,14 @@ VALUES = {
     "--states": "FROM",
     "--as": "NEW",
     "--key": "KEY",
+    "--edge": "FROM",
+    "--seeds": "1",
 }
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""
-NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store")
+NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store",
+                "generate")  # fmt: skip
 
 
 def calls() -> dict[str, list[str]]:

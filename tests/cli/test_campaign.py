@@ -95,3 +95,27 @@ def test_a_campaign_that_was_ended_goes_on(
     whole = shell(*words[:-1], str(tmp_path / "whole.json"), "--format", "json")
     assert answer.json == whole.json
     assert not part.exists()
+
+
+def test_no_file_is_written_over_another(shell: Shell, tmp_path: Path) -> None:
+    file = tmp_path / "in.json"
+    file.write_bytes(Path(SMALL).read_bytes())
+    named = tmp_path / "q.json.part"
+    named.write_bytes(file.read_bytes())
+    link = tmp_path / "link.json"
+    link.symlink_to(file)
+    for words in (
+        (str(file), "-o", str(file)),
+        (str(file), "-o", str(link)),
+        (str(named), "-o", str(tmp_path / "q.json")),
+        (str(file), "-o", str(tmp_path / "s.json"), "--report", str(tmp_path / "s.json")),
+        (str(file), "-o", str(tmp_path / "s.json"), "--report", str(file)),
+        (str(file), "-o", "-"),
+        (str(file), "-o", str(tmp_path)),
+    ):
+        answer = shell("campaign", *words, "--world", "table", "--seeds", "1")
+        assert answer.status == 2, words
+        assert "Traceback" not in answer.err
+    assert file.read_bytes() == named.read_bytes() == Path(SMALL).read_bytes()
+    assert {one.name for one in tmp_path.iterdir()} >= {"in.json", "q.json.part", "link.json"}
+    assert not (tmp_path / "s.json").exists()

@@ -9,11 +9,15 @@ from pathlib import Path
 import pytest
 
 import smsl_studio as smsl
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import UsageError, WorldError
 from smsl_studio.front.campaign_page import campaign_page
-from smsl_studio.front.campaigns import BLOCK, CampaignRequest, wilson
+from smsl_studio.front.campaign_runs import CampaignRun, request_of
+from smsl_studio.front.campaigns import BLOCK, CampaignRequest, injections_of, wilson
+from smsl_studio.front.runs import run_request
+from smsl_studio.runlog.events import OperationEnded, OperationStarted
 from smsl_studio.shipped import samples_dir
 from smsl_studio.stop import Stopped
+from tests.plugin_folder import LAMP, write_plugin
 
 SMALL = samples_dir() / "hanoi-2.json"
 
@@ -137,3 +141,65 @@ def test_the_page_has_no_script_even_with_a_hostile_name(tmp_path: Path) -> None
     tags.feed(page)
     assert "script" not in tags.tags
     assert "1 of 1 runs" in page
+
+
+@pytest.mark.parametrize("edges", ["route", "all"])
+def test_a_fault_of_the_table_spoils_the_operation_of_its_row(edges: str) -> None:
+    """With sub-SBs, operations of several SBs run one after the other."""
+    blueprint = smsl.read(samples_dir() / "three-levels.json")
+    request = CampaignRequest(blueprint, faults=("fail",), edges=edges)
+    for injection in injections_of(request):
+        done = run_request(request_of(blueprint, CampaignRun("table", 0, injection)))
+        failed = [
+            event.address
+            for event in done.events
+            if isinstance(event, OperationEnded) and event.outcome == "failed"
+        ]
+        # An operation that only moves its sub-SBs has no function; theirs are spoiled then.
+        started = [e.address for e in done.events if isinstance(e, OperationStarted) and e.function]
+        assert injection is not None
+        if str(injection.edge) in started:
+            assert failed[:1] == [str(injection.edge)]
+
+
+HOSTILE = (
+    "[" * 200_000,
+    json.dumps({"key": "KEY", "reached": True, "recovered": True, "reason": "x", "sha256": "é"}),
+    json.dumps(
+        {"key": "KEY", "reached": False, "recovered": True, "reason": "held", "sha256": "a" * 64}
+    ),
+    json.dumps({"key": "KEY", "reached": True, "recovered": False, "reason": "held",
+                "sha256": "a" * 64}),
+    json.dumps({"key": ["KEY"], "reached": True}),
+)  # fmt: skip
+
+
+def test_a_hostile_part_is_not_believed(tmp_path: Path) -> None:
+    part = tmp_path / "out.json.part"
+    whole = smsl.campaign(asked(part=part))
+    keys = [json.loads(line)["key"] for line in part.read_text().splitlines()]
+    part.write_text("\n".join(line.replace("KEY", keys[0]) for line in HOSTILE) + "\n")
+    assert smsl.campaign(asked(part=part, resume=True)) == whole
+
+
+ENDING = """
+import os
+
+
+def register(library):
+    @library.world("lamp", engine="table")
+    def build(world, blueprint, seed):
+        os._exit(3)
+"""
+
+
+def test_a_plugin_that_ends_its_process_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "plugins"
+    write_plugin(folder, "lamp", ENDING)
+    file = tmp_path / "lamp.json"
+    file.write_text(json.dumps(LAMP))
+    monkeypatch.setenv("SMSL_PLUGIN_PATH", str(folder))
+    with pytest.raises(WorldError, match="a worker of the campaign died"):
+        smsl.campaign(CampaignRequest(smsl.read(file), "lamp"))

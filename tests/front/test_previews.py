@@ -81,3 +81,23 @@ def test_what_cannot_be_asked_is_refused(
 ) -> None:
     with pytest.raises(error):
         smsl.preview(smsl.read(HANOI), edge, **more)  # type: ignore[arg-type]
+
+
+def test_a_log_of_several_roots_gives_the_states_of_all(tmp_path: Path) -> None:
+    """Each commit names only the SBs that moved."""
+    log = tmp_path / "run.jsonl"
+    blueprint = smsl.read(samples_dir() / "three-roots.json")
+    done = smsl.run(blueprint, log=log)
+    assert done.reason == "goal_reached"
+    told = smsl.preview(blueprint, "ROBOT/State11/Retract", log=log)
+    assert {key: value for key, value in told.before.items() if key.startswith("REG")} == {
+        "REGISTRATION/0": "1",
+        "REGISTRATION/2": "1",
+    }
+
+
+def test_a_log_of_another_blueprint_is_refused(tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    smsl.run(smsl.read(samples_dir() / "hanoi-2.json"), log=log)
+    with pytest.raises(UsageError, match="the log of another blueprint"):
+        smsl.preview(smsl.read(HANOI), "SB1/State_aaa/Op_1b", log=log)
