@@ -140,7 +140,8 @@ def test_where_there_is_no_place_the_line_has_the_button(sit: Sit, size: tuple[i
     person.click(line.button)
     assert person.blueprint == before
     assert not line.button.isVisible()
-    assert (toast.words, line.currentMessage()) == ("", "")
+    # The branch comes back into view, so what was undone is said, without a button.
+    assert toast.words == line.currentMessage() == "Undone: Delete State Branch SB1, in SB1"
 
 
 def test_another_message_or_its_end_takes_the_button_away(sit: Sit) -> None:
