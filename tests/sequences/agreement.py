@@ -162,11 +162,15 @@ def _title(window: Window, path: Path) -> Iterator[str]:
 def _panels(window: Window) -> Iterator[str]:
     session, blueprint = window.session, window.session.blueprint
     tree = window.outline.tree
-    if everything(tree.lines.nodes) != everything(OutlineNodes(blueprint)):
+    listed = everything(OutlineNodes(blueprint))
+    if everything(tree.lines.nodes) != listed:
         yield "the outline lists other lines"
     chosen = [line_of(one) for one in tree.selectedIndexes()]
     marked = [(one.branch, one.digit) for one in chosen]
     wanted = [session.fact or (session.branch, None)] if blueprint.branches else []
+    if session.fact is not None and wanted[0] not in {(one.branch, one.digit) for _, one in listed}:
+        # Names that are words show no facts: then the line of the SB stands for the fact.
+        wanted = [(session.fact[0], None)]
     if marked != wanted:
         yield f"the outline marks {marked}, not {wanted}"
     if blueprint.branches:

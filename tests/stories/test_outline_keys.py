@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 
+from smsl_studio.blueprint import editing
 from smsl_studio.studio.features.draw.panels.outline_tree import line_of
 from tests.stories.at_outline import click_line, texts
 from tests.stories.conftest import Sit
@@ -115,6 +116,33 @@ def test_the_menu_of_a_fact_s_row_says_what_the_keys_mean_there(sit: Sit) -> Non
     assert seen == ["Add State Branch", f"Rename {name}", f"Delete from {name}…"]
     assert keys == ["", "F2", "Del"]
     person.come_back()
+
+
+def test_a_selected_fact_that_loses_its_row_leaves_the_row_of_its_state_branch(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = tmp_path / "two.json"
+    path.write_text('{"SB1": {"State_0": {}}, "SB2": {"State_0": {}, "State_1": {}}}')
+    person = sit(path)
+    tree, session = person.window.outline.tree, person.window.session
+    click_fact(person, "SB2", 0)
+    # This name has no digits, so no row tells a fact of this SB any more.
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB2", "New"))
+    person.until(lambda: not tree.index_of("SB2", 0).isValid())
+    assert session.fact == ("SB2", 0)
+    rows = [line_of(one) for one in tree.selectedIndexes()]
+    assert [(one.branch, one.digit) for one in rows] == [("SB2", None)]
+    # What the keys mean is what is marked.
+    person.press(Key.Key_F2)
+    field = editor(person)
+    assert field is not None
+    assert field.accessibleName() == "Name of the State Branch"
+    person.press(Key.Key_Escape)
+    # And back: the fact has its row again.
+    session.history.undo()
+    person.until(lambda: tree.index_of("SB2", 0).isValid())
+    rows = [line_of(one) for one in tree.selectedIndexes()]
+    assert [(one.branch, one.digit) for one in rows] == [("SB2", 0)]
 
 
 def test_keys_on_an_import_that_failed_touch_no_state_branch(sit: Sit, tmp_path: Path) -> None:

@@ -46,7 +46,7 @@ class Outline(Panel):
     """The tree of SBs. A click or an arrow key shows an SB or a fact.
 
     Keys act on the selected states and operations (see ``action_wanted``) if there are any, else on
-    the selected fact, else on the SB of the current line.
+    the selected fact if it has a line, else on the SB of the current line.
     """
 
     action_wanted = Signal(str)
@@ -148,7 +148,7 @@ class Outline(Panel):
             self.branch_deleted.emit(name, states)
 
     def _press(self, key: str) -> None:
-        verb, fact = KEYS[key], self._session.fact
+        verb, fact = KEYS[key], self._listed_fact()
         if self._session.selection:
             self.action_wanted.emit(verb)
         elif fact is not None:
@@ -188,6 +188,11 @@ class Outline(Panel):
     def _on_fault(self) -> bool:
         index = self.tree.currentIndex()
         return index.isValid() and bool(line_of(index).fault)
+
+    def _listed_fact(self) -> tuple[str, int] | None:
+        """The selected fact if its line is the current one, None also if it has no line."""
+        fact, index = self._session.fact, self.tree.currentIndex()
+        return fact if fact is not None and index.isValid() and _is_at(index, *fact) else None
 
     def _current_branch(self) -> str:
         index = self.tree.currentIndex()
@@ -231,7 +236,7 @@ class Outline(Panel):
             plain_text(f"Menu of {line_of(line).text}") if line.isValid() else "Menu of the outline"
         )
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
-        if self._session.fact is not None:
+        if self._listed_fact() is not None:
             # As the keys do on this line: on the fact, not on its SB.
             name = as_it_is(line_of(self.tree.currentIndex()).text)
             rename, delete = partial(self._press, "F2"), partial(self._press, "Del")
@@ -268,11 +273,17 @@ class Outline(Panel):
         self._mark()
 
     def _mark(self) -> None:
-        """Make the line of the selected fact or of the shown SB the current one."""
+        """Make the line of the selected fact or of the shown SB the current one.
+
+        An edit can leave a selected fact without a line, as names of states that are words show no
+        facts. Then it is the line of its SB.
+        """
         branch, digit = self._session.fact or (self._session.branch, None)
         index = self.tree.currentIndex()
         if not index.isValid() or not _is_at(index, branch, digit):
             index = self.tree.index_of(branch, digit)
+            if digit is not None and not index.isValid():
+                index = self.tree.index_of(branch)
         self.tree.mark(index)
 
 
