@@ -12,9 +12,9 @@ from collections.abc import Callable, Generator, Mapping
 from typing import TYPE_CHECKING
 
 from smsl_studio.world.grasps import move
-from smsl_studio.world.mishaps import Fault, drop, grease, seize, topple
+from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
-from .crossing import GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing
+from .crossing import BANKS, GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -64,9 +64,10 @@ def toppled(crossing: Crossing, item: int) -> None:
 
 
 def third_aboard(crossing: Crossing, item: int) -> None:
-    """An item stands across the boat, so nobody else has room there."""
-    (y, ground), name = (0.0, 0.008), ITEMS[item - 1] if 1 <= item <= len(ITEMS) else ITEMS[0]
-    crossing.world.place(name, (0.495, y, ground + 0.0255))
+    """An item stands across the boat, so nobody else has room there. WorldError if there is no
+    such item."""
+    y, ground = BANKS["B"]
+    crossing.world.place(one_of(ITEMS, item), (0.495, y, ground + 0.0255))
 
 
 def seized_joint(crossing: Crossing, joint: int = 1) -> None:

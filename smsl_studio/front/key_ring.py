@@ -45,19 +45,20 @@ def make_key(
 
     ``key_id`` is its name in this store. The passphrase encrypts the private half. With the label
     of a ``token`` the private half is made there and stays there, and the passphrase is its PIN.
-    UsageError if the name is taken, SealError if the passphrase is empty or the token does not
-    open.
+    UsageError if the name is taken. SealError if the passphrase is empty, if the token does not
+    open, or if it does not sign with the new key: then nothing is kept.
 
     >>> make_key("L. Brandt", "engineer", b"a passphrase").id
     'l-brandt-engineer'
     """
     check_words(person, role)
     moment = now or datetime.now(UTC)
-    _free_name(person, role, key_id)
-    bare = StoredKey("", person, role, b"", written_time(moment))
+    name = _free_name(person, role, key_id)
+    bare = StoredKey(name, person, role, b"", written_time(moment))
     if token:
         place, public = new_on_token(token, passphrase)
         key = replace(bare, public=public, box=place.as_values())
+        key.prove(passphrase)
     else:
         private = new_private()
         key = replace(bare, public=public_of(private)).with_private(private, passphrase)

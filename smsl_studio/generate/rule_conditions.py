@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-import re
 from collections.abc import Callable, Mapping, Sequence
 
 from smsl_studio.blueprint.properties.formula import (
@@ -16,21 +15,17 @@ from smsl_studio.blueprint.properties.formula import (
 )
 from smsl_studio.blueprint.properties.reading import read_formula
 from smsl_studio.errors import FormulaError, did_you_mean
+from smsl_studio.generate.rule_counts import Count, without_counts
 
 Values = tuple[str, ...]
 Condition = Callable[[Values], bool]
 Alphabets = Mapping[str, Sequence[str]]
 """The values of each fact, by its name, in the order of the facts."""
 
-_COUNT = re.compile(
-    r"\bcount\(\s*(?P<facts>[^()=!<>]*?)\s*=\s*(?P<value>'[^']*'|[^\s()]+)\s*\)"
-    r"\s*(?P<sign><=|>=|!=|=|<|>)\s*(?P<number>\d{1,6})(?!\w)"
-)
 _SIGNS: Mapping[str, Callable[[int, int], bool]] = {
     "=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt,
     ">=": operator.ge,
 }  # fmt: skip
-_MARK = "#count"
 
 
 def condition(text: str, facts: Alphabets) -> Condition:
@@ -40,17 +35,13 @@ def condition(text: str, facts: Alphabets) -> Condition:
     VALUE) OP N`` compares the number of these facts that have the value. FormulaError for a formula
     that cannot be read, an unknown fact, or a value that its fact does not have.
     """
-    counts: list[Condition] = []
-
-    def kept(found: re.Match[str]) -> str:
-        """Put a term of its own in place of a count, as long as the count."""
-        counts.append(_counted(found, facts))
-        return f"'{_MARK}{len(counts) - 1}' = 1".ljust(len(found[0]))
-
-    return _compiled(read_formula(_COUNT.sub(kept, text)), facts, counts)
+    plain, found = without_counts(text)
+    formula = read_formula(plain)
+    counts = {at: _counted(count, at, facts) for at, count in found.items()}
+    return _compiled(formula, facts, counts)
 
 
-def _compiled(formula: Formula, facts: Alphabets, counts: Sequence[Condition]) -> Condition:
+def _compiled(formula: Formula, facts: Alphabets, counts: Mapping[int, Condition]) -> Condition:
     match formula:
         case AllOf(parts):
             every = [_compiled(part, facts, counts) for part in parts]
@@ -66,8 +57,8 @@ def _compiled(formula: Formula, facts: Alphabets, counts: Sequence[Condition]) -
                 "rules know facts and no states", formula.at, "Write FACT = VALUE instead."
             )
         case FactTerm():
-            if formula.branch.startswith(_MARK):
-                return counts[int(formula.branch.removeprefix(_MARK))]
+            if formula.at in counts:
+                return counts[formula.at]
             name = formula.name or formula.branch
             digit = formula.digit if formula.digit is not None else _digit(name, facts, formula.at)
             return _compared(digit, formula, facts)
@@ -84,19 +75,20 @@ def _compared(digit: int, term: FactTerm, facts: Alphabets) -> Condition:
     return lambda values: values[digit] != value
 
 
-def _counted(found: re.Match[str], facts: Alphabets) -> Condition:
-    at = found.start()
-    names = [name.strip().strip("'\"") for name in found["facts"].split(",")]
-    digits = [
-        int(name) if name.isdecimal() and name not in facts else _digit(name, facts, at)
-        for name in names
-    ]
-    if any(digit >= len(facts) for digit in digits):
-        raise FormulaError("a count names a fact that does not exist", at)
-    value, compare = found["value"].strip("'"), _SIGNS[found["sign"]]
-    for digit in digits:
-        _check_value(list(facts)[digit], value, facts, at)
-    number = int(found["number"])
+def _counted(count: Count, at: int, facts: Alphabets) -> Condition:
+    names = list(facts)
+    places = {name: digit for digit, name in enumerate(names)}
+    digits: list[int] = []
+    for fact in count.facts:
+        if isinstance(fact, str):
+            digit = places[fact] if fact in places else _digit(fact, facts, at)
+        else:
+            digit = fact
+        if digit >= len(names):
+            raise FormulaError(f"there is no fact {digit}", at, f"There are {len(names)}, from 0.")
+        _check_value(names[digit], count.value, facts, at)
+        digits.append(digit)
+    value, compare, number = count.value, _SIGNS[count.sign], count.number
     return lambda values: compare(sum(values[digit] == value for digit in digits), number)
 
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 import itertools
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.errors import FormulaError, Place, ReadError, did_you_mean
 from smsl_studio.generate.rule_conditions import Alphabets, Condition, Values, condition
+from smsl_studio.stop import heed
 
 Json = Any
 LARGEST = 1 << 20
@@ -24,6 +25,14 @@ MOST_OPERATIONS = 100_000
 _TOP = {"sb", "facts", "start", "goal", "never", "rule"}
 _RULE = {"operation", "for", "cases"}
 _ERROR = re.compile(r"\(at line (\d+), column (\d+)\)")
+_END = "(at end of document)"
+_LONG_NUMBER = re.compile(r"[0-9][0-9_]{4000}")
+_BRACES = re.compile(r"[{}]")
+_LONGEST = 10_000
+"""The most letters of a text, also after values of ``for`` stand in it."""
+_LARGE = 10**18
+"""A whole number of this size or more is no name and no value. Python writes no very long ones."""
+_SHOWN = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,16 +84,12 @@ class _RuleFile:
             self._text = raw.decode("utf-8")
             self._values: dict[str, Json] = tomllib.loads(self._text)
         except (ValueError, RecursionError) as error:
-            found = _ERROR.search(str(error))
-            line, column = (int(found[1]), int(found[2])) if found else (1, 1)
-            words = _ERROR.sub("", str(error)).strip()
-            raise ReadError(
-                f"this is no TOML: {words}", Place(file, line, column), "See docs/rules.md."
-            ) from None
+            raise _no_toml(error, getattr(self, "_text", ""), file) from None
 
     def rules(self) -> RuleSet:
         self._members(self._values, _TOP, "the file", "")
         branch = self._text_of(self._values.get("sb", "SB1"), "sb")
+        self._check_name(branch, "sb")
         facts = self._facts()
         start = self._state(self._values.get("start"), facts, "start")
         goal = self._values.get("goal")
@@ -96,7 +101,7 @@ class _RuleFile:
             facts,
             start,
             None if goal is None else self._state(goal, facts, "goal"),
-            tuple(self._condition(text, facts) for text in never),
+            tuple(self._condition(text, facts, {}, "never") for text in never),
             tuple(self._operations(facts)),
         )
 
@@ -110,6 +115,13 @@ class _RuleFile:
                 raise self._fault("a fact is no table", "facts", _FACTS)
             self._members(one, {"name", "values"}, "a fact", "facts")
             name = self._text_of(one.get("name"), "name")
+            if name.isdecimal():
+                near = f'name = "{name}"'
+                raise self._fault(
+                    f"a fact cannot have the name {_short(name)}",
+                    near if near in self._text else "facts",
+                    "A whole number is the digit of a fact. Use letters in its name.",
+                )
             values = one.get("values")
             if not isinstance(values, list) or not values:
                 raise self._fault(f"the fact {name} has no list of values", name, _FACTS)
@@ -151,7 +163,9 @@ class _RuleFile:
             if not isinstance(cases, list) or not cases:
                 raise self._fault(f"the rule {pattern} has no list of cases", pattern, _CASES)
             for given in self._choices(rule.get("for", {}), pattern):
-                name = _filled(pattern, given)
+                heed()
+                name = self._filled(pattern, given, pattern)
+                self._check_name(name, pattern)
                 if name in names:
                     raise self._fault(f"the operation {name} is made twice", pattern)
                 names.add(name)
@@ -169,7 +183,10 @@ class _RuleFile:
         for name, values in told.items():
             if not isinstance(values, list) or not values:
                 raise self._fault(f"{name} of the rule {pattern} has no values", pattern, _FOR)
-            lists.append([self._text_of(value, name) for value in values])
+            texts = [self._text_of(value, name) for value in values]
+            if any(_BRACES.search(text) for text in (name, *texts)):
+                raise self._fault(f"'for' of the rule {pattern} contains braces", pattern, _FOR)
+            lists.append(texts)
         for chosen in itertools.product(*lists):
             yield dict(zip(told, chosen, strict=True))
 
@@ -180,35 +197,68 @@ class _RuleFile:
             raise self._fault(f"a case of the rule {pattern} has no 'set'", pattern, _CASES)
         self._members(case, {"when", "set"}, f"a case of the rule {pattern}", pattern)
         when = case.get("when")
-        holds = _always if when is None else self._condition(when, facts, given)
-        names, change = list(facts), []
+        holds = _always if when is None else self._condition(when, facts, given, pattern)
+        names = list(facts)
+        change: dict[int, str] = {}
         for key, value in case["set"].items():
-            name, text = _filled(key, given), _filled(self._text_of(value, key), given)
+            place = self._key_place(key)
+            name = self._filled(key, given, place)
+            text = self._filled(self._text_of(value, key, place), given, place)
             if name not in facts:
                 near = did_you_mean(name, names) or f"There are {', '.join(names)}."
-                raise self._fault(f"there is no fact {name!r} to set", key, near)
+                raise self._fault(f"there is no fact {name!r} to set", place, near)
             if text not in facts[name]:
-                known = ", ".join(facts[name])
-                raise self._fault(f"the fact {name} has no value {text!r}", key, f"It has {known}.")
-            change.append((names.index(name), text))
-        return RuleCase(holds, tuple(change))
+                known = f"It has {', '.join(facts[name])}."
+                raise self._fault(f"the fact {name} has no value {text!r}", place, known)
+            digit = names.index(name)
+            if digit in change:
+                raise self._fault(f"a case of the rule {pattern} sets {name} twice", place)
+            change[digit] = text
+        return RuleCase(holds, tuple(change.items()))
 
     def _condition(
-        self, text: Json, facts: Alphabets, given: Mapping[str, str] | None = None
+        self, text: Json, facts: Alphabets, given: Mapping[str, str], near: str
     ) -> Condition:
-        written = self._text_of(text, "a condition")
+        written = self._text_of(text, "a condition", near)
+        near = written if written in self._text else near
         try:
-            return condition(_filled(written, given or {}), facts)
+            return condition(self._replaced(written, given, near), facts)
         except FormulaError as error:
             raise self._fault(
-                f"the condition {written!r}: {error.sentence}", written, error.advice
+                f"the condition {_short(written)}: {error.sentence}", near, error.advice
             ) from None
 
-    def _text_of(self, value: Json, what: str) -> str:
-        if isinstance(value, int) and not isinstance(value, bool):
+    def _filled(self, text: str, given: Mapping[str, str], near: str) -> str:
+        """Return a name with each ``{x}`` replaced. ReadError if a brace is left."""
+        filled = self._replaced(text, given, near)
+        if _BRACES.search(filled):
+            raise self._fault(f"no value is given for the braces in {_short(text)}", near, _FOR)
+        return filled
+
+    def _replaced(self, text: str, given: Mapping[str, str], near: str) -> str:
+        """Return a text with each ``{x}`` replaced. No value has braces."""
+        for name, value in given.items():
+            text = text.replace(f"{{{name}}}", value)
+            if len(text) > _LONGEST:
+                raise self._fault(f"a text with values of 'for' is longer than {_LONGEST:,}", near)
+        return text
+
+    def _key_place(self, key: str) -> str:
+        """Return a text that stands where a key is set, if there is one, and else the key."""
+        spellings = (f'"{key}" =', f"{key} =")
+        return next((one for one in spellings if one in self._text), key)
+
+    def _check_name(self, name: str, near: str) -> None:
+        if name.startswith("_"):
+            raise self._fault(
+                f"a name cannot begin with _: {_short(name)}", near, "_ begins an annotation."
+            )
+
+    def _text_of(self, value: Json, what: str, near: str = "") -> str:
+        if isinstance(value, int) and not isinstance(value, bool) and abs(value) < _LARGE:
             return str(value)
-        if not isinstance(value, str) or not value or len(value) > 10_000:
-            raise self._fault(f"{what} is missing, empty or no text", what)
+        if not isinstance(value, str) or not value or len(value) > _LONGEST:
+            raise self._fault(f"{what} is missing, empty or no text", near or what)
         return value
 
     def _members(self, values: Mapping[str, Json], known: set[str], what: str, near: str) -> None:
@@ -220,9 +270,9 @@ class _RuleFile:
                 raise self._fault(f"{what} has an unknown key {name!r}", name or near, advice)
 
     def _fault(self, sentence: str, near: str, advice: str = "") -> ReadError:
-        """Return an error at the first line that has a text."""
-        lines: Sequence[str] = getattr(self, "_text", "").splitlines()
-        line = next((n for n, one in enumerate(lines, 1) if near and near in one), 1)
+        """Return an error at the line of the first place that has a text."""
+        text: str = getattr(self, "_text", "")
+        line = text.count("\n", 0, max(0, text.find(near))) + 1
         return ReadError(sentence, Place(self._file, line, 1), advice)
 
 
@@ -235,8 +285,23 @@ def _always(_values: Values) -> bool:
     return True
 
 
-def _filled(text: str, given: Mapping[str, str]) -> str:
-    """Return a text with each ``{x}`` replaced."""
-    for name, value in given.items():
-        text = text.replace(f"{{{name}}}", value)
-    return text
+def _short(text: str) -> str:
+    """Return a text as a message shows it."""
+    return repr(text if len(text) <= _SHOWN else f"{text[:_SHOWN]}...")
+
+
+def _no_toml(error: Exception, text: str, file: str) -> ReadError:
+    """Return the error for bytes that are no TOML, with the line that Python names.
+
+    It names none for a number that is too long, and no number for the end of the text.
+    """
+    told = str(error)
+    line, column = 1, 1
+    if found := _ERROR.search(told):
+        line, column = int(found[1]), int(found[2])
+    elif _END in told:
+        line = max(1, len(text.splitlines()))
+    elif long := _LONG_NUMBER.search(text):
+        line = text.count("\n", 0, long.start()) + 1
+    words = _ERROR.sub("", told).strip()
+    return ReadError(f"this is no TOML: {words}", Place(file, line, column), "See docs/rules.md.")

@@ -11,12 +11,16 @@ import json
 import os
 import subprocess
 import sys
+import threading
+import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 from smsl_studio.errors import SealError
+from smsl_studio.seal.ed25519 import LENGTH
 from smsl_studio.seal.strict_json import base64_text, from_base64
 
 Json = Any
@@ -29,6 +33,8 @@ _KNOWN = (
     "lib/softhsm/libsofthsm2.so",
     "lib/*/softhsm/libsofthsm2.so",
 )
+_LONGEST = 100_000
+"""The longest answer of the child that is read (bytes)."""
 _MOST = 200
 """The most letters of a label, a serial number or a key's name on a token."""
 
@@ -77,13 +83,19 @@ def new_on_token(
     """Make a key on the token with this label. Return its place and its public half.
 
     SealError if the token is not here, does not open with this PIN, cannot make Ed25519 keys, or
-    gives no answer in time.
+    gives no answer in time. Nobody has proved yet that the token signs with this key.
     """
     if len(label) > _MOST:
         raise SealError(f"the label of a token has at most {_MOST} letters")
     made = _answer({"do": "make", "token": label}, pin, child, seconds)
     place = token_key({"token": label, "serial": made.get("serial"), "name": made.get("name")})
-    return place, from_base64(made.get("public"), "the public half")
+    public = from_base64(made.get("public"), "the public half")
+    if len(public) != LENGTH:
+        raise SealError(
+            f"the token {label} has made a key whose public half has not {LENGTH} bytes",
+            advice="Nothing was kept. It cannot make Ed25519 keys as Studio needs them.",
+        )
+    return place, public
 
 
 def _answer(
@@ -92,31 +104,61 @@ def _answer(
     """Ask the child. The PIN goes through its standard input, where no other program reads it."""
     request = {**asked, "pin": base64_text(pin), "module": _module()}
     whose = f"the token {asked['token']}"
+    raw = json.dumps(request).encode("ascii")
     try:
-        done = subprocess.run(
-            list(child) or _child(),
-            input=json.dumps(request).encode("ascii"),
-            capture_output=True,
-            timeout=seconds,
-            check=False,
-        )
+        status, told = _told(list(child) or _child(), raw, seconds)
     except subprocess.TimeoutExpired:
         raise SealError(
             f"{whose} gave no answer in {seconds:g} s",
             advice="Nothing was signed. Unplug it, plug it in, and try again.",
         ) from None
     try:
-        answer = json.loads(done.stdout)
-    except ValueError:
+        answer = json.loads(told) if len(told) <= _LONGEST else None
+    except (ValueError, RecursionError):
         answer = None
     if not isinstance(answer, dict):
         raise SealError(
-            f"the library of {whose} ended without an answer (exit {done.returncode})",
+            f"the library of {whose} ended without an answer (exit {status})",
             advice=f"Nothing was signed. Does {MODULE} name the library of this token?",
         )
     if "refused" in answer:
         raise SealError(f"{whose}: {answer['refused']}", advice=str(answer.get("advice", "")))
     return answer
+
+
+def _told(command: Sequence[str], request: bytes, seconds: float) -> tuple[int, bytes]:
+    """Return the exit status of the child, and what it wrote, up to one byte too many.
+
+    TimeoutExpired if it takes longer. The child has ended then, too.
+    """
+    due = time.monotonic() + seconds
+    child = subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    )
+    assert child.stdin is not None
+    assert child.stdout is not None
+    read: list[bytes] = []
+    talk = threading.Thread(target=_talk, args=(child.stdin, child.stdout, request, read))
+    talk.daemon = True  # A process of the library may keep the pipe open for ever.
+    talk.start()
+    try:
+        talk.join(seconds)
+        if talk.is_alive():
+            raise subprocess.TimeoutExpired(command, seconds)
+        if len(read[0]) > _LONGEST:
+            child.kill()
+        return child.wait(max(0.0, due - time.monotonic())), read[0]
+    finally:
+        child.kill()
+        child.wait()
+
+
+def _talk(request_to: IO[bytes], answer_of: IO[bytes], request: bytes, read: list[bytes]) -> None:
+    """Write the request, read the answer, and close both pipes."""
+    with answer_of:
+        with suppress(OSError), request_to:
+            request_to.write(request)
+        read.append(answer_of.read(_LONGEST + 1))
 
 
 def _child() -> list[str]:

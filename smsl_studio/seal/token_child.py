@@ -11,6 +11,8 @@ import secrets
 import sys
 from typing import Any
 
+from smsl_studio.seal.strict_json import base64_text
+
 Json = Any
 _CURVE = b"\x13\x0cedwards25519"
 """The parameters of the curve in DER: a PrintableString, as PKCS 11 version 3 wants them."""
@@ -29,8 +31,9 @@ _PLAIN = {
 
 def main() -> None:
     """Answer the request on the standard input."""
+    request = json.loads(sys.stdin.buffer.read())
     try:
-        answer = _answer(json.loads(sys.stdin.buffer.read()))
+        answer = _answer(request)
     except ImportError:
         answer = {
             "refused": "python-pkcs11 is not installed",
@@ -38,9 +41,19 @@ def main() -> None:
         }
     except Exception as error:  # The library of a token can raise anything; the parent tells it.
         kind = type(error).__name__
-        plain, advice = _PLAIN.get(kind, (f"{kind} {error}".strip()[:300], "Nothing was signed."))
+        unknown = f"{kind} {error}".strip()
+        if _tells(unknown, base64.b64decode(request["pin"])):
+            unknown = "its library gave an error that is not shown, because the PIN stands in it"
+        plain, advice = _PLAIN.get(kind, (unknown[:300], "Nothing was signed."))
         answer = {"refused": plain, "advice": advice}
     sys.stdout.write(json.dumps(answer))
+
+
+def _tells(text: str, pin: bytes) -> bool:
+    """Whether a text contains the PIN, also as a library or Python may spell its bytes."""
+    plain = pin.decode("utf-8", "replace")
+    spelt = (plain, ascii(plain)[1:-1], repr(pin)[2:-1], pin.hex(), base64_text(pin))
+    return any(one and one.casefold() in text.casefold() for one in spelt)
 
 
 def _answer(request: dict[str, Json]) -> dict[str, Json]:
@@ -59,7 +72,7 @@ def _answer(request: dict[str, Json]) -> dict[str, Json]:
             )
             signed = base64.b64decode(request["signed"])
             made = key.sign(signed, mechanism=Mechanism.EDDSA)
-            return {"signature": base64.b64encode(made).decode("ascii")}
+            return {"signature": base64_text(made)}
         name = secrets.token_bytes(16)
         curve = session.create_domain_parameters(
             KeyType.EC_EDWARDS, {Attribute.EC_PARAMS: _CURVE}, local=True
@@ -72,5 +85,5 @@ def _answer(request: dict[str, Json]) -> dict[str, Json]:
         return {
             "serial": bytes(token.serial).hex(),
             "name": name.hex(),
-            "public": base64.b64encode(point).decode("ascii"),
+            "public": base64_text(point),
         }

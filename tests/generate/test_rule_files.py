@@ -95,14 +95,38 @@ cases = [{{when = "a = 0", set = {{a = "1"}}}}, {{set = {{a = "0"}}}}]
         (HEAD + RULE.replace("a = 0", "a = "), 5, "a value is expected"),
         (HEAD + RULE.replace("a = 0", "count(a, z = 1) > 0"), 5, "there is no fact 'z'"),
         (HEAD + RULE.replace('set = {a = "1"}', 'set = {d = "1"}'), 5, "no fact 'd' to set"),
-        (HEAD + RULE.replace('set = {a = "1"}', 'set = {a = "9"}'), 1, "has no value '9'"),
+        (HEAD + RULE.replace('set = {a = "1"}', 'set = {a = "9"}'), 5, "has no value '9'"),
         (HEAD + RULE + RULE, 4, "the operation flip is made twice"),
         (HEAD.replace('"1"]}, {', '"11"]}, {') + RULE, 1, "the same number of characters"),
         (HEAD + "[[rule]]\noperation = 'x'\ncases = 3\n", 4, "has no list of cases"),
         (HEAD + "[[rule]]\noperation = 'x'\nfor = 3\ncases = [{set = {}}]\n", 4, "is no table"),
         ("a = [" * 200, 1, "this is no TOML"),
+        (HEAD + RULE.replace('"a = 0"', "\"'#count0' = 1\""), 5, "there is no fact '#count0'"),
+        (HEAD + RULE.replace('"a = 0"', "\"'#countx' = 1\""), 5, "there is no fact '#countx'"),
+        (HEAD + RULE.replace("a = 0", "'count' = 1 and count(a = 1) > 0"), 5, "no fact 'count'"),
+        (HEAD + RULE.replace("a = 0", f"count({'9' * 5000} = 1) > 0"), 5, "a count cannot be read"),
+        (HEAD + RULE.replace("a = 0", f"count({' ' * 3000}"), 5, "a count cannot be read"),
+        (HEAD + RULE.replace("a = 0", "count(a = 1) > 1234567"), 5, "a count cannot be read"),
+        (HEAD + RULE.replace("a = 0", "count(7 = 1) > 0"), 5, "there is no fact 7"),
+        (HEAD.replace('["0", "0"]', f"[0x{'f' * 5000}, 0]") + RULE, 2, "start is missing"),
+        (HEAD.replace('["0", "0"]', f"[{'9' * 5000}, 0]") + RULE, 2, "this is no TOML"),
+        (HEAD + "facts = [", 3, "this is no TOML"),
+        ('sb = "_SB"\n' + HEAD + RULE, 1, "a name cannot begin with _"),
+        (HEAD + RULE.replace("flip", "_aa"), 4, "a name cannot begin with _"),
+        (HEAD + RULE.replace("flip", "{x}").replace("cases", 'for = {x = ["_b"]}\ncases'), 4,
+         "a name cannot begin with _"),
+        (HEAD + RULE.replace("flip", "flip{x}"), 4, "no value is given for the braces in 'flip{x}"),
+        (HEAD + RULE.replace("flip", "flip}"), 4, "no value is given for the braces in 'flip}"),
+        (HEAD + RULE.replace("{a =", '{"{x}" ='), 5, "no value is given for the braces in '{x}'"),
+        (HEAD + RULE.replace('a = "1"', 'a = "{x}"'), 5, "no value is given for the braces"),
+        (HEAD + RULE.replace("cases", 'for = {x = ["{y}"]}\ncases'), 4, "contains braces"),
+        (HEAD + RULE.replace("flip", "f{x}" * 50).replace("cases",
+         f"for = {{x = ['{'a' * 900}']}}\ncases"), 4, "is longer than 10,000"),
+        (HEAD + RULE.replace("flip", "f{x}").replace("{a =", '{a = "0", "{x}" =')
+         .replace("cases", 'for = {x = ["a"]}\ncases'), 6, "sets a twice"),
+        (HEAD.replace('"b c"', '"1"') + RULE, 1, "a fact cannot have the name '1'"),
     ],
-)
+)  # fmt: skip
 def test_a_wrong_file_is_one_error_with_its_line(text: str, line: int, words: str) -> None:
     with pytest.raises(ReadError, match=words) as told:
         rules(text)
@@ -131,6 +155,15 @@ def test_a_start_that_is_left_out_is_refused() -> None:
 
 
 FACTS = {"a": ("0", "1", "2"), "b c": ("0", "1", "2"), "d": ("0", "1", "2")}
+
+
+def test_counts_are_taken_out_of_quotes_alone() -> None:
+    facts = {"count(a = 1) > 0": ("0", "1"), "it's, (a)": ("0", "1"), "a": ("0", "1")}
+    named = condition('"count(a = 1) > 0" = 1', facts)
+    counted = condition("not count('it''s, (a)', \"it's, (a)\", 2 = '1') >= 2", facts)
+    for values in itertools.product("01", repeat=3):
+        assert named(values) == (values[0] == "1")
+        assert counted(values) == (values[1] == "0")
 
 
 def test_conditions_agree_with_python() -> None:

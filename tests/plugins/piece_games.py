@@ -65,8 +65,9 @@ class GameStory:
 def run_game(
     game: str, fault: GameFault | None = None, seed: int = 0, most: float = 200.0, goal: str = ""
 ) -> GameStory:
-    """Run a game to its goal, or for ``most`` simulated seconds."""
-    goals = Address("SB1", goal or GOALS[game])
+    """Run a game to its goal, or for ``most`` simulated seconds. Without a goal it is that of the
+    blueprint."""
+    goals = Address("SB1", goal) if goal else None
     dispatcher = open_run(read(file_of(game)), game, goal=goals, host="local", seed=seed)
     story = GameStory(list(dispatcher.open()))
     due = math.inf if fault is None else fault.at

@@ -8,7 +8,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.request import HOSTS
 from smsl_studio.front.single_edge import try_edge
-from smsl_studio.runlog.events import FactChanged, Held, RunFinished
+from smsl_studio.runlog.events import Commanded, FactChanged, Held, RunFinished
 from tests.plugin_folder import blueprint_of
 from tests.plugins.piece_games import CHESS, GOALS, RIVER, GameFault, file_of, run_game
 
@@ -60,6 +60,14 @@ def test_a_fault_gives_no_false_goal(game: str, fault: GameFault) -> None:
     story = run_game(game, fault, most=60.0)
     assert not story.false_goal
     assert any(isinstance(event, Held) for event in story.events)
+
+
+@pytest.mark.parametrize("item", [9, -3, 0])
+def test_an_item_that_is_none_cannot_stand_aboard(item: int) -> None:
+    story = run_game(RIVER, GameFault("third_aboard", 0.0, {"item": item}), most=0.1)
+    refused = [e.refused for e in story.events if isinstance(e, Commanded) and e.value]
+    assert len(refused) == 1
+    assert f"there is no piece {item}" in refused[0]
 
 
 def test_a_piece_beside_the_other_one_is_not_on_it() -> None:
