@@ -138,6 +138,11 @@ def test_a_selected_fact_that_loses_its_row_leaves_the_row_of_its_state_branch(
     assert field is not None
     assert field.accessibleName() == "Name of the State Branch"
     person.press(Key.Key_Escape)
+    # But Properties show the fact, and nobody has chosen the State Branch: it is not deleted.
+    tree.setFocus()
+    person.press(Key.Key_Delete)
+    assert "SB2" in session.blueprint.branches
+    assert "has no line here" in person.window.toast.words
     # And back: the fact has its row again.
     session.history.undo()
     person.until(lambda: tree.index_of("SB2", 0).isValid())

@@ -39,6 +39,12 @@ NO_BRANCH = EditRefused(
 )
 """The refusal if a key for SBs is pressed on a failed import."""
 
+NO_ROW = EditRefused(
+    "a fact is selected that has no line here, so nothing was deleted",
+    advice="Click the State Branch to delete it.",
+)
+"""The refusal if Del or Ctrl+X is pressed while Properties show such a fact."""
+
 DONE = {"cut": "cut", "copy": "copied", "paste": "pasted over", "duplicate": "duplicated"}
 
 
@@ -155,6 +161,9 @@ class Outline(Panel):
             self._press_on_fact(verb, *fact)
         elif self._on_fault():
             self._session.refused.emit(NO_BRANCH)
+        elif verb in ("delete", "cut") and self._session.fact is not None:
+            # Properties show the fact, so nobody has chosen the State Branch that is marked.
+            self._session.refused.emit(NO_ROW)
         elif verb == "rename":
             self.rename_branch()
         elif verb == "delete":
