@@ -185,8 +185,8 @@ def test_what_is_refused_is_told_and_the_run_goes_on() -> None:
     ("fault", "words", "advice"),
     [
         ({"fault": "nothin"}, "the world 'table' has no fault 'nothin'", "nothing"),
-        ({"fault": "fail", "disk": 1}, "no parameter 'disk'", "It takes nothing."),
-        ({"fault": "elsewhere"}, "'state' is missing", "It takes state."),
+        ({"fault": "fail", "disk": 1}, "no parameter 'disk'", "It takes operation."),
+        ({"fault": "elsewhere"}, "'state' is missing", "It takes state, operation."),
         ({"fault": "set", "fact": 0, "value": "a"}, "fact is 0, not a text", ""),
     ],
 )
