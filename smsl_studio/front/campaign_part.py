@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from types import TracebackType
 from typing import IO, Any
 
 from smsl_studio.blueprint.digests import digests
@@ -79,15 +78,8 @@ class CampaignPart:
                 if verdict is not None:
                     self.known[key] = verdict
 
-    def __enter__(self) -> CampaignPart:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """Close the file. What is kept stays there."""
         if self._file is not None:
             self._file.close()
             self._file = None

@@ -14,7 +14,6 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from types import TracebackType
 
 from smsl_studio.errors import WorldError
 from smsl_studio.front.campaign_runs import (
@@ -40,16 +39,13 @@ class CampaignWorkers:
     use."""
 
     def __init__(self, file: str, count: int) -> None:
-        self._file, self._count = file, count
         self._workers: list[subprocess.Popen[bytes]] = []
         self._heard: dict[int, bytes] = {}
-
-    def __enter__(self) -> CampaignWorkers:
         code = f"import sys; sys.path[:] = {sys.path!r}; "
         code += "from smsl_studio.front.campaign_workers import serve; serve(sys.argv[1])"
-        for _ in range(self._count):
+        for _ in range(count):
             worker = subprocess.Popen(
-                [sys.executable, "-P", "-c", code, self._file],
+                [sys.executable, "-P", "-c", code, file],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
@@ -57,14 +53,9 @@ class CampaignWorkers:
                 process_group=0,
             )
             self._workers.append(worker)
-        return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """End all workers."""
         for worker in self._workers:
             worker.kill()
         for worker in self._workers:

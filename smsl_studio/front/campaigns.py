@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -155,7 +155,7 @@ def _verdicts(
     every = len(injections) * request.seeds
     block = request.seeds if request.until is None else BLOCK
     done = 0
-    with _pool(request) as pool, CampaignPart(request.part, request.resume) as part:
+    with _pool(request) as pool, closing(CampaignPart(request.part, request.resume)) as part:
         for look, first in enumerate(range(0, request.seeds, block), 1):
             seeds = range(first, min(first + block, request.seeds))
             asked = [
@@ -209,7 +209,7 @@ def _pool(request: CampaignRequest) -> AbstractContextManager[CampaignWorkers | 
     file = request.blueprint.file
     if not Path(file).is_file():
         raise UsageError("workers need a blueprint in a file", advice="Save it first.")
-    return CampaignWorkers(file, request.workers)
+    return closing(CampaignWorkers(file, request.workers))
 
 
 def _is_narrow(found: Sequence[Sequence[RunVerdict]], look: int, width: float) -> bool:
