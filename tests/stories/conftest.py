@@ -95,13 +95,11 @@ def sit(
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
-@pytest.fixture
-def heard(monkeypatch: pytest.MonkeyPatch) -> Heard:
-    """Every announcement, and whether it interrupts."""
-    found: Heard = []
+def reader(hear: Callable[[QAccessibleEvent], object]) -> type[QAccessible]:
+    """A screen reader that runs, in the place of ``QAccessible``; ``hear`` gets what it is told."""
 
     class Reader(QAccessible):
-        """A screen reader runs, and keeps what it is told."""
+        """The reader."""
 
         @staticmethod
         def isActive() -> bool:
@@ -109,11 +107,23 @@ def heard(monkeypatch: pytest.MonkeyPatch) -> Heard:
 
         @staticmethod
         def updateAccessibility(event: QAccessibleEvent, /) -> None:
-            if isinstance(event, QAccessibleAnnouncementEvent):
-                urgent = event.politeness() == QAccessible.AnnouncementPoliteness.Assertive
-                found.append((event.message(), urgent))
+            hear(event)
 
-    monkeypatch.setattr(announcement, "QAccessible", Reader)
+    return Reader
+
+
+@pytest.fixture
+def heard(monkeypatch: pytest.MonkeyPatch) -> Heard:
+    """Every announcement, and whether it interrupts."""
+    found: Heard = []
+
+    def hear(event: QAccessibleEvent) -> None:
+        """Keep an announcement."""
+        if isinstance(event, QAccessibleAnnouncementEvent):
+            urgent = event.politeness() == QAccessible.AnnouncementPoliteness.Assertive
+            found.append((event.message(), urgent))
+
+    monkeypatch.setattr(announcement, "QAccessible", reader(hear))
     return found
 
 

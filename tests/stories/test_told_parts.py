@@ -11,7 +11,7 @@ from smsl_studio.studio.base import announcement
 from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.shell import accessible_focus
 from smsl_studio.studio.shell.accessible_factory import install
-from tests.stories.conftest import Sit
+from tests.stories.conftest import Sit, reader
 from tests.stories.person import SAMPLES
 
 Key, NAME = Qt.Key, QAccessible.Text.Name
@@ -30,19 +30,13 @@ def told(monkeypatch: pytest.MonkeyPatch) -> Told:
     """Every event that a screen reader gets from the window itself: its kind, and of what."""
     found: Told = []
 
-    class Reader(QAccessible):
-        """A screen reader runs, and keeps what it is told."""
+    def hear(event: QAccessibleEvent) -> None:
+        """Keep the kind of an event, and the name of its object."""
+        found.append((event.type().name, event.accessibleInterface().text(NAME)))
 
-        @staticmethod
-        def isActive() -> bool:
-            return True
-
-        @staticmethod
-        def updateAccessibility(event: QAccessibleEvent, /) -> None:
-            found.append((event.type().name, event.accessibleInterface().text(NAME)))
-
-    monkeypatch.setattr(announcement, "QAccessible", Reader)
-    monkeypatch.setattr(accessible_focus, "QAccessible", Reader)
+    listener = reader(hear)
+    monkeypatch.setattr(announcement, "QAccessible", listener)
+    monkeypatch.setattr(accessible_focus, "QAccessible", listener)
     return found
 
 

@@ -133,7 +133,7 @@ class HoverPad(Card):
             self._hide.start()
 
     def _begin(self) -> None:
-        """Appear in a moment if a state should have the pad."""
+        """Show the pad a moment later, if a state is hovered or selected."""
         if self._wanted is not None:
             self._show.start()
         else:
