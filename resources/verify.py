@@ -48,7 +48,7 @@ def lines(raw):  # 2 THE LOG: each line, and the head, has the SHA-256 of all by
 	(*told, head, end), digest, found = raw.split(b"\n"), hashlib.sha256(), []
 	for number, line in enumerate(told, 1):
 		digest.update(line[:-66]); link = b',"chain":"%s"}' % digest.hexdigest().encode()
-		no(line[-76:] != link, f"line {number}: it or a line before was changed")
+		no(line[-76:] != link, f"line {number}: it or one before was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
 	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; seal = read(head).get("signed")
 	no(end or head != plain({"head": sums} | ({"signed": seal} if seal else {})), "its head is wrong")
@@ -103,11 +103,11 @@ def take(s, e):  # 3 THE STORY is told again, event by event: when it may not co
 	s.t = e.t; kind in IDLE or globals()["on_" + kind](s, e); s.last, c.t = e, -1 if own else c.t
 	if kind != "state_checked": s.checked = {}
 	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
-def on_within(s, e):  # the blueprint that an operation runs tells a story of its own
-	op, told = running(s, e.operation)[-1], read(e.told.encode()); run = op.note["binding"]
+def on_within(s, e):  # what it runs tells a story of its own
+	op, told = running(s, e.operation)[-1], read(raw := e.told.encode()); run = op.note["binding"]
 	h, closure = s.h | {"goals": [run["goal"]], "levels": {}}, s.h["procedures"][run["blueprint"]]
 	op.below = op.below or story(s.known, closure, h, told.get("start", {}))
-	no(op.outcome or told["t"] != e.t); take(op.below, told)
+	no(op.outcome or told["t"] != e.t or plain(told) != raw); take(op.below, told)
 def on_run_started(s, e):  # bases decide where their sub-SBs stand
 	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met", ())
 	s.goals, s.sensed = {goal: parts(goal) for goal in e.goals}, {*map(fact, e.sensed)}

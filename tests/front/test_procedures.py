@@ -228,6 +228,11 @@ def _another_time(lines: list[Json]) -> None:
     lines[at]["told"] = json.dumps({**event, "t": event["t"] + 0.001}, separators=(",", ":"))
 
 
+def _another_space(lines: list[Json]) -> None:
+    at = _told(lines, "committed")
+    lines[at]["told"] = lines[at]["told"].replace('"operations":[', '"operations": [')
+
+
 def test_a_log_of_it_is_believed_and_impossible_ones_are_not(tmp_path: Path) -> None:
     blueprint, log = smsl.read(TOWER), tmp_path / "run.jsonl"
     smsl.run(blueprint, log=log)
@@ -236,7 +241,7 @@ def test_a_log_of_it_is_believed_and_impossible_ones_are_not(tmp_path: Path) -> 
     assert told_again(raw, blueprint) == ""
     assert verified(tmp_path, raw)
     changes = (_no_goal, _other_target, _unseen, _elsewhere, _another_operation, _another_time)
-    for change in changes:
+    for change in (*changes, _another_space):
         wrong = forged(raw, change)
         assert told_again(wrong, blueprint), change.__name__
         assert not verified(tmp_path, wrong), change.__name__
