@@ -314,3 +314,32 @@ def test_a_comment_on_a_line_that_is_gone_is_shown_and_can_be_closed(
     (view,) = again.page.reading.findChildren(CommentView)
     again.person.click(view.close_button)
     assert not again.feature.review.review.open_comments
+
+
+def test_the_contents_of_a_narrow_window_are_a_drawer(sit: Sit, tmp_path: Path) -> None:
+    person = sit(door_at(tmp_path))
+    reader = Reader(person)
+    person.window.resize(1280, 800)
+    reader.enter()
+    page = reader.page
+    assert page.contents.isVisible()
+    assert not page.bar.contents.isVisible()
+    person.window.resize(900, 700)
+    person.qtbot.waitUntil(page.bar.contents.isVisible)
+    assert not page.contents.isVisible()
+    person.click(page.bar.contents)
+    assert page.contents.isVisible()
+    assert page.drawer.geometry().left() == 0
+    last = list(page.contents.buttons)[-1]
+    person.click(page.contents.buttons[last])
+    assert not page.contents.isVisible()
+    assert not page.bar.contents.isChecked()
+    line = page.line
+    assert line is not None
+    assert line.section.key == last
+    person.click(page.bar.contents)
+    QTest.keyClick(page.contents, Qt.Key.Key_Escape)
+    assert not page.contents.isVisible()
+    person.window.resize(1280, 800)
+    person.qtbot.waitUntil(page.contents.isVisible)
+    assert not page.bar.contents.isVisible()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QRect, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QStackedWidget, QWidget
 
@@ -16,6 +16,7 @@ from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords
 from smsl_studio.inspection.review.review import ReviewComment
 from smsl_studio.inspection.review.review_file import LONG_NAME, MOST_ABOUT
 from smsl_studio.inspection.review.reviewed import ReviewedLine
+from smsl_studio.studio.base.drawer import Drawer
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.review.answer_field import AnswerField
@@ -26,15 +27,14 @@ from smsl_studio.studio.features.review.line_card import LineCard
 from smsl_studio.studio.features.review.lines_column import LinesColumn
 from smsl_studio.studio.features.review.open_review import OpenReview
 from smsl_studio.studio.features.review.review_bar import ReviewBar
-from smsl_studio.studio.features.review.review_style import SIDE, SIZES, review_sheet
+from smsl_studio.studio.features.review.review_style import SIDE, TextSize, review_sheet
 from smsl_studio.studio.features.review.side_column import WIDE as BESIDE
 from smsl_studio.studio.features.review.side_column import SideColumn
 
 NOTHING = "Nothing to review yet. Draw the first state, or open a procedure."
 MAKING = "The procedure is being read. A large one takes some seconds."
-SIZE = "review/size"
 TIGHT = 1120
-"""In a narrower page (pixels) the contents are hidden; the keys lead through all parts."""
+"""In a narrower page (pixels) the contents are a drawer, which a button of the bar opens."""
 
 
 class ReviewPage(QWidget):
@@ -50,7 +50,7 @@ class ReviewPage(QWidget):
         self, review: OpenReview, drafts: ReviewDrafts, settings: Settings, tokens: Tokens
     ) -> None:
         super().__init__()
-        self._review, self._settings, self._tokens = review, settings, tokens
+        self._review, self._tokens = review, tokens
         self._drafts, self._person = drafts, ""
         self.setAccessibleName("Review")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -61,8 +61,9 @@ class ReviewPage(QWidget):
         self.right.addWidget(self.side)
         self.approval: ApprovalWords = UNINSPECTED
         self._section = self._sought = ""
-        self._size = self._kept_size()
-        across = QHBoxLayout(self)
+        self._size = TextSize(settings)
+        self.drawer = Drawer(self, self._drawer_area, lambda: self, "Contents")
+        across = self._across = QHBoxLayout(self)
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(1)
         across.addWidget(self.contents)
@@ -81,6 +82,8 @@ class ReviewPage(QWidget):
         self.reading.next_wanted.connect(self._to_next_section)
         self.reading.close_wanted.connect(self._review.close)
         self.reading.size_wanted.connect(self.next_size)
+        self.bar.contents_wanted.connect(self.drawer.toggle)
+        self.drawer.toggled.connect(self.bar.contents.setChecked)
         self.bar.previous_wanted.connect(lambda: self.step(-1))
         self.bar.next_wanted.connect(self.next_open)
         self.side.hazard_wanted.connect(self.show_line)
@@ -155,7 +158,7 @@ class ReviewPage(QWidget):
         self._review.look()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the contents in a narrow page."""
+        """Make a drawer of the contents in a narrow page."""
         super().resizeEvent(event)
         self._fit()
 
@@ -171,6 +174,7 @@ class ReviewPage(QWidget):
     def show_section(self, key: str) -> None:
         """Show the lines of a part, from its first one."""
         self._section, self.reading.at = key, ""
+        self.drawer.close_drawer()
         self.refresh()
         self.reading.verticalScrollBar().setValue(0)
         self._take_hand()
@@ -268,35 +272,38 @@ class ReviewPage(QWidget):
 
     def next_size(self) -> None:
         """Choose the next larger text; after the largest the usual one."""
-        place = SIZES.index(self._size)
-        self._set_size(SIZES[(place + 1) % len(SIZES)])
+        self._resize(self._size.next())
 
     def set_size(self, by: int) -> None:
         """Choose larger (1) or smaller (-1) text, or the usual one (0)."""
-        place = SIZES.index(self._size) + by if by else 0
-        self._set_size(SIZES[max(0, min(len(SIZES) - 1, place))])
+        self._resize(self._size.step(by))
 
-    def _set_size(self, size: float) -> None:
-        if size != self._size:
-            self._size = size
-            self._settings.store_text(SIZE, str(size))
+    def _resize(self, changed: bool) -> None:
+        if changed:
             self._dress()
             self.refresh()
 
-    def _kept_size(self) -> float:
-        kept = self._settings.text_of(SIZE)
-        return next((size for size in SIZES if str(size) == kept), SIZES[0])
-
     def _dress(self) -> None:
-        self.reading.size_factor = self._size
-        self.setStyleSheet(review_sheet(self._tokens, self._size))
-        side = min(self._size, SIDE)
+        factor = self.reading.size_factor = self._size.factor
+        self.setStyleSheet(review_sheet(self._tokens, factor))
+        side = min(factor, SIDE)
         self.contents.setFixedWidth(round(CONTENTS * side))
         self._fit()
 
     def _fit(self) -> None:
-        self.contents.setVisible(self.width() >= TIGHT * min(self._size, 1.2))
+        narrow = self.width() < TIGHT * min(self._size.factor, 1.2)
+        if narrow != self.bar.contents.isVisibleTo(self.bar):
+            self.drawer.close_drawer()
+            self.bar.contents.setVisible(narrow)
+            if narrow:
+                self.drawer.take(self.contents)
+            else:
+                self._across.insertWidget(0, self.contents)
+            self.contents.show()
         self.right.setFixedWidth(min(round(self.width() * 0.34), BESIDE + 60))
+
+    def _drawer_area(self) -> QRect:
+        return QRect(0, 0, self.contents.width() + 2, self.height())
 
     # What is asked of a line.
 

@@ -1,4 +1,7 @@
-"""The row of the mode bar in Review: who reads, and the way to the next line."""
+"""The row of the mode bar in Review: who reads, and the way to the next line.
+
+In a narrow window a button in front of it opens the contents.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,9 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 class ReviewBar(QWidget):
-    """Name and role of the reader, and two buttons."""
+    """Name and role of the reader, and the buttons."""
+
+    contents_wanted = Signal()
 
     previous_wanted = Signal()
     next_wanted = Signal()
@@ -20,6 +25,11 @@ class ReviewBar(QWidget):
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
+        self.contents = QPushButton("Contents")
+        self.contents.setCheckable(True)
+        self.contents.setToolTip(tip_text("Show the parts of the reading, and your progress"))
+        self.contents.clicked.connect(self.contents_wanted)
+        self.contents.hide()
         self.who = Elided()
         self.change = QPushButton("Change…")
         self.change.setToolTip(tip_text("Choose who reads here, with name and role"))
@@ -30,8 +40,8 @@ class ReviewBar(QWidget):
         self.previous.clicked.connect(self.previous_wanted)
         self.next.clicked.connect(self.next_wanted)
         self.change.clicked.connect(self.person_wanted)
-        layout = row(self.who, self.change, self.previous, self.next)
-        layout.setStretch(0, 1)
+        layout = row(self.contents, self.who, self.change, self.previous, self.next)
+        layout.setStretch(1, 1)
         self.setLayout(layout)
         self.set_tokens(tokens)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
 
 SIZES = (1.0, 1.25, 1.5, 1.75, 2.0)
@@ -68,3 +69,32 @@ def review_sheet(tokens: Tokens, size: float) -> str:
         f' font-size: {round(12 * side)}px; font-weight: 500; }}',
         f'QPlainTextEdit[role="field"] {{ font-size: {round(15 * size)}px; }}',
     ))  # fmt: skip
+
+
+class TextSize:
+    """How large the text of the reading is. It is remembered for the next time."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        kept = settings.text_of(_SIZE)
+        self.factor = next((size for size in SIZES if str(size) == kept), SIZES[0])
+        """1 is the usual size."""
+
+    def next(self) -> bool:
+        """Take the next larger one; after the largest the usual one. Returns whether it changed."""
+        return self._take((SIZES.index(self.factor) + 1) % len(SIZES))
+
+    def step(self, by: int) -> bool:
+        """Take a larger (1) or a smaller one (-1), or the usual one (0)."""
+        place = SIZES.index(self.factor) + by if by else 0
+        return self._take(max(0, min(len(SIZES) - 1, place)))
+
+    def _take(self, place: int) -> bool:
+        changed = SIZES[place] != self.factor
+        self.factor = SIZES[place]
+        if changed:
+            self._settings.store_text(_SIZE, str(self.factor))
+        return changed
+
+
+_SIZE = "review/size"

@@ -9,18 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import (
-    QApplication,
-    QDockWidget,
-    QFrame,
-    QMainWindow,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QByteArray, QObject, QRect, Qt, Signal
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QSplitter, QWidget
 
+from smsl_studio.studio.base.drawer import Drawer
 from smsl_studio.studio.base.feature import DockPanel
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
@@ -75,7 +67,7 @@ class Docks(QObject):
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
         self.fold = DockFold(window, self.bottom, self.bottom_tabs, tokens)
         self.fold.changed.connect(self.changed)
-        self.drawer = Drawer(window, self.words("left"))
+        self.drawer = Drawer(window, self._drawer_area, self._page, self.words("left"))
         self._narrow = self._low = False
         self._bottom_when_high = True
         self._widths = {"Properties": PROPERTIES, "Source": SOURCE}
@@ -165,6 +157,15 @@ class Docks(QObject):
                 self.bottom.show()
             self.changed.emit()
         self.fold.fit()
+
+    def _page(self) -> QWidget:
+        body = self._window.centralWidget()
+        assert body is not None
+        return body
+
+    def _drawer_area(self) -> QRect:
+        top = self._page().geometry().top()
+        return QRect(0, top, LEFT + 2, self._window.height() - top - 26)
 
     def left_shown(self) -> bool:
         """Whether the left panel is shown, as a dock or as a drawer."""
@@ -263,71 +264,3 @@ def _in_order(panels: Sequence[DockPanel]) -> tuple[DockPanel, ...]:
             at = names.index(panel.after) + 1 if panel.after in names else len(names)
             found.insert(at, panel)
     return tuple(found)
-
-
-class Drawer(QFrame):
-    """The left panel over the canvas of a narrow window. It closes when the focus leaves it."""
-
-    def __init__(self, window: QMainWindow, words: str) -> None:
-        super().__init__(window)
-        self._window = window
-        self._content: QWidget | None = None
-        self.setProperty("role", "float")
-        self.setAccessibleName(words)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(1, 1, 1, 1)
-        self.hide()
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._focus_moved)
-        window.installEventFilter(self)
-
-    def take(self, widget: QWidget) -> None:
-        """Put this widget into the drawer."""
-        layout = self.layout()
-        assert layout is not None
-        layout.addWidget(widget)
-        self._content = widget
-
-    def toggle(self) -> None:
-        """Open the drawer and give it the keyboard focus, or close it."""
-        if self.isVisible():
-            self.close_drawer()
-        else:
-            self._place()
-            self.show()
-            self.raise_()
-            if self._content is not None:
-                self._content.setFocus()
-
-    def close_drawer(self) -> None:
-        """Close the drawer."""
-        self.hide()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay in place when the window changes its size."""
-        if event.type() == QEvent.Type.Resize and self.isVisible():
-            self._place()
-        return super().eventFilter(watched, event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape closes the drawer and gives the keyboard focus to the page."""
-        if event.key() == Qt.Key.Key_Escape:
-            self.close_drawer()
-            self._body().setFocus()
-            return
-        super().keyPressEvent(event)
-
-    def _body(self) -> QWidget:
-        body = self._window.centralWidget()
-        assert body is not None
-        return body
-
-    def _place(self) -> None:
-        body = self._body().geometry()
-        high = self._window.height() - body.top() - 26
-        self.setGeometry(0, body.top(), LEFT + 2, high)
-
-    def _focus_moved(self, _: QWidget | None, now: QWidget | None) -> None:
-        if self.isVisible() and now is not None and now is not self and not self.isAncestorOf(now):
-            self.close_drawer()
