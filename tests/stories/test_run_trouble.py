@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio import front
-from smsl_studio.studio.features.run import world_view
+from smsl_studio.studio.running.scene import world_view
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

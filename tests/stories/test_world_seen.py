@@ -10,10 +10,10 @@ from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.theme import LIGHT
-from smsl_studio.studio.features.run import world_view
-from smsl_studio.studio.features.run.camera import WorldCamera
-from smsl_studio.studio.features.run.renderer import Renderer, RenderStyle
-from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.studio.running.scene import world_view
+from smsl_studio.studio.running.scene.camera import WorldCamera
+from smsl_studio.studio.running.scene.renderer import Renderer, RenderStyle
+from smsl_studio.studio.running.scene.world_view import WorldView
 from smsl_studio.world.protocol import Shape
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
@@ -57,6 +57,31 @@ def test_a_run_that_ended_out_of_view_is_shown_as_it_ended(
     newest = run.pane.run.poses()
     assert newest
     person.qtbot.waitUntil(lambda: bool(painter.seen) and painter.seen[-1] == newest)
+
+
+def test_a_step_is_watched_beside_the_text_with_its_world(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    painter = Painter()
+    monkeypatch.setattr(world_view, "open_renderer", lambda: painter)
+    person = sit(SAMPLES / "hanoi-corrected.json")
+    review = person.window.features.review
+    person.ctrl(Key.Key_4)
+    person.until(lambda: review.review.seen is not None)
+    seen = review.review.seen
+    assert seen is not None
+    step = next(one for one in seen.lines if one.line.about and one.line.about[0].operation)
+    review.page.show_line(step.line.key)
+    person.press(Key.Key_W)
+    column = review.watching()
+    person.until(lambda: column.world.has_picture and len(set(painter.seen)) > 2)
+    assert column.world.isVisible()
+    run = person.window.features.run.pane.run
+    person.press(Key.Key_F8)
+    person.until(lambda: run.phase == "stopped")
+    person.until(lambda: painter.seen[-1] == run.poses())
+    person.click(column.leave)
+    assert not column.isVisible()
 
 
 def test_the_last_pose_is_drawn_however_long_a_picture_takes(

@@ -228,6 +228,8 @@ class ReviewFeature(Feature):
         """End all work, because the window closes."""
         self.review.stop()
         self._beside.stop()
+        if self.watching.made is not None:
+            self.watching.made.stop()
 
     def _page(self) -> Page:
         return Page(self.page, self.page, self.page.bar)

@@ -1,8 +1,8 @@
-"""The run beside the text: the drawing of the run, its facts, and how to leave it."""
+"""The run beside the text: the world's picture, the drawing, the facts, and how to leave it."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows
@@ -14,12 +14,18 @@ from smsl_studio.studio.running.facts_table import FactsTable
 from smsl_studio.studio.running.frames import split
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession
+from smsl_studio.studio.running.scene.world_view import WorldView
 
 STARTING = "The world is being opened."
+FRAME = 33
+"""Milliseconds between two pictures of the world."""
 
 
 class WatchColumn(QWidget):
-    """Shows the run of this window, in which the step at hand is played."""
+    """Shows the run of this window, in which the step at hand is played.
+
+    A world without shapes has no picture; then the drawing has its room.
+    """
 
     left = Signal()
 
@@ -34,7 +40,11 @@ class WatchColumn(QWidget):
         self.leave = QPushButton("Back to the changes")
         self.leave.clicked.connect(self.left)
         self.canvas = RunCanvas(session, run, tokens)
-        self.facts = FactsTable(tokens)
+        self.facts, self.world = FactsTable(tokens), WorldView(tokens)
+        self.world.hide()
+        self._frames = QTimer(self)
+        self._frames.setInterval(FRAME)
+        self._frames.timeout.connect(self._draw)
         head = QWidget()
         above = QVBoxLayout(head)
         above.setContentsMargins(16, 12, 16, 8)
@@ -45,8 +55,15 @@ class WatchColumn(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(head)
-        parts = split(Qt.Orientation.Vertical, (self.canvas, self.facts), (340, 220), (1, 1))
+        parts = split(
+            Qt.Orientation.Vertical,
+            (self.world, self.canvas, self.facts),
+            (280, 260, 160),
+            (1, 1, 1),
+        )
         column.addWidget(parts, 1)
+        self.world.came_into_view.connect(self._draw)
+        run.opened.connect(self._show_world)
         run.changed.connect(self.refresh)
         run.progressed.connect(lambda: self.canvas.show_time(run.shown_time))
 
@@ -54,10 +71,17 @@ class WatchColumn(QWidget):
         """Use the colours of another theme."""
         self.canvas.set_tokens(tokens)
         self.facts.set_tokens(tokens)
+        self.world.set_tokens(tokens)
+
+    def stop(self) -> None:
+        """Draw no more, because the window closes."""
+        self._frames.stop()
+        self.world.close_graphics()
 
     def show_step(self, words: str) -> None:
         """Say which step is played."""
         self.title.setText(words)
+        self._show_world()
         self.refresh()
 
     def say(self, words: str) -> None:
@@ -77,3 +101,20 @@ class WatchColumn(QWidget):
         rows = fact_rows(run.blueprint, run.status, run.phase == "failed")
         self.facts.show_rows(rows if run.exists else as_they_were(rows))
         self.said.setText(capital(run.sentence) or "The step is being carried out.")
+
+    def _show_world(self) -> None:
+        """Show the picture of the world that is open now, if it has one."""
+        run = self._run
+        self.world.load(run.shapes, run.choice.world if run.choice else "")
+        self.world.setVisible(self.world.has_picture)
+        self._draw()
+        if run.exists and self.world.has_picture:
+            self._frames.start()
+
+    def _draw(self) -> None:
+        """Draw the newest poses, and no more when the run has ended."""
+        run = self._run
+        if self.world.isVisible():
+            self.world.show_poses(run.poses(), run.words(), last=not run.exists)
+        if not run.exists:
+            self._frames.stop()

@@ -22,13 +22,13 @@ from smsl_studio.studio.base.controls import Elided, label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
-from smsl_studio.studio.features.run.camera import VIEWS
 from smsl_studio.studio.features.run.operation_bar import OperationBar
 from smsl_studio.studio.features.run.tiles import TilesView
-from smsl_studio.studio.features.run.world_view import WorldView
 from smsl_studio.studio.running.frames import MIDDLE, laid_over, tool, tools_over, words_over
 from smsl_studio.studio.running.operation_time import WHY
 from smsl_studio.studio.running.run_session import RunSession
+from smsl_studio.studio.running.scene.camera import VIEWS
+from smsl_studio.studio.running.scene.world_view import WorldView
 
 FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
 SCRIPT = "Save what was done by hand as a script"

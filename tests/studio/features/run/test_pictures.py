@@ -14,15 +14,15 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.theme import LIGHT
-from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera, box_of
-from smsl_studio.studio.features.run.renderer import (
+from smsl_studio.studio.running.scene.camera import VIEWS, WorldCamera, box_of
+from smsl_studio.studio.running.scene.renderer import (
     Renderer,
     RenderStyle,
     matrices,
     normals,
     open_renderer,
 )
-from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.studio.running.scene.world_view import WorldView
 from smsl_studio.world.protocol import Shape
 
 AHEAD = WorldCamera(target=(0.0, 0.0, 0.0), distance=2.0, azimuth=0.0, elevation=0.0001)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from smsl_studio.studio.features.run.camera import WorldCamera
+from smsl_studio.studio.running.scene.camera import WorldCamera
 from smsl_studio.world.protocol import Shape
 
 CREASE = 0.75

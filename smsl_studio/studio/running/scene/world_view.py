@@ -27,8 +27,8 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.run.camera import VIEWS, WHOLE, WorldCamera, box_of
-from smsl_studio.studio.features.run.renderer import Renderer, RenderStyle, open_renderer
+from smsl_studio.studio.running.scene.camera import VIEWS, WHOLE, WorldCamera, box_of
+from smsl_studio.studio.running.scene.renderer import Renderer, RenderStyle, open_renderer
 from smsl_studio.world.protocol import Shape
 
 LIMIT = 0.025
