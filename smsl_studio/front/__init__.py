@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from smsl_studio.front.bundles import bundle
     from smsl_studio.front.campaigns import CampaignRequest, campaign
+    from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.generated import generate_rules
     from smsl_studio.front.git_drivers import git_setup
@@ -75,6 +76,7 @@ __all__ = [
     "digest",
     "explore",
     "export_key",
+    "exported",
     "extract",
     "find_stored",
     "flatten",
@@ -85,6 +87,7 @@ __all__ = [
     "git_setup",
     "identify",
     "import_key",
+    "imported",
     "inline",
     "inspect",
     "list_keys",
@@ -133,7 +136,10 @@ VERBS = {
         ("inspect", "prove", "recoverability"),
     ),
     "fmt": Verb("lay files out canonically, comments and _ fields kept", ("fmt",)),
-    "convert": Verb("write a blueprint in another form: .json, .smsl, .yaml", ("convert",)),
+    "convert": Verb(
+        "write a blueprint in another form, or for other programs, or read theirs",
+        ("convert", "exported", "imported"),
+    ),
     "diff": Verb("compare two blueprints by what they mean; layout apart",
                  ("diff", "diff_behaviour")),
     "merge": Verb("merge two versions of a blueprint by what they mean", ("merge",)),
@@ -225,6 +231,8 @@ _HOMES = {
     "replay": "logs",
     "verify": "logs",
     "convert": "outputs",
+    "exported": "exchanges",
+    "imported": "exchanges",
     "converted": "outputs",
     "diff": "outputs",
     "digest": "outputs",

@@ -14,6 +14,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.relocation import relocated
 from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.exchange.table import WRITTEN
+from smsl_studio.front.exchanges import exported, is_exported
 from smsl_studio.smsl.conversion import Converted
 from smsl_studio.smsl.conversion import convert as in_form
 from smsl_studio.smsl.document import Document
@@ -27,8 +29,6 @@ if TYPE_CHECKING:
 
 Name = str | os.PathLike[str]
 PICTURES = (".svg", ".png", ".pdf")
-DIAGRAMS = (".dot", ".mmd")
-"""Texts that other programs draw: DOT for Graphviz, and Mermaid."""
 THEMES = ("light", "dark")
 
 
@@ -107,38 +107,22 @@ def form_of(output: Name, others: Collection[str] = ()) -> str:
 def convert(blueprint: Blueprint, output: Name) -> Converted:
     """Write a blueprint in the form of the suffix of ``output`` (see ``converted``).
 
-    ``.dot`` and ``.mmd`` are no forms of a blueprint: the file gets a diagram (see ``diagram``),
-    and ``document`` is the one that was read. SaveError if the file cannot be written, or if the
-    blueprint was read from this file.
+    The suffix of another program's form writes that (see ``exported``), and ``document`` is the
+    one that was read. SaveError if the file cannot be written, or if the blueprint was read from
+    this file.
 
     >>> convert(read("hfsm.json"), "hfsm.yaml").comments_left
     0
     >>> digest(read("hfsm.yaml")) == digest(read("hfsm.json"))
     True
     """
-    if is_diagram(output):
-        save_document(diagram(blueprint, output), output, made_of=_files(blueprint))
+    if is_exported(output):
+        save_document(exported(blueprint, output).text, output, made_of=_files(blueprint))
         return Converted(blueprint.document)
-    form_of(output, DIAGRAMS)
+    form_of(output, WRITTEN)
     made = converted(blueprint, output)
     save_document(made.document, output, made_of=_files(blueprint))
     return made
-
-
-def is_diagram(output: Name) -> bool:
-    """Whether the suffix of a file is that of a diagram."""
-    return PurePath(output).suffix.lower() in DIAGRAMS
-
-
-def diagram(blueprint: Blueprint, output: Name) -> str:
-    """Return the states and operations of all SBs as DOT or as Mermaid, as the suffix says."""
-    from smsl_studio.picture.dot import as_dot
-    from smsl_studio.picture.mermaid import as_mermaid
-    from smsl_studio.picture.part import whole_part
-    from smsl_studio.picture.picture import Picture
-
-    parts = [whole_part(Picture(blueprint, name)) for name in blueprint.branches]
-    return as_dot(parts) if PurePath(output).suffix.lower() == ".dot" else as_mermaid(parts)
 
 
 def fmt(file: Name, check: bool = False) -> bool:

@@ -29,6 +29,7 @@ FLOORS: dict[str, float] = {
     "host": 5,
     "inspection": 5,
     "dispatch": 6,
+    "exchange": 6,
     "generate": 6,
     "front": 7,
     # The package itself hands the front door on; the doors may come in through it.
@@ -56,6 +57,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet": (BULLET,),
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),
+    "defusedxml": ("exchange/",),
     "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
     "paho": ("monitor/mqtt.py",),

@@ -62,11 +62,11 @@ def _of_edge(
     left: list[JointMoves] = [moves]
     for passed in (moves, *(_narrowed(one, at, own) for one in asked.passed)):
         for box in shut:
-            begin = _leading_into(passed, box)
+            begin = leading_into(passed, box)
             if begin is not None:
                 left = [part for one in left for part in _outside(one, begin, numbers.sizes)]
     if left and any(
-        _leading_into(_narrowed(one, at, own), box) is not None
+        leading_into(_narrowed(one, at, own), box) is not None
         for one in asked.rough
         for box in shut
     ):
@@ -87,7 +87,7 @@ def _narrowed(passed: JointMoves, at: int, own: tuple[int, int]) -> JointMoves:
     return {**passed, at: fit}
 
 
-def _leading_into(moves: JointMoves, box: JointBox) -> JointBox | None:
+def leading_into(moves: JointMoves, box: JointBox) -> JointBox | None:
     """Return the configurations that a product leads into a box. None if there are none."""
     found: dict[int, frozenset[int]] = {}
     for at, pairs in moves.items():
