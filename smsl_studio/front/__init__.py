@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         revoke_key,
         sign_register,
     )
+    from smsl_studio.front.learning import learn, learn_from_logs
     from smsl_studio.front.logs import account, replay, verify
     from smsl_studio.front.outputs import (
         convert,
@@ -90,6 +91,8 @@ __all__ = [
     "imported",
     "inline",
     "inspect",
+    "learn",
+    "learn_from_logs",
     "list_keys",
     "make_key",
     "merge",
@@ -160,6 +163,8 @@ VERBS = {
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
     "generate": Verb("make a blueprint of rules", ("generate_rules",)),
+    "learn": Verb("find rules that make a blueprint, and what does not fit them",
+                  ("learn", "learn_from_logs")),
     "replay": Verb("tell a run again from its log, or verify the log",
                    ("replay", "verify", "account")),
     "keys": Verb("make, list, move and revoke the keys that sign",
@@ -210,6 +215,8 @@ _HOMES = {
     "try_edge": "single_edge",
     "preview": "previews",
     "generate_rules": "generated",
+    "learn": "learning",
+    "learn_from_logs": "learning",
     "CampaignRequest": "campaigns",
     "campaign": "campaigns",
     "bundle": "bundles",

@@ -1,0 +1,1 @@
+"""Rules from examples: what the edges of a blueprint, or of runs, have in common."""

@@ -1,0 +1,175 @@
+"""Edges of a table that are mistakes: without them the table is regular.
+
+Two things tell them: a way back that is missing where all edges like it have one (``reversals``),
+and a fact on which nothing depends but one edge (``independence``). Mistakes are few. A table in
+which many edges look like mistakes is taken as it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from smsl_studio.errors import PlanningError
+from smsl_studio.generate.examples.independence import independent
+from smsl_studio.generate.examples.reversals import Reversals, backward
+from smsl_studio.generate.examples.rule_search import operation_cost
+from smsl_studio.generate.examples.table import Example, ExampleTable, Values
+from smsl_studio.stop import heed
+
+_SHARE = 0.04
+_FEWEST = 2
+_REGULAR = 0.75
+_GAIN = 1.0
+_DOUBT, _MARGIN = 12.0, 30.0
+"""A way back that is not known from edges like it, and an edge that is left out, must make the
+rules that much shorter."""
+
+
+def most_mistakes(table: ExampleTable) -> int:
+    """Return how many edges may be mistakes."""
+    return max(2 * _FEWEST, int(_SHARE * table.count))
+
+
+def repaired(table: ExampleTable) -> ExampleTable:
+    """Return the table without its mistakes: with the edges as they should be."""
+    reversal = _ReversalRepair(table)
+    return reversal.repaired() if reversal.regular else independent(table)
+
+
+@dataclass(frozen=True)
+class _Repair:
+    """One edge and where it should lead (None: nowhere)."""
+
+    operation: str
+    source: Values
+    target: Values | None
+
+
+class _ReversalRepair:
+    def __init__(self, table: ExampleTable) -> None:
+        self._table = table
+        self._reversals = Reversals(table)
+        self._effects = {self._reversals.effect(edge) for edge in table.all_edges()}
+        self._moving = sum(edge.source != edge.target for edge in table.all_edges())
+        self._open = self._mismatches(table)
+        undone = self._moving - len({edge for edge, _ in self._open})
+        back = backward(table)
+        paired = sum(
+            edge.source != edge.target and (edge.target, edge.source) in back
+            for edge in table.all_edges()
+        )
+        self.regular = (
+            bool(self._moving)
+            and len(self._open) <= most_mistakes(table)
+            and min(undone, paired) >= _REGULAR * self._moving
+            and self._moving - paired <= max(_FEWEST, int(_SHARE * table.count))
+        )
+
+    def repaired(self) -> ExampleTable:
+        """Return the table with every way back. It is the same if that would change too much."""
+        if not self.regular:
+            return self._table
+        table, left = self._table, self._open
+        for _ in range(most_mistakes(table)):
+            if not left:
+                break
+            best = self._best(table, left)
+            if best is None:
+                return self._without_odd(table)
+            table, left = best
+        return self._without_odd(table)
+
+    def _best(
+        self, table: ExampleTable, left: list[tuple[Example, str]]
+    ) -> tuple[ExampleTable, list[tuple[Example, str]]] | None:
+        """Return the table after the repair that leaves the fewest edges without a way back."""
+        options: dict[_Repair, float] = {}
+        for edge, way in left:
+            guessed = {way} if way else self._reversals.guessed(edge)
+            for name in [way] if way else self._ways(table, edge):
+                doubt = 0.0 if name in guessed else _DOUBT
+                options[_Repair(name, edge.target, edge.source)] = doubt
+            options[_Repair(edge.operation, edge.source, None)] = _MARGIN
+        found = []
+        for one, doubt in options.items():
+            heed()
+            after = table.with_edge(one.operation, one.source, one.target)
+            found.append((len(self._mismatches(after)), doubt, one, after))
+        fewest = min(count for count, *_ in found)
+        if fewest >= len(left):
+            return None
+        equal = [one for one in found if one[0] == fewest]
+        if len(equal) > 1:
+            equal.sort(key=lambda one: self._cost(one[2], one[3], table) + one[1])
+        after = equal[0][3]
+        return after, self._mismatches(after)
+
+    def _cost(self, repair: _Repair, after: ExampleTable, before: ExampleTable) -> float:
+        """Return how much longer the rule of an operation is after a repair."""
+        own = after.edges[repair.operation]
+        if not own:
+            return 99
+        return operation_cost(after, repair.operation) - operation_cost(before, repair.operation)
+
+    def _mismatches(self, table: ExampleTable) -> list[tuple[Example, str]]:
+        """Return the edges without an expected way back, and what should lead back."""
+        back = backward(table)
+        found = []
+        for edge in table.all_edges():
+            if edge.source == edge.target:
+                continue
+            heed()
+            ways = back.get((edge.target, edge.source), ())
+            expected = sorted(self._reversals.expected(edge, back))
+            found += [(edge, one) for one in expected if one not in ways]
+            if not expected and not ways:
+                found.append((edge, ""))
+        return found
+
+    def _ways(self, table: ExampleTable, edge: Example) -> list[str]:
+        """Return what could lead back: what leads from there to where nothing leads back from, and
+        what is not there and gives elsewhere the values that are wanted."""
+        back = backward(table)
+        here, wanted = edge.target, edge.source
+        change = [(digit, value) for digit, value in enumerate(wanted) if here[digit] != value]
+        guessed = self._reversals.guessed(edge)
+        found = []
+        for operation, own in table.edges.items():
+            heed()
+            target = own.get(here)
+            if target is not None:
+                if target == here or (target, here) not in back:
+                    found.append(operation)
+            elif (
+                operation in guessed
+                or self._reversals.effect(Example(operation, here, wanted)) in self._effects
+                or any(
+                    all(source[d] != value and after[d] == value for d, value in change)
+                    for source, after in own.items()
+                )
+            ):
+                found.append(operation)
+        return found
+
+    def _without_odd(self, table: ExampleTable) -> ExampleTable:
+        """Leave out edges that undo nothing as expected, if their rules are shorter then."""
+        back, reversals = backward(table), Reversals(table)
+        odd = []
+        for edge in table.all_edges():
+            if edge.source == edge.target or len(table.edges[edge.operation]) < 3:
+                continue
+            ways = back.get((edge.target, edge.source), ())
+            others = [Example(way, edge.target, edge.source) for way in ways]
+            if not any(edge.operation in reversals.expected(one, back) for one in others):
+                odd.append(edge)
+        if len(odd) > most_mistakes(table):
+            return table
+        for edge in odd:
+            after = table.with_edge(edge.operation, edge.source, None)
+            try:
+                gain = operation_cost(table, edge.operation) - operation_cost(after, edge.operation)
+            except PlanningError:
+                continue
+            if gain > _GAIN:
+                table = after
+        return table
