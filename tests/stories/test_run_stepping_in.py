@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
+import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from smsl_studio.runlog.events import Commanded, OperationPruned
+from smsl_studio.studio.running import operation_time
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -32,6 +34,53 @@ def _offer(run: AtRun, words: str) -> None:
     run.person.click(button)
     assert words.split(maxsplit=1)[0] in run.pane.possible.asking.words
     run.person.press(Key.Key_Return)
+
+
+def test_a_run_that_goes_on_takes_no_question_about_a_prune_away(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(operation_time, "USUAL", 3.0)
+    run = AtRun(sit(HANOI))
+    run.choose(world="table")
+    run.person.press(Key.Key_F5)
+    session, asking = run.pane.run, run.pane.possible.asking
+    run.person.until(lambda: session.status is not None and session.status.running is not None)
+    button = next(
+        button
+        for row in run.pane.possible.row_widgets()
+        for button in row.findChildren(QToolButton)
+        if button.accessibleName().startswith("Prune ")
+    )
+    words = button.accessibleName()
+    run.person.click(button)
+    run.person.type("the tip")
+    first = session.status
+    assert first is not None
+    run.person.until(
+        lambda: session.status is not None and session.status.running != first.running
+    )
+    assert asking.words.startswith(f"{words}?")
+    assert asking.reason.text() == "the tip"
+    run.person.press(Key.Key_Return)
+    run.person.qtbot.waitUntil(partial(_has_pruned, run, 1))
+
+
+def test_the_keys_of_a_question_are_named_only_where_they_act(sit: Sit) -> None:
+    run = AtRun(sit(HANOI))
+    run.choose(world="table")
+    run.person.press(Key.Key_F10)
+    run.until_done(1)
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    hold, asking = run.pane.possible.hold, run.pane.possible.asking
+    run.person.click(hold.buttons()[0])
+    named = [part for part in asking.findChildren(QLabel) if part.text() in ("Enter", "Esc")]
+    assert [part.isVisible() for part in named] == [True, True]
+    run.pane.canvas.canvas.setFocus()
+    assert [part.isVisible() for part in named] == [False, False]
+    asking.do.setFocus()
+    run.person.press(Key.Key_Escape)
+    assert not asking.isVisible()
 
 
 def test_everything_is_cut_an_offer_restores_and_the_run_goes_on(sit: Sit) -> None:

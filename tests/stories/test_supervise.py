@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from PySide6.QtCore import Qt
 
 from smsl_studio.dispatch.supervision.table import COMMANDS
@@ -14,6 +15,7 @@ from smsl_studio.runlog.events import (
     RunStopped,
     TakenOver,
 )
+from smsl_studio.studio.running import operation_time
 from smsl_studio.studio.running.persons import Person
 from tests.stories.at_supervise import AtSupervise
 from tests.stories.conftest import Sit
@@ -213,6 +215,45 @@ def test_p_on_what_is_pruned_offers_to_restore_it_and_never_asks_again(sit: Sit)
     at.press(Key.Key_Return)
     at.person.until(lambda: at.standing("Op_2b") in ("possible", "next"))
     assert [word for word, _ in at.commanded()] == ["step", "prune", "restore"]
+
+
+def test_a_prune_says_when_its_operation_has_ended_while_the_reason_is_typed(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(operation_time, "USUAL", 3.0)
+    at = AtSupervise(sit(HANOI))
+    at.start("table")
+    at.person.until(lambda: at.run.status is not None and at.run.status.running is not None)
+    at.press(Key.Key_P)
+    at.person.type("tip")
+    status = at.run.status
+    assert status is not None
+    running = status.running
+    assert f"Prune {running.operation}? It is stopped and held." in at.asked
+    at.person.until(lambda: at.run.status is not None and at.run.status.running != running)
+    at.person.until(lambda: "It has ended, so nothing is stopped now." in at.asked)
+    assert "stopped and held" not in at.asked
+    assert at.pane.step_in.asking.reason.text() == "tip"
+    at.press(Key.Key_Return)
+    at.person.until(lambda: bool(at.pane.step_in.told))
+    assert at.pane.step_in.told == f"Pruned: {running}. Restore lets it be used again."
+
+
+def test_why_a_command_was_refused_goes_with_the_next_one_that_is_not(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.press(Key.Key_V)
+    assert at.pane.step_in.refusal == "No run is there to step into."
+    at.start_paused()
+    assert at.pane.step_in.refusal == ""
+    at.press(Key.Key_T, Key.Key_Return)
+    at.until_phase("Taken over")
+    at.press(Key.Key_F5)
+    at.person.until(lambda: "is locked out" in at.pane.step_in.refusal)
+    at.press(Key.Key_T, Key.Key_Return)
+    at.person.until(lambda: at.asked.startswith("Located"))
+    at.press(Key.Key_Return)
+    at.until_phase("Paused")
+    assert at.pane.step_in.refusal == ""
 
 
 def test_v_on_what_is_vetoed_already_offers_to_restore_it(sit: Sit) -> None:

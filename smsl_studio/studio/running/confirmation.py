@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QFrame, QLabel, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import (
+    QApplication,
+    QBoxLayout,
+    QFrame,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, row
@@ -19,14 +28,19 @@ AROUND = 28
 
 
 class ConfirmBox(QFrame):
-    """The confirmation of one decision; hidden while there is none."""
+    """The confirmation of one decision; hidden while there is none.
+
+    Enter and Escape act while the box has the keyboard focus. A page that hears them everywhere
+    says so by ``anywhere``; else the box names them only while it has the focus.
+    """
 
     confirmed = Signal(object, str)
     """(Decision, reason): the person confirmed it."""
     dropped = Signal()
 
-    def __init__(self) -> None:
+    def __init__(self, anywhere: bool = False) -> None:
         super().__init__()
+        self._anywhere = anywhere
         self.setObjectName("asking")
         self.setAccessibleName("Decision")
         self.decision: Decision | None = None
@@ -60,6 +74,9 @@ class ConfirmBox(QFrame):
         column.addSpacing(2)
         column.addLayout(self._buttons)
         self.hide()
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._focus_moved)
 
     @property
     def words(self) -> str:
@@ -81,13 +98,24 @@ class ConfirmBox(QFrame):
         _say(self._sentence, decision.sentence)
         _say(self._detail, decision.detail)
         self.reason.setVisible(decision.reasoned)
-        for part in (self.do, self._keys[0]):
-            part.setVisible(bool(decision.verb))
+        self.do.setVisible(bool(decision.verb))
+        self._show_keys()
         self.leave.setText("Do nothing" if decision.verb else "Close")
         self._fit()
         if anew:
             self.refuse("")
             self.reason.clear()
+
+    def _focus_moved(self, _: QWidget | None, now: QWidget | None) -> None:
+        self._show_keys()
+
+    def _show_keys(self) -> None:
+        """Name the keys where they act."""
+        focus = QApplication.focusWidget()
+        act = self._anywhere or (focus is not None and self.isAncestorOf(focus))
+        verb = self.decision is not None and bool(self.decision.verb)
+        for key, there in zip(self._keys, (act and verb, act), strict=True):
+            key.setVisible(there)
 
     def _fit(self) -> None:
         """Put the buttons side by side, or below each other if they do not fit.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -19,6 +19,9 @@ from smsl_studio.front.views.partial import (
     OperationCard,
 )
 from smsl_studio.studio.base.words import capital, counted
+
+MOVING = "It is stopped and held. "
+ENDED = "It has ended, so nothing is stopped now. "
 
 
 @dataclass(frozen=True)
@@ -100,8 +103,23 @@ def prune(address: Address, status: DispatchStatus) -> Decision:
     item = possible(address, status)
     if item is not None and item.pruned:
         return _restore(address, item.reasons, PRUNED)
-    moving = "It is stopped and held. " if status.running == address else ""
+    moving = MOVING if status.running == address else ""
     return decision("prune", address, f"{moving}{COMMANDS['prune'].consequence}")
+
+
+def followed(asked: Decision, status: DispatchStatus) -> Decision:
+    """The same question with the words for a run that has gone on since it was asked.
+
+    Only a veto and a prune have other words then.
+    """
+    address = asked.address
+    if address is None or asked.command not in ("veto", "prune"):
+        return asked
+    now = {"veto": veto, "prune": prune}[asked.command](address, status)
+    moved = asked.detail.startswith((MOVING, ENDED))
+    if now.command == "prune" and moved and status.running != address:
+        return replace(now, detail=f"{ENDED}{now.detail}")
+    return now
 
 
 def accept(status: DispatchStatus) -> Decision:

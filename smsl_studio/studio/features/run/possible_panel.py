@@ -7,6 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.views.phase_words import LATCHED
 from smsl_studio.front.views.possible_rows import PossibleRow
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
@@ -66,13 +67,19 @@ class PossiblePanel(QWidget):
 
         ``by_hand`` says whether they can be chosen, ``empty`` is shown without rows.
         """
-        decision = self.asking.decision
+        decision, status = self.asking.decision, self._run.status
         open_ones = [row.address for row in rows if row.kind in PRUNABLE]
-        if (
-            decision is not None
-            and decision.address not in open_ones
-            and not self._offers(decision)
-        ):
+        if decision is not None and status is not None and self._run.exists:
+            # Somebody may be typing the reason, so the run that goes on takes no prune away.
+            if (
+                (decision.command == "prune" and status.phase not in LATCHED)
+                or decision.address in open_ones
+                or self._offers(decision)
+            ):
+                self.asking.show_decision(decisions.followed(decision, status))
+            else:
+                self.asking.show_decision(None)
+        else:
             self.asking.show_decision(None)
         self._fit()
         self.list.show_rows(rows, by_hand, empty)

@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
 from smsl_studio.front.views.phase_words import LATCHED
-from smsl_studio.runlog.events import Commanded, Event, OperationRefused
+from smsl_studio.runlog.events import Commanded, Event, OperationPruned, OperationRefused, RunStarted
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
@@ -103,6 +103,8 @@ class DecisionFlow(QObject):
             and (about_card or _is_restored(decision, card))
         ):
             self._asking.show_decision(decisions.choose(card))
+        elif status is not None:
+            self._asking.show_decision(decisions.followed(decision, status))
 
     def _located(self, status: DispatchStatus | None) -> bool:
         taken = status is not None and self._run.exists and status.phase == "taken_over"
@@ -123,12 +125,16 @@ class DecisionFlow(QObject):
         (back if back is not None and there else self._home).setFocus()
 
     def _tell(self, events: tuple[Event, ...]) -> None:
-        """Show in Step in what the run refused."""
+        """Show in Step in what the run refused, until another command is carried out."""
         for event in events:
+            if isinstance(event, RunStarted | Commanded):
+                self._step_in.say("")
             if isinstance(event, Commanded) and event.refused:
                 self._step_in.say(capital(event.refused))
             elif isinstance(event, OperationRefused):
                 self._step_in.say(" ".join(map(capital, event.reasons)))
+            elif isinstance(event, OperationPruned):
+                self._step_in.tell(f"Pruned: {event.address}. Restore lets it be used again.")
 
 
 def _is_restored(decision: Decision, card: OperationCard) -> bool:

@@ -36,7 +36,7 @@ class StepIn(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self.setAccessibleName("Step in")
-        self.asking = ConfirmBox()
+        self.asking = ConfirmBox(anywhere=True)
         self.taken = False
         """Whether a person has control."""
         self._status: DispatchStatus | None = None
@@ -52,7 +52,8 @@ class StepIn(QWidget):
         self.hand.clicked.connect(self.ask_hand)
         self._detour = label("", "small")
         self._detour.setWordWrap(True)
-        self._why = label("", "refusal")
+        self._why, self._told = label("", "refusal"), label("", "small")
+        self._told.setWordWrap(True)
         first = QHBoxLayout()
         first.addWidget(label("Step in", "heading"))
         first.addStretch(1)
@@ -66,9 +67,10 @@ class StepIn(QWidget):
         column.setSpacing(8)
         column.addLayout(first)
         column.addLayout(both)
-        for part in (self.hand, self.asking, self._why, self._detour):
+        for part in (self.hand, self.asking, self._why, self._told, self._detour):
             column.addWidget(part)
         self._why.hide()
+        self._told.hide()
 
     @property
     def detour(self) -> str:
@@ -79,6 +81,11 @@ class StepIn(QWidget):
     def refusal(self) -> str:
         """Why the last command could not be done; empty if it could."""
         return "" if self._why.isHidden() else self._why.text()
+
+    @property
+    def told(self) -> str:
+        """What was done last; empty if something else was asked since."""
+        return "" if self._told.isHidden() else self._told.text()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -126,7 +133,8 @@ class StepIn(QWidget):
         taken = self._status is not None and self._status.phase == "taken_over"
         hand = COMMANDS["give_back" if taken else "take_over"]
         self.hand.set_words(hand.label, "the scene is read first" if taken else LOCKED, hand.icon)
-        if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
+        why = self.refusal.rstrip(".")
+        if why and self._status is not None and why in self._status.sentence:
             # The hold card above already gives the reason.
             self.say("")
         item = decisions.possible(self._subject, status) if status is not None else None
@@ -162,6 +170,13 @@ class StepIn(QWidget):
         """Show why something was not done; empty hides the sentence."""
         self._why.setText(why)
         self._why.setVisible(bool(why))
+        self._told.hide()
+
+    def tell(self, done: str) -> None:
+        """Show what was done, until something else is asked."""
+        self.say("")
+        self._told.setText(done)
+        self._told.show()
 
     def _want(self, why: str, make: object) -> None:
         self.say(why)
