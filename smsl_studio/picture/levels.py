@@ -74,16 +74,20 @@ def unit_at(zoom: float, level: Level) -> float:
 def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
     """Return the spacing of a layout, from the centres and the widths of full and compact nodes.
 
-    A few nodes that are too near to others do not count, because somebody may have moved them.
+    A few nodes that are too near to others do not count, because somebody may have moved them. So
+    one node among several others counts once, however many it is near to.
     """
     if len(at) < 2:
         return Spacing()
     a, b = _near_pairs(at)
     dx, dy = np.abs(at[a] - at[b]).T
     apart_full = (dx >= (full[a] + full[b]) / 2 + ROOM[0]) | (dy >= FULL_SIZE[1] + ROOM[1])
+    near = np.concatenate((a[~apart_full], b[~apart_full]))
+    others = np.concatenate((b[~apart_full], a[~apart_full]))
+    moved = np.bincount(near, minlength=len(at)).argmax()
     crowded = np.zeros(len(at), dtype=bool)
-    crowded[a[~apart_full]] = True
-    crowded[b[~apart_full]] = True
+    crowded[near[(near != moved) & (others != moved)]] = True
+    crowded[moved] |= len(near) > 0
     nearest, apart = np.full(len(at), np.inf), np.hypot(dx, dy)
     np.minimum.at(nearest, a, apart)
     np.minimum.at(nearest, b, apart)

@@ -91,6 +91,17 @@ def test_a_dense_layout_is_shown_coarser_and_never_full() -> None:
     assert spacing.pitch == pytest.approx(40.0)
 
 
+def test_one_state_among_several_others_takes_the_room_of_itself_alone() -> None:
+    at = np.array([(400.0 * (n % 4), 300.0 * (n // 4)) for n in range(12)])
+    widths = np.full(12, 200.0)
+    assert spacing_of(at, widths, widths).roomy
+    at[0] = (600.0, 300.0)
+    at[1], at[2], at[5], at[6] = (500.0, 270.0), (700.0, 270.0), (480.0, 350.0), (720.0, 350.0)
+    assert spacing_of(at, widths, widths).roomy
+    at[4], at[7] = (480.0, 300.0), (720.0, 300.0)
+    assert not spacing_of(at, widths, widths).roomy, "they are near to each other, too"
+
+
 def test_marks_keep_their_size_on_the_screen_below_full() -> None:
     assert unit_at(0.5, Level.COMPACT) == 2.0
     assert unit_at(0.8, Level.FULL) == 1.0
