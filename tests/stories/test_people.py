@@ -306,3 +306,20 @@ def test_enter_decides_while_the_choice_of_the_person_has_the_focus(
     assert room.card.answer.button.text() == "Done: press Enter"
     room.person.press(Key.Key_Return)
     room.until_said("A. Okafor: Done.")
+
+
+def test_enter_after_a_letter_never_changes_the_answer_that_it_chose(sit: Sit) -> None:
+    room = AtTasks(sit(SAMPLES / "registration-people.json"))
+    room.start()
+    room.until_asked("Is the head fixed in the clamp?")
+    for one in (NURSE, SURGEON):
+        room.person.windows.persons.put(one)
+    answers = room.card.answers
+    first, second = answers.rows[:2]
+    assert room.card.answer.who.person is None
+    first.setFocus()
+    room.person.type(second.option.letter.lower())
+    assert answers.chosen == second.option
+    room.person.press(Key.Key_Return)
+    assert answers.chosen == second.option, "the focus had stayed on the first row"
+    assert room.card.answer.who.choice.hasFocus()

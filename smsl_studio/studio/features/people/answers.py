@@ -89,5 +89,7 @@ class Answers(QWidget):
         return super().eventFilter(watched, event)
 
     def _settle(self, row: OptionRow) -> None:
+        # The focus goes along, so that Enter never selects another row than the one just chosen.
+        row.setFocus()
         row.setChecked(True)
         self.settled.emit()

@@ -250,12 +250,16 @@ class TaskCard(QWidget):
         self._bound()
 
     def _lead_to_button(self) -> None:
-        """Give the focus to the button that decides, or to a PIN that is not typed yet.
+        """Give the focus to the button that decides, or to what it waits for.
 
-        A tall card scrolls until the button is visible.
+        That is the choice of who answers, or a PIN that is not typed yet. A tall card scrolls until
+        the button is visible.
         """
         who = self.answer.who
-        (who.pin if who.has_pin and not who.opens() else self.answer.button).setFocus()
+        if who.person is None:
+            who.choice.setFocus()
+        else:
+            (who.pin if who.has_pin and not who.opens() else self.answer.button).setFocus()
         self._see_button()
 
     def _see_button(self) -> None:
