@@ -31,6 +31,8 @@ def status_at(blueprint: Blueprint, moment: RunMoment) -> DispatchStatus:
     scene = Scene(readings, moment.time)
     running = _first_known(blueprint, (moment.running,))
     entered, held = moment.entered, moment.held
+    # What was planned is given up then, as in a live run.
+    latched = moment.phase in ("stopped", "taken_over")
     led = {name: _first_known(blueprint, (way.by,)) for name, way in entered.items()}
     return DispatchStatus(
         phase=phase_at_end(moment.phase) if moment.finished else moment.phase,
@@ -41,7 +43,7 @@ def status_at(blueprint: Blueprint, moment: RunMoment) -> DispatchStatus:
         carrying=_first_known(blueprint, moment.started),
         running_since=moment.running_since if running else None,
         progress=None,
-        route=tuple(_known(blueprint, moment.route)),
+        route=() if latched else tuple(_known(blueprint, moment.route)),
         goals=tuple(goal for goal in map(Address.read, moment.goals) if goal is not None),
         scene=scene,
         check=_check(blueprint, running, configuration, scene),

@@ -100,6 +100,8 @@ def assert_alike(blueprint: Blueprint, moment: RunMoment, now: DispatchStatus) -
         assert (then.running, plain(then.running_since)) == (
             now.running, plain(now.running_since),
         )  # fmt: skip
+    if now.phase in ("stopped", "taken_over"):
+        assert then.route == now.route == ()
     sensed = {key: one.value for key, one in now.scene.readings.items() if one.sensed}
     assert {key: one.value for key, one in then.scene.readings.items()} == sensed
 

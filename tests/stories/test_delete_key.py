@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
@@ -110,11 +113,39 @@ def test_del_on_a_fact_says_what_that_can_mean(sit: Sit) -> None:
                if isinstance(one, QMenu) and one.isVisible()]  # fmt: skip
     words = [action.text() for action in menu.actions()]
     assert words[0] == f"Detach {sub} from {base.fact_name(digit)}"
-    assert "rename them to drop it" in words[-1]
+    assert words[-1] == (
+        "State100 and State110 would have the same facts. Delete one of them first."
+    )
+    assert not menu.actions()[-1].isEnabled()
     menu.actions()[0].trigger()
     menu.close()
     assert not session.blueprint["SB1"].subs
     assert "SB1" in session.blueprint.branches
+
+
+def test_a_fact_beside_the_names_is_deleted_from_the_outline(sit: Sit, tmp_path: Path) -> None:
+    branch = {
+        "HEADER": {"INITIAL": "Idle", "ACTIVATING": "Done", "NUM_FACTS": 2},
+        "_facts": {"0": {"name": "clamp"}, "1": {"name": "drill"}},
+        "_states": {"Idle": {"facts": ["0", "0"]}, "Done": {"facts": ["1", "1"]}},
+        "Idle": {"go": "Done"},
+        "Done": {},
+    }
+    path = tmp_path / "words.json"
+    path.write_text(json.dumps({"CELL": branch}, indent=1), "utf-8")
+    person = sit(path)
+    _click_line(person, "CELL", 1)
+    QTest.keyClick(person.window.outline.tree, Key.Key_Delete)
+    (menu,) = [one for one in QApplication.topLevelWidgets()
+               if isinstance(one, QMenu) and one.isVisible()]  # fmt: skip
+    last = menu.actions()[-1]
+    assert last.text() == (
+        "Delete the fact: “drill” is deleted. 2 states keep their names; its values beside them go."
+    )
+    last.trigger()
+    menu.close()
+    assert person.window.session.blueprint["CELL"].num_facts == 1
+    assert person.steps() == ["Delete drill of CELL"]
 
 
 def test_a_state_branch_that_is_deleted_is_named_and_can_be_taken_back(sit: Sit) -> None:

@@ -15,6 +15,8 @@ from PySide6.QtCore import Qt
 
 import smsl_studio as smsl
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.front import read
+from smsl_studio.front.verifier import told_again
 from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.grammar.log_reader import read_log
 from tests.stories.at_run import AtRun
@@ -65,6 +67,24 @@ def test_a_run_that_ends_with_its_window_has_a_complete_log(sit: Sit, home: Path
     assert log.doubt is None
     assert log.header["versions"]["plugin hanoi"]
     assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", LET_GO)
+
+
+def test_a_run_that_a_person_stopped_ends_so_when_its_window_goes(sit: Sit, home: Path) -> None:
+    run = AtRun(sit(HANOI))
+    run.choose(world="table")
+    run.person.press(Key.Key_F5)
+    run.until_runs()
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    run.pane.shut()
+    (path,) = _recorded(home)
+    log = read_log(path, COMMANDS)
+    assert log.doubt is None
+    by = next(event.as_json()["by"] for event in log.events if event.event == "stopped")
+    end = log.events[-1].as_json()
+    assert (end["event"], end["reason"]) == ("run_finished", "stopped")
+    assert end["sentence"] == f"Stopped by {by}."
+    assert told_again(path.read_bytes(), read(str(HANOI))) == ""
 
 
 def test_runs_are_not_recorded_where_nobody_wants_it(sit: Sit, home: Path) -> None:

@@ -56,9 +56,7 @@ def test_a_run_that_goes_on_takes_no_question_about_a_prune_away(
     run.person.type("the tip")
     first = session.status
     assert first is not None
-    run.person.until(
-        lambda: session.status is not None and session.status.running != first.running
-    )
+    run.person.until(lambda: session.status is not None and session.status.running != first.running)
     assert asking.words.startswith(f"{words}?")
     assert asking.reason.text() == "the tip"
     run.person.press(Key.Key_Return)

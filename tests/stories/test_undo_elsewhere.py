@@ -53,6 +53,21 @@ def test_places_that_are_written_beside_do_not_keep_the_other_branch_away(
     assert person.window.toast.words == "Undone: Add New, in SB2"
 
 
+def test_what_was_undone_elsewhere_is_not_said_of_the_next_undo(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    session = person.window.session
+    session.show_branch("SB2")
+    for name in ("One", "Two"):
+        session.edit(f"Add {name}", lambda bp, name=name: editing.add_state(bp, "SB2", name))
+    session.show_branch("SB1")
+    person.window.canvas.setFocus()
+    person.ctrl(Key.Key_Z)
+    assert person.window.toast.words == "Undone: Add Two, in SB2"
+    person.ctrl(Key.Key_Z)
+    assert "One" not in session.blueprint["SB2"].table
+    assert person.window.toast.words == ""
+
+
 def test_an_undo_in_the_shown_branch_says_nothing(sit: Sit) -> None:
     person = sit(SAMPLES / "hfsm.json")
     person.select("SB1/State110")

@@ -239,7 +239,10 @@ class Runner(QThread):
                 self._tick(dispatcher, recording, told)
                 slowest = max(slowest, monotonic() - began)
         if not isinstance(recording.last, RunFinished):
-            recording.end("stopped", LET_GO, dispatcher)
+            # A run that a person has stopped goes on no more: it ends as they ended it.
+            stopped = dispatcher.phase == "stopped"
+            words = dispatcher.status.sentence if stopped else LET_GO
+            recording.end("stopped", words, dispatcher)
 
     def _seen(self, dispatcher: Dispatcher, still: bool) -> DispatchStatus:
         """The status, with routes as far as they can be planned in the given time."""

@@ -11,6 +11,7 @@ from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.theme import Tokens
 
 SIGNS = {True: "✓", False: "✗", None: "…"}
+SO_FAR = "True so far"
 VERDICTS = {True: ("True", "good"), False: ("Not true", "held"), None: ("Not yet known", "unknown")}
 
 
@@ -68,6 +69,8 @@ class StateCheckView(QWidget):
         words, kind = VERDICTS[truth]
         if truth is None and not waiting:
             words = "Unknown"
+        if truth is True and waiting:
+            words, kind = SO_FAR, "unknown"
         self._verdict.setText(f"✓ {words}" if kind == "good" else words)
         self._verdict.setProperty("kind", kind)
         self._verdict.style().unpolish(self._verdict)

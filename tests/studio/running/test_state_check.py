@@ -33,3 +33,14 @@ def test_both_say_the_same_of_a_state_that_nothing_leads_to(
     view = check_view(SAMPLE, status(HERE, scene=found), "REGISTRATION")
     assert view is not None
     assert view.verdict == said.removeprefix("✓ ")
+
+
+def test_while_an_operation_runs_nothing_is_decided_yet(qtbot: QtBot) -> None:
+    found = scene(REGISTRATION_0="1", REGISTRATION_2="0", DIGITIZATION_0="1")
+    panel = StateCheckView(LIGHT)
+    qtbot.addWidget(panel)
+    panel.show_check(
+        SAMPLE, state_check(SAMPLE, "REGISTRATION", "State110", found, HERE), waiting=True
+    )
+    (verdict,) = (one for one in panel.findChildren(QLabel) if one.property("role") == "phase")
+    assert verdict.text() == "True so far"

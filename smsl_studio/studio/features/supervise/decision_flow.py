@@ -10,7 +10,13 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
 from smsl_studio.front.views.phase_words import LATCHED
-from smsl_studio.runlog.events import Commanded, Event, OperationPruned, OperationRefused, RunStarted
+from smsl_studio.runlog.events import (
+    Commanded,
+    Event,
+    OperationPruned,
+    OperationRefused,
+    RunStarted,
+)
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions

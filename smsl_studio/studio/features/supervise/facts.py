@@ -14,6 +14,7 @@ from smsl_studio.front.views.fact_rows import FactRow
 from smsl_studio.front.views.freshness import age_of_nothing, limit_of, slow_words
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.base.chips import kind_of
+from smsl_studio.studio.running.state_check import SO_FAR
 
 LOST = "process gone"
 SIGNS = {True: "true", False: "false", None: "unknown"}
@@ -54,7 +55,7 @@ def check_view(
     running = status.running is not None and awaited.state != state
     truth = None if lost or (running and awaited.truth is False) else awaited.truth
     verdict, kind = {
-        True: ("True", "good"),
+        True: (SO_FAR, "unknown") if running else ("True", "good"),
         False: ("Not true", "held"),
         None: ("Not yet known" if running else "Unknown", "unknown"),
     }[truth]

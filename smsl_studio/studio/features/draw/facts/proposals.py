@@ -21,7 +21,7 @@ class FactChange:
     ``names`` are the states that change, each with its new name. The states of ``beside`` keep
     their names and get the value in ``_states``. ``fault`` is the reason why the change is not
     possible. ``asks`` names the text that the person types first. ``warning`` names what does not
-    change with it.
+    change with it. ``placed`` says what becomes of the values beside the names.
     """
 
     words: str
@@ -33,6 +33,7 @@ class FactChange:
     fault: str = ""
     asks: str = ""
     warning: str = ""
+    placed: str = "the value stands beside"
 
     @property
     def ready(self) -> bool:
@@ -56,7 +57,7 @@ class FactChange:
             return self.fault or self.asks
         if self.beside:
             kept = counted(self.beside, "state keeps its name", "states keep their names")
-            return f"{self.words} {kept}; the value stands beside. {self.warning}".rstrip()
+            return f"{self.words} {kept}; {self.placed}. {self.warning}".rstrip()
         changed = counted(self.count, "state changes", "states change")
         return f"{self.words} {changed}. {self.warning}".rstrip()
 
@@ -77,13 +78,15 @@ def addition(branch: StateBranch, value: str) -> FactChange:
 def deletion(branch: StateBranch, digit: int) -> FactChange:
     """The fact is taken out."""
     order, name, fact = list(range(count_of(branch))), branch.name, branch.fact_name(digit)
+    stands = stand_beside(branch)
     made = FactChange(
-        f"“{fact}” is taken out of the names.",
+        f"“{fact}” is deleted." if stands else f"“{fact}” is taken out of the names.",
         "Delete fact",
         f"Delete {fact} of {name}",
         lambda blueprint: editing.delete_fact(blueprint, name, digit),
     )
-    return _told(made, branch, [one for one in order if one != digit])
+    told = _told(made, branch, [one for one in order if one != digit])
+    return replace(told, placed="its values beside them go") if stands else told
 
 
 def move(branch: StateBranch, digit: int, place: int) -> FactChange:

@@ -6,15 +6,16 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.words import as_it_is, counted
+from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.facts.proposals import deletion
 
 
 def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMenu:
     """The ways to delete parts of a fact, each an undoable step.
 
-    The fact itself is a digit in the name of every state. It goes when the states are renamed; the
-    last line of the menu says so.
+    The last line deletes the fact itself, from all states. It tells how many change, or why the
+    fact cannot be deleted.
     """
     blueprint = session.blueprint
     shown = blueprint[branch]
@@ -37,7 +38,9 @@ def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMe
                 lambda bp: editing.set_note(bp, branch, "_facts", str(digit), None),
             )
         )
-    states = counted(len(shown.table), "state")
-    why = menu.addAction(f"It is digit {digit} in the names of {states}: rename them to drop it")
-    why.setEnabled(False)
+    whole = deletion(shown, digit)
+    words = f"Delete the fact: {whole.sentence}" if whole.ready else whole.sentence
+    drop = menu.addAction(as_it_is(words))
+    drop.setEnabled(whole.ready)
+    drop.triggered.connect(lambda: session.edit(whole.step, whole.change))
     return menu
