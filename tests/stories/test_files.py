@@ -387,3 +387,27 @@ def test_a_new_window_is_placed_beside_and_independent(sit: Sit, tmp_path: Path)
     assert other.name == "untitled.json"
     edit(person)
     assert not other.session.edited
+
+
+def test_undo_and_redo_past_two_other_forms_come_back_to_the_saved_bytes(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = tmp_path / "cell.json"
+    given.write_text('{\n "A": {"HEADER": {}, "S_0": {"go": "S_1"}, "S_1": {}},\n'
+                     ' "B": {"HEADER": {}, "T_0": {"go": "T_1"}, "T_1": {}}\n}\n')  # fmt: skip
+    person = sit(given)
+    person.select("A/S_0")
+    edit(person)
+    for name in ("cell.smsl", "cell.yaml"):
+        monkeypatch.setattr(Dialogs, "file_to_save", lambda *_, name=name: tmp_path / name)
+        assert person.window.files.save_as()
+    target = tmp_path / "cell.yaml"
+    saved = target.read_text()
+    session = person.window.session
+    for _ in range(2):
+        while session.history.canUndo():
+            session.history.undo()
+        while session.history.canRedo():
+            session.history.redo()
+        assert not session.edited
+        assert session.blueprint.document.text == saved

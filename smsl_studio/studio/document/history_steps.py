@@ -59,6 +59,13 @@ class EditStep(QUndoCommand):
         self.after = other.after
         return True
 
+    def put(self, stand: Stand, before: bool) -> None:
+        """Use another text of the same content, on one side of the step."""
+        if before:
+            self._before = stand.left_with(self._before.selection)
+        else:
+            self.after = stand.left_with(self.after.selection)
+
     def undo(self) -> None:
         """Show what was before the step."""
         self.after = self.after.left_with(self._show(self._before))

@@ -230,6 +230,19 @@ class Session(QObject):
         if before.file != blueprint.file:
             broken = self._broken and under_name(before, self._broken, blueprint.file)[1]
             self._replace(blueprint, broken)
+            self._note_form(Stand(blueprint, broken or None))
+
+    def _note_form(self, saved: Stand) -> None:
+        """Let the history come back to the text that was saved, byte for byte.
+
+        A step keeps the form in which it was made, and another form of it is made anew. What is
+        made from a third form may be written otherwise.
+        """
+        at = self.history.index()
+        for place, former in ((at - 1, False), (at, True)):
+            step = self.history.command(place) if 0 <= place < self.history.count() else None
+            if isinstance(step, EditStep):
+                step.put(saved, former)
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select the elements at these addresses. Addresses without an element are left out."""
