@@ -229,6 +229,7 @@ def test_a_prune_says_when_its_operation_has_ended_while_the_reason_is_typed(
     status = at.run.status
     assert status is not None
     running = status.running
+    assert running is not None
     assert f"Prune {running.operation}? It is stopped and held." in at.asked
     at.person.until(lambda: at.run.status is not None and at.run.status.running != running)
     at.person.until(lambda: "It has ended, so nothing is stopped now." in at.asked)

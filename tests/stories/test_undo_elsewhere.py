@@ -57,8 +57,8 @@ def test_what_was_undone_elsewhere_is_not_said_of_the_next_undo(sit: Sit) -> Non
     person = sit(SAMPLES / "hfsm.json")
     session = person.window.session
     session.show_branch("SB2")
-    for name in ("One", "Two"):
-        session.edit(f"Add {name}", lambda bp, name=name: editing.add_state(bp, "SB2", name))
+    session.edit("Add One", lambda bp: editing.add_state(bp, "SB2", "One"))
+    session.edit("Add Two", lambda bp: editing.add_state(bp, "SB2", "Two"))
     session.show_branch("SB1")
     person.window.canvas.setFocus()
     person.ctrl(Key.Key_Z)

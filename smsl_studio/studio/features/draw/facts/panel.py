@@ -32,20 +32,20 @@ from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.small_button import SmallButton
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
-from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.facts.cells import COLUMNS, MARGIN, WIDE
-from smsl_studio.studio.features.draw.facts.fact_lines import (
-    MOST,
-    PLAIN,
-    fact_lines,
-)
-from smsl_studio.studio.features.draw.facts.proposals import (
+from smsl_studio.studio.document.fact_changes import (
     FactChange,
     addition,
     deletion,
     move,
     paste,
     renaming,
+)
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.facts.cells import COLUMNS, MARGIN, WIDE
+from smsl_studio.studio.features.draw.facts.fact_lines import (
+    MOST,
+    PLAIN,
+    fact_lines,
 )
 from smsl_studio.studio.features.draw.facts.view import FactView
 from smsl_studio.studio.features.draw.panels.fact_name import fact_name_step

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 from smsl_studio.blueprint import editing
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.document.fact_changes import deletion
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.facts.proposals import deletion
 
 
 def fact_menu(session: Session, branch: str, digit: int, parent: QWidget) -> QMenu:
