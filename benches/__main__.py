@@ -63,6 +63,7 @@ BENCHES = (
     "spin",
     "tampers",
     "forged",
+    "code",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

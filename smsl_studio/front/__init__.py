@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.generated import generate_rules
+    from smsl_studio.front.generated_code import generate_code
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
     from smsl_studio.front.hosts import worlds
@@ -84,6 +85,7 @@ __all__ = [
     "fmt",
     "forbid_plugin",
     "from_multidigraph",
+    "generate_code",
     "generate_rules",
     "git_setup",
     "identify",
@@ -162,7 +164,8 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
-    "generate": Verb("make a blueprint of rules", ("generate_rules",)),
+    "generate": Verb("make a blueprint of rules, or code of a blueprint",
+                     ("generate_rules", "generate_code")),
     "learn": Verb("find rules that make a blueprint, and what does not fit them",
                   ("learn", "learn_from_logs")),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -215,6 +218,7 @@ _HOMES = {
     "try_edge": "single_edge",
     "preview": "previews",
     "generate_rules": "generated",
+    "generate_code": "generated_code",
     "learn": "learning",
     "learn_from_logs": "learning",
     "CampaignRequest": "campaigns",

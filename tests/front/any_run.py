@@ -28,6 +28,8 @@ class AnyRun:
     script: Script
     seed: int
     on_mismatch: str
+    raw: bytes
+    """The script as a file has it."""
 
     @property
     def asked(self) -> dict[str, Any]:
@@ -44,7 +46,7 @@ def any_run(number: int) -> AnyRun:
     lines = [*_script(random, blueprint), *end]
     raw = "\n".join(map(json.dumps, lines)).encode()
     mismatch = random.choice(["hold", "adopt"])
-    return AnyRun(blueprint, script_of(raw, "script", blueprint), number, mismatch)
+    return AnyRun(blueprint, script_of(raw, "script", blueprint), number, mismatch, raw)
 
 
 def _blueprint(random: Random) -> Json:

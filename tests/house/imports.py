@@ -58,6 +58,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),
     "defusedxml": ("exchange/",),
+    "jinja2": ("generate/code/templates.py",),
     "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
     "paho": ("monitor/mqtt.py",),

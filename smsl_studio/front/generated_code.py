@@ -1,0 +1,166 @@
+"""Writes code that carries a blueprint out without Studio, and says whether it still agrees."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place, SaveError, UsageError
+from smsl_studio.front.acceptance import CLEAN, left_out, to_accept
+from smsl_studio.front.inputs import refuse_nonsense
+from smsl_studio.front.version import version
+from smsl_studio.generate.code.blueprint_parts import CodeRequest, refuse_what_is_not_generated
+from smsl_studio.generate.code.identifiers import is_package_name, package_name
+from smsl_studio.generate.code.kept_parts import parts_of, refuse_lost, with_parts
+from smsl_studio.generate.code.python_package import BY, PythonPackage
+from smsl_studio.library.bindings_file import read_bindings
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.smsl.outputs import replace_file
+
+Name = str | os.PathLike[str]
+LARGEST = 1 << 24
+"""The largest size of a licence, a record, or a generated file that is read again, in bytes."""
+HEAD = 4096
+"""So many bytes of a file are searched for the words that say who has made it."""
+
+
+@dataclass(frozen=True)
+class GeneratedCode:
+    """What was written, or what would be: the folder, and the files of each kind by their paths.
+
+    ``kept`` are parts between marks that people have written.
+    """
+
+    folder: Path
+    files: tuple[str, ...]
+    changed: tuple[str, ...]
+    gone: tuple[str, ...]
+    kept: tuple[str, ...]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether code and blueprint agree: nothing has to be written."""
+        return not (self.changed or self.gone)
+
+
+def generate_code(
+    blueprint: Blueprint,
+    folder: Name,
+    *,
+    name: str = "",
+    bindings: Name | None = None,
+    record: Name | None = None,
+    licence: Name | None = None,
+    check: bool = False,
+) -> GeneratedCode:
+    """Write the package of a blueprint into a folder. With ``check`` write nothing.
+
+    ``name`` is the name of the package, by default that of the file. ``bindings`` is a bindings
+    file, ``record`` an inspection record, ``licence`` a text for the top of every file. Parts
+    between marks stay. RunRefused for what is not generated. UsageError, with file and line, for a
+    part that has no place any more, and for a file that somebody else has written.
+
+    >>> made = generate_code(read("hanoi-2.json"), "made")
+    >>> generate_code(read("hanoi-2.json"), "made", check=True).agrees
+    True
+    """
+    package = name or package_name(Path(blueprint.file).stem)
+    if not is_package_name(package):
+        raise UsageError(f"{package!r} is no name of a package", advice="Use letters, digits, _.")
+    refuse_nonsense(blueprint, "Mend what this finding says, then generate it again.")
+    refuse_what_is_not_generated(blueprint)
+    found = to_accept(blueprint, Levels(blueprint, {"inspection": "human"}))
+    request = CodeRequest(
+        blueprint,
+        package,
+        version(),
+        licence="" if licence is None else _text(licence),
+        record=b"" if record is None else _raw(record),
+        findings="" if found == CLEAN else f"Inspection found {len(found.splitlines())} findings.",
+        left_out=left_out(blueprint),
+    )
+    file = None if bindings is None else read_bindings(Path(bindings))
+    return _written(Path(folder), package, PythonPackage(request, file).files, check)
+
+
+def _written(folder: Path, package: str, files: Mapping[str, str], check: bool) -> GeneratedCode:
+    """Weave in what people have written, and write the files that differ."""
+    woven: dict[str, str] = {}
+    changed: list[str] = []
+    kept: list[str] = []
+    for path, text in files.items():
+        old = _old(folder / path)
+        woven[path] = text
+        if old is not None and "<yours: " in text:
+            shown = str(folder / path)
+            own, new = parts_of(old, shown), parts_of(text, shown)
+            refuse_lost(own, new, shown)
+            kept += [
+                key for key, part in own.items() if key in new and part.lines != new[key].lines
+            ]
+            woven[path] = with_parts(text, own)
+        if old != woven[path]:
+            changed.append(path)
+    gone = list(_gone(folder, package, files))
+    if not check:
+        _save(folder, {path: woven[path] for path in changed}, gone)
+    return GeneratedCode(folder, tuple(files), tuple(changed), tuple(gone), tuple(kept))
+
+
+def _old(path: Path) -> str | None:
+    """Return the text of a file that was generated before, None if there is none. UsageError if
+    somebody else has written it.
+    """
+    if not os.path.lexists(path):
+        return None
+    text = _text(path)
+    if text and BY not in text[:HEAD]:
+        raise UsageError(
+            f"{Place(str(path), 1, 1)}: this file was not generated, and would be replaced",
+            advice="Move it, or choose another folder.",
+        )
+    return text
+
+
+def _gone(folder: Path, package: str, files: Mapping[str, str]) -> Iterator[str]:
+    """Yield the generated files of State Branches and of the engine that are no more."""
+    for below in ("branches", "dsfo"):
+        for one in sorted((folder / package / below).glob("*.py")):
+            path = one.relative_to(folder).as_posix()
+            if path not in files and _old(one) is not None:
+                yield path
+
+
+def _save(folder: Path, files: Mapping[str, str], gone: list[str]) -> None:
+    try:
+        for path, text in files.items():
+            target = folder / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            replace_file(target, text.encode("utf-8"), None, str(target))
+        for path in gone:
+            (folder / path).unlink()
+    except OSError as error:
+        raise SaveError(
+            f"{folder} cannot be written: {error.strerror or error}",
+            Place(str(folder), 1, 1),
+            "Choose another folder, or make room in it.",
+        ) from None
+
+
+def _text(path: Name) -> str:
+    try:
+        return _raw(path).decode("utf-8")
+    except UnicodeDecodeError:
+        raise UsageError(f"{os.fspath(path)}:1:1: this text is not UTF-8") from None
+
+
+def _raw(path: Name) -> bytes:
+    try:
+        return read_ordinary(Path(path), LARGEST).raw
+    except (OSError, ValueError) as error:
+        words = getattr(error, "strerror", None) or error
+        raise UsageError(f"{os.fspath(path)}:1:1: cannot be read: {words}") from None
