@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 
 from smsl_studio import front
 from smsl_studio.front.views.fact_tiles import FactTile
+from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import operation_time
 from tests.stories.at_run import AtRun
@@ -129,3 +130,20 @@ def test_no_tile_is_cut_at_the_sides_and_moving_ones_come_into_view(sit: Sit) ->
     tiles = _scene(run).tiles
     rects = [tiles.visualRect(tiles.tiles.index(at)) for at in range(3)]
     assert all(tiles.viewport().rect().contains(rect.adjusted(0, 0, -8, -8)) for rect in rects)
+
+
+def test_the_look_changes_only_when_nothing_moves(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(operation_time, "USUAL", LONG)
+    run = _plays(sit)
+    run.until_runs()
+    windows, window = run.person.windows, run.person.window
+    windows.set_theme("dark")
+    assert window.tokens is LIGHT, "Qt hears no Stop while it dresses all widgets"
+    assert "when the run pauses" in window.toast.words
+    run.person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    run.person.until(lambda: window.tokens is DARK)
+    windows.set_theme("light")
+    assert window.tokens is LIGHT

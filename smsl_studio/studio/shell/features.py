@@ -218,6 +218,11 @@ class Features(QObject):
         """Whether the window may close; ``ask`` asks the person about a run that has not ended."""
         return self.run.may_leave(ask)
 
+    @property
+    def runs(self) -> bool:
+        """Whether something moves in the run of this window."""
+        return self.run.moves
+
     def stop_run(self) -> None:
         """Stop the run under control."""
         self.run.stop_run()

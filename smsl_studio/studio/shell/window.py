@@ -165,6 +165,7 @@ class Window(QMainWindow):
         features.named.connect(self._captions.show_title)
         features.phase_shown.connect(self.mode_bar.show_phase)
         features.phase_shown.connect(self._announcer.tell_phase)
+        features.phase_shown.connect(lambda *_: self._windows.dress_late())
 
     # What the features may ask of the shell.
 
@@ -237,6 +238,15 @@ class Window(QMainWindow):
         """Open a file: a blueprint, or what a feature can open, such as a recorded run."""
         if not any(feature.open_path(path) for feature in self.features):
             self.files.open(path)
+
+    def say(self, sentence: str) -> None:
+        """Show a message."""
+        self.toast.say(sentence)
+
+    @property
+    def runs(self) -> bool:
+        """Whether something moves in its run."""
+        return self.features.runs
 
     def stop_run(self) -> None:
         """Stop the run of this window."""

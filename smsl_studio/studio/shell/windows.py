@@ -47,8 +47,15 @@ class OpenWindow(Protocol):
     def name(self) -> str:
         """Its name in questions about several windows."""
 
+    @property
+    def runs(self) -> bool:
+        """Whether something moves in its run, so that Stop must be heard at once."""
+
     def wear(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
+
+    def say(self, sentence: str) -> None:
+        """Show a message."""
 
     def stop_run(self) -> None:
         """Stop its run."""
@@ -98,6 +105,7 @@ class Windows(QObject):
         """The last failure of the program: a sentence, and the trace; None if there was none."""
         self._open: list[OpenWindow] = []
         self._closed: list[OpenWindow] = []
+        self._undressed = False
         # A method and not a lambda, so that Qt disconnects it when this object is deleted.
         application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
         application.applicationStateChanged.connect(self._turned)
@@ -137,12 +145,25 @@ class Windows(QObject):
         return tokens_of(self.theme, self.application)
 
     def set_theme(self, theme: str) -> None:
-        """Set and remember the theme: light, dark, contrast, or system."""
+        """Set and remember the theme: light, dark, contrast, or system.
+
+        Qt needs a second to dress all widgets, and hears no Stop meanwhile. So while something
+        moves the look stays as it is, and the window says so.
+        """
         self.settings.theme = theme
-        dress(self.application, self.tokens)
-        # All windows share the palette of the application.
-        for window in self:
-            window.wear(self.tokens)
+        self._undressed = True
+        self.dress_late()
+        for window in self if self._undressed else ():
+            window.say("The look changes when the run pauses or ends, so that Stop is always heard")
+
+    def dress_late(self) -> None:
+        """Use the chosen theme, if it is another one and nothing moves."""
+        if self._undressed and not any(window.runs for window in self):
+            self._undressed = False
+            dress(self.application, self.tokens)
+            # All windows share the palette of the application.
+            for window in self:
+                window.wear(self.tokens)
 
     def set_calm(self, on: bool) -> None:
         """Let the views of all windows jump instead of gliding, and remember it."""

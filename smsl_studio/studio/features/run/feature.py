@@ -189,6 +189,12 @@ class RunFeature(Feature):
         if self.part.made is not None:
             self.part.made.set_tokens(tokens)
 
+    @property
+    def moves(self) -> bool:
+        """Whether something moves in the run, or may begin to move by itself."""
+        run = self.part.made.run if self.part.made is not None else None
+        return run is not None and run.exists and run.phase in ("opening", "running", "waiting")
+
     def stop_run(self) -> None:
         """Stop the run under control, if there is one."""
         if self.part.made is not None:
