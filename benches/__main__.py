@@ -33,6 +33,7 @@ BENCHES = (
     "saving",
     "edits",
     "fuzz",
+    "exchange",
     "find",
     "journal",
     "compare",

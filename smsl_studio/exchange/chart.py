@@ -15,6 +15,7 @@ from smsl_studio.errors import Place, ReadError
 from smsl_studio.exchange.carried import with_ends
 from smsl_studio.exchange.findings import ExchangeFindings
 from smsl_studio.exchange.foreign_names import ForeignNames
+from smsl_studio.exchange.leaf_names import leaf_names
 from smsl_studio.smsl.document.limits import MAX_BRANCHES
 from smsl_studio.stop import heed
 
@@ -108,15 +109,8 @@ class _FlatRegion:
         self._chart, self._region, self._findings = chart, region, findings
         self.apart: list[ChartNode] = []
         self.edges = 0
-        self._leaves: dict[ChartNode, str] = {}
-        names = ForeignNames("state", findings)
         found = list(self._innermost(region)) if region.inner else []
-        counts: dict[str, int] = {}
-        for leaf in found:
-            counts[leaf.name] = counts.get(leaf.name, 0) + 1
-        for leaf in found:
-            plain = leaf.name if counts[leaf.name] == 1 else self._path(leaf)
-            self._leaves[leaf] = names.of(plain, leaf.place)
+        self._leaves = leaf_names(found, region, ForeignNames("state", findings))
 
     def values(self, most: int) -> dict[str, Json]:
         """Return the SB. ReadError if it has more than ``most`` operations."""
@@ -138,12 +132,14 @@ class _FlatRegion:
         known = self._chart.nodes.get(region.activating)
         if known is not None and known in self._leaves:
             return self._leaves[known]
-        finals = [leaf for leaf in self._leaves if leaf.kind == "final"]
+        finals = [leaf for leaf in self._leaves if leaf.kind == "final" and leaf.parent is region]
         if len(finals) == 1:
             return self._leaves[finals[0]]
         if self._leaves and region.branch is None:
             last = next(reversed(self._leaves.values()))
-            words = f"{len(finals)} states are final, so ACTIVATING is the last one, {last}."
+            words = (
+                f"{len(finals)} outer states are final, so ACTIVATING is the last state, {last}."
+            )
             self._findings.add("activating", region.name, words, region.place)
         return ""
 
@@ -161,14 +157,6 @@ class _FlatRegion:
                 yield from self._innermost(one)
             else:
                 yield one
-
-    def _path(self, leaf: ChartNode) -> str:
-        parts = [leaf.name]
-        node = leaf.parent
-        while node is not None and node is not self._region:
-            parts.append(node.name)
-            node = node.parent
-        return ".".join(reversed(parts))
 
     def _operations(self, leaf: ChartNode) -> dict[str, str]:
         """Return the operations of an innermost state. Those of inner states come first."""

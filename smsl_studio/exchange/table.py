@@ -29,6 +29,9 @@ FORMS = (
     ExchangeForm(".scxml", "SCXML 1.0 of the W3C", True, True),
     ExchangeForm(".graphml", "GraphML, for networkx, Gephi, yEd and Cytoscape", True, True),
     ExchangeForm(".xstate.json", "a machine of XState 5", True, True),
+    ExchangeForm("a folder", "a state machine of RAFCON", False, True),
+    ExchangeForm(".py", "a behavior of FlexBE", False, True),
+    ExchangeForm(".xml", "the manifest of a behavior of FlexBE", False, True),
     ExchangeForm(".dot", "DOT, for Graphviz", True, False),
     ExchangeForm(".mmd", "a state diagram of Mermaid", True, False),
     ExchangeForm(".puml", "a state diagram of PlantUML", True, False),
@@ -39,7 +42,7 @@ FORMS = (
 )
 
 WRITTEN = tuple(one.suffix for one in FORMS if one.written)
-READ = tuple(one.suffix for one in FORMS if one.read)
+READ = tuple(one.suffix for one in FORMS if one.read and one.suffix.startswith("."))
 
 
 def suffix_of(file: str, suffixes: tuple[str, ...]) -> str:
@@ -65,6 +68,7 @@ _READERS = {
     ".scxml": ("scxml_chart", "scxml_values"),
     ".graphml": ("graphml_graph", "graphml_values"),
     ".xstate.json": ("xstate_chart", "xstate_values"),
+    ".py": ("flexbe", "flexbe_values"),
 }
 
 

@@ -8,8 +8,8 @@ from smsl_studio.errors import Place, ReadError
 from smsl_studio.exchange.carried import file_fields
 from smsl_studio.exchange.chart import Chart, ChartNode, ChartWay, values_of_chart
 from smsl_studio.exchange.findings import ExchangeFindings
+from smsl_studio.exchange.json_text import json_document
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.json_form import parse_json
 
 Json = Any
 KNOWN = ("id", "key", "type", "initial", "states", "on", "always", "onDone", "meta", "target",
@@ -20,7 +20,7 @@ _WAYS = ("on", "always", "onDone", "after", "invoke", "onError")
 
 def xstate_values(text: str, file: str, findings: ExchangeFindings) -> dict[str, Json]:
     """Return the plain values of the blueprint that a machine shows. ReadError if it is none."""
-    document = parse_json(text, file)
+    document = json_document(text, file)
     chart = _XstateReader(document, findings).chart()
     return values_of_chart(chart, findings)
 

@@ -9,8 +9,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
 from smsl_studio.exchange.carried import blueprint_of
 from smsl_studio.exchange.findings import ExchangeFinding, ExchangeFindings
-from smsl_studio.exchange.table import READ, WRITTEN, reader_of, suffix_of, writer_of
-from smsl_studio.smsl.files import read_content, text_of
+from smsl_studio.exchange.sources import foreign_values, is_foreign
+from smsl_studio.exchange.table import WRITTEN, suffix_of, writer_of
 from smsl_studio.smsl.forms import form_named
 
 Name = str | os.PathLike[str]
@@ -36,8 +36,8 @@ def is_exported(output: Name) -> bool:
 
 
 def is_imported(file: Name) -> bool:
-    """Whether a file is one of another program, as its name says."""
-    return bool(suffix_of(os.fspath(file), READ))
+    """Whether a file or folder is one of another program, as its name says."""
+    return is_foreign(os.fspath(file))
 
 
 def exported(blueprint: Blueprint, output: Name) -> Exported:
@@ -72,12 +72,6 @@ def imported(file: Name) -> Imported:
     >>> imported("hfsm.scxml").blueprint == read("hfsm.json")
     True
     """
-    name = os.fspath(file)
-    suffix = suffix_of(name, READ)
-    if not suffix:
-        words = f"the suffix of {name} is none of another program's form"
-        raise UsageError(words, advice=f"Studio reads {', '.join(READ)}.")
-    findings = ExchangeFindings()
-    text = text_of(read_content(file), name)
-    values = reader_of(suffix)(text, name, findings)
-    return Imported(blueprint_of(dict(values), name), tuple(findings))
+    name, findings = os.fspath(file), ExchangeFindings()
+    values = foreign_values(name, findings)
+    return Imported(blueprint_of(values, name), tuple(findings))
