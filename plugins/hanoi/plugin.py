@@ -51,7 +51,7 @@ def register(library: OperationLibrary) -> None:
     def move_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
         return (yield from carry(table, table.disk(disk), peg))
 
-    @library.operation("Op_recover{disk}{peg}", stop="hold", timeout=30.0)
+    @library.operation("Op_recover{disk}{peg}", stop="hold", timeout=30.0, recovery=True)
     def recover_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
         return (yield from recover(table, table.disk(disk), peg))
 

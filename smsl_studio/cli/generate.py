@@ -1,26 +1,56 @@
-"""``generate``: a blueprint made of rules, or code made of a blueprint."""
+"""``generate``: a blueprint made of rules, of a planning problem or of physics, or code made of a
+blueprint."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
-from smsl_studio.cli.blueprint_argument import read_argument
+from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import UsageError
 from smsl_studio.legible import one_line
 from smsl_studio.smsl.files import save_document
 
-OF_CODE = ("bindings", "name", "record", "licence", "check")
+if TYPE_CHECKING:
+    from smsl_studio.front.generated import Generated
+    from smsl_studio.front.physics import PhysicsDifference
+
+_FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": (), "code": ("FILE",)}
+"""What stands behind each word."""
+_OPTIONS = {
+    "explore": ("world", "start", "repeats", "limit", "against"),
+    "code": ("bindings", "name", "record", "licence", "check"),
+}
+"""The options that belong to one word alone."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``generate``."""
-    parser.add_argument("what", choices=("rules", "code"), help="rules: a blueprint; code: of one")
-    parser.add_argument("file", metavar="FILE", help="the rules (TOML), or the blueprint")
+    parser.add_argument("what", choices=tuple(_FILES), help="what it is made of")
+    parser.add_argument(
+        "files",
+        nargs="*",
+        metavar="FILE",
+        help="rules: RULES.toml; pddl: DOMAIN PROBLEM; code: FILE",
+    )
     parser.add_argument(
         "-o", "--output", required=True, metavar="OUT", help="the blueprint, or the folder of code"
     )
+    explore = parser.add_argument_group("explore")
+    explore.add_argument("--world", metavar="W", help="the world that is explored")
+    explore.add_argument(
+        "--start", metavar="FILE", help="a blueprint with the start, the facts and their values"
+    )
+    explore.add_argument(
+        "--repeats", type=_count, metavar="N", help="how often each operation must succeed (1)"
+    )
+    explore.add_argument(
+        "--limit", type=_count, metavar="N", help="so many states at most (default 10,000)"
+    )
+    explore.add_argument("--against", metavar="FILE", help="compare the edges with a blueprint")
     code = parser.add_argument_group("code")
     code.add_argument("--target", choices=("python",), default="python", help="the language")
     code.add_argument("--bindings", metavar="FILE", help="a bindings file: which function is which")
@@ -34,39 +64,58 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Generate what is asked for. 0: it is written, or agrees; 1: the goal of rules cannot be
-    reached, or code and blueprint do not agree.
-    """
+    """Generate what is asked for. 0: it is written, or agrees; 1: the goal cannot be reached,
+    physics permits something else (``--against``), or code and blueprint do not agree."""
+    wanted = _FILES[options.what]
+    if len(options.files) != len(wanted):
+        takes = " ".join(wanted) or "no file but --start"
+        advice = f"Write smsl-studio generate {options.what} {' '.join(wanted)} -o OUT.json."
+        raise UsageError(f"generate {options.what} takes {takes}", advice=advice)
+    for what, names in _OPTIONS.items():
+        odd = next((name for name in names if getattr(options, name)), None)
+        if odd is not None and what != options.what:
+            raise UsageError(f"--{odd} is for {what} alone", advice=f"Write: generate {what} ...")
+    if options.what == "explore":
+        return _explore(options, out)
     if options.what == "code":
         return _code(options, out)
-    odd = next((name for name in OF_CODE if getattr(options, name)), None)
-    if odd is not None:
-        raise UsageError(f"--{odd} is for code alone", advice="Write: generate code FILE -o DIR.")
-    return _rules(options, out)
+    from smsl_studio.front.generated import generate_pddl, generate_rules
 
-
-def _rules(options: argparse.Namespace, out: Output) -> int:
-    from smsl_studio.front.generated import generate_rules
-    from smsl_studio.front.outputs import converted
-
-    made = generate_rules(options.file)
-    document = converted(made.blueprint, options.output).document
-    save_document(document, options.output, made_of=[options.file])
-    if options.format == "json":
-        out.json({"states": made.states, "operations": made.operations, "goal": made.goal_reached})
-    else:
-        words = f"{options.output}: {made.states:,} states, {made.operations:,} operations"
-        out.line(one_line(words))
+    made = (generate_rules if options.what == "rules" else generate_pddl)(*options.files)
+    _save(options, made, options.files)
+    _tell(options, out, made)
     if not made.goal_reached:
-        note("the goal cannot be reached with these rules; ACTIVATING is left out")
+        of = "with these rules" if options.what == "rules" else "in this problem"
+        note(f"the goal cannot be reached {of}; ACTIVATING is left out")
     return 0 if made.goal_reached else 1
+
+
+def _explore(options: argparse.Namespace, out: Output) -> int:
+    from smsl_studio.front.physics import LIMIT, against, generate_explore
+
+    if options.world is None or options.start is None:
+        raise UsageError("generate explore takes --world and --start")
+    start = read_argument(options.start)
+    other = None if options.against is None else read_argument(options.against)
+    limit = options.limit or LIMIT
+    found = generate_explore(start, options.world, repeats=options.repeats or 1, limit=limit)
+    made = found.generated
+    _save(options, made, [*inputs_of(start), *(inputs_of(other) if other else ())])
+    if found.bound:
+        note(f"there are more than {limit:,} states; what leads to them is left out")
+    if other is not None:
+        return _compared(options, out, against(made.blueprint, other))
+    _tell(options, out, made)
+    if not made.goal_reached:
+        note("the ACTIVATING state of the start was not reached; ACTIVATING is left out")
+    return 0 if made.goal_reached and not found.bound else 1
 
 
 def _code(options: argparse.Namespace, out: Output) -> int:
     from smsl_studio.front.generated_code import generate_code
 
     made = generate_code(
-        read_argument(options.file),
+        read_argument(options.files[0]),
         options.output,
         name=options.name or "",
         bindings=options.bindings,
@@ -85,3 +134,38 @@ def _code(options: argparse.Namespace, out: Output) -> int:
         for path in (*made.changed, *made.gone):
             out.line(one_line(f"{options.output}/{path}: is not what the blueprint gives"))
     return 0 if made.agrees or not options.check else 1
+
+
+def _compared(options: argparse.Namespace, out: Output, difference: PhysicsDifference) -> int:
+    if options.format == "json":
+        out.json({"edges": difference.edges, "missing": list(difference.missing),
+                  "false": list(difference.false)})  # fmt: skip
+    else:
+        out.line(f"{difference.edges:,} edges")
+        for address in difference.missing:
+            out.line(one_line(f"missing: {address}"))
+        for address in difference.false:
+            out.line(one_line(f"false: {address}"))
+    return 1 if difference.missing or difference.false else 0
+
+
+def _save(options: argparse.Namespace, made: Generated, inputs: Sequence[str | int]) -> None:
+    from smsl_studio.front.outputs import converted
+
+    document = converted(made.blueprint, options.output).document
+    save_document(document, options.output, made_of=inputs)
+
+
+def _tell(options: argparse.Namespace, out: Output, made: Generated) -> None:
+    if options.format == "json":
+        out.json({"states": made.states, "operations": made.operations, "goal": made.goal_reached})
+    else:
+        words = f"{options.output}: {made.states:,} states, {made.operations:,} operations"
+        out.line(one_line(words))
+
+
+def _count(text: str) -> int:
+    number = int(text) if text.isascii() and text.isdecimal() and len(text) < 10 else 0
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 1")
+    return number

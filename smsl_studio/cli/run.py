@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from smsl_studio.front.script.script import Script
 
 UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; simulation only"
+GENERATED = (
+    "GENERATED, NOT INSPECTED: this blueprint was computed, and no inspection record stands behind "
+    "it; simulation only"
+)
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -97,6 +101,7 @@ class _ToldEvents:
 
     def __init__(self, out: Output, options: argparse.Namespace) -> None:
         self.finished = False
+        self.mark = UNINSPECTED
         self._out, self._form = out, options.format
         self._signals: Signals = options.signals
         self._begun = options.policy is not None or options.record is not None
@@ -105,7 +110,7 @@ class _ToldEvents:
         """Print one event. The last event ends the run, and so it completes a requested stop."""
         if not self._begun:
             self._begun = True
-            note(UNINSPECTED)
+            note(self.mark)
         self._out.line(event.line() if self._form == "json" else one_line(line_of(event)))
         if isinstance(event, RunFinished):
             self.finished = True
@@ -113,6 +118,7 @@ class _ToldEvents:
 
 
 def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
+    from smsl_studio.front.approval_badge import is_generated
     from smsl_studio.front.inputs import inspect
     from smsl_studio.front.runs import run
 
@@ -125,6 +131,8 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
     if options.passphrase_file is not None and options.log is None:
         raise UsageError("--passphrase-file is for --log alone", advice="Name a log, too.")
     blueprint = read_argument(options.file)
+    if is_generated(blueprint):
+        told.mark = GENERATED
     script = _script(options.script, options.file, blueprint)
     # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.campaigns import CampaignRequest, campaign
     from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
-    from smsl_studio.front.generated import generate_rules
+    from smsl_studio.front.generated import generate_pddl, generate_rules
     from smsl_studio.front.generated_code import generate_code
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         merge,
         render,
     )
+    from smsl_studio.front.physics import generate_explore
     from smsl_studio.front.previews import preview
     from smsl_studio.front.proof import prove
     from smsl_studio.front.readings import reading
@@ -86,6 +87,8 @@ __all__ = [
     "forbid_plugin",
     "from_multidigraph",
     "generate_code",
+    "generate_explore",
+    "generate_pddl",
     "generate_rules",
     "git_setup",
     "identify",
@@ -164,8 +167,8 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
-    "generate": Verb("make a blueprint of rules, or code of a blueprint",
-                     ("generate_rules", "generate_code")),
+    "generate": Verb("make a blueprint of rules, PDDL or physics, or code of a blueprint",
+                     ("generate_rules", "generate_pddl", "generate_explore", "generate_code")),
     "learn": Verb("find rules that make a blueprint, and what does not fit them",
                   ("learn", "learn_from_logs")),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -219,6 +222,8 @@ _HOMES = {
     "preview": "previews",
     "generate_rules": "generated",
     "generate_code": "generated_code",
+    "generate_pddl": "generated",
+    "generate_explore": "physics",
     "learn": "learning",
     "learn_from_logs": "learning",
     "CampaignRequest": "campaigns",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +16,7 @@ LONGEST = 6
 """The largest number of reasons that the badge lists."""
 
 NOBODY = "Nobody has signed this blueprint. It runs in simulation only."
+COMPUTED = "It was computed and not drawn: its field _origin says how."
 TO_SIGN = "To sign it: smsl-studio approve FILE --key ID. The page Approval of the help says how."
 AGAIN = "Look at it again, then sign it again."
 ANOTHER = "Let another person look at it and sign."
@@ -54,6 +56,8 @@ def refusal_line(refusal: Refusal) -> str:
 
 
 UNINSPECTED = ApprovalWords("Uninspected", (NOBODY,), TO_SIGN)
+GENERATED = "Generated, not inspected"
+"""The words for a blueprint that was computed and that no record covers."""
 LOOKING = ApprovalWords("Looking at the record", ("Signatures are being verified.",))
 """Stands until the signatures are verified."""
 
@@ -83,13 +87,28 @@ _WORDS = (
 list counts."""
 
 
+def is_generated(blueprint: Blueprint) -> bool:
+    """Return whether a blueprint, or a State Branch of it, says that it was computed."""
+    every = (blueprint.fields, *(branch.fields for branch in blueprint))
+    return any(isinstance(fields.get("_origin"), Mapping) for fields in every)
+
+
+def unsigned_words(blueprint: Blueprint) -> ApprovalWords:
+    """Return the words of the badge for a blueprint without a record."""
+    return (
+        ApprovalWords(GENERATED, (COMPUTED, NOBODY), TO_SIGN)
+        if is_generated(blueprint)
+        else (UNINSPECTED)
+    )
+
+
 def approval_words(blueprint: Blueprint, policy: Path | None = None) -> ApprovalWords:
     """Return the words of the badge for a blueprint, under a policy if one is named.
 
     This verifies signatures and runs the whole check, so it may take long. It heeds a stop.
     """
     if policy is None and not has_record_beside(blueprint.file):
-        return UNINSPECTED
+        return unsigned_words(blueprint)
     from smsl_studio.front.verdicts import ApprovalQuestion, answered
 
     try:
@@ -111,4 +130,6 @@ def approval_words(blueprint: Blueprint, policy: Path | None = None) -> Approval
         return ApprovalWords("Approved with conditions", signers, TO_MEET, refusals=refusals)
     known = ((words, advice) for code, words, advice in _WORDS if code in told)
     words, advice = next(known, ("Not approved", AGAIN))
+    if words == UNINSPECTED.words and is_generated(blueprint):
+        words = GENERATED
     return ApprovalWords(words, signers, advice, refusals=refusals)

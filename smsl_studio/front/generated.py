@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -49,9 +50,45 @@ def generate_rules(file: Name) -> Generated:
     (2, 2, True)
     """
     raw = read_content(file).raw
-    name = Path(file).name
     made = ruled_branch(read_rules(raw, os.fspath(file)))
-    origin = {"how": "rules", "from": name, "digest": sha256_hex(raw)}
-    values: dict[str, Json] = {**made.values, "_origin": origin}
-    blueprint = read_blueprint(parse_json(write_json(values), f"{Path(name).stem}.json"))
+    origin = _origin("rules", [file], sha256_hex(raw))
+    blueprint = _blueprint(made.values, origin, file)
     return Generated(blueprint, made.states, made.operations, made.goal_reached)
+
+
+def generate_pddl(domain: Name, problem: Name) -> Generated:
+    """Return the blueprint of a planning problem in PDDL.
+
+    ReadError, with its place, for what is wrong or not supported. UsageError for a problem with too
+    many states or actions.
+
+    >>> _ = Path("light.pddl").write_text('''(define (domain light) (:predicates (on))
+    ...   (:action press :precondition (not (on)) :effect (on)))''')
+    >>> _ = Path("dark.pddl").write_text('''(define (problem dark) (:domain light)
+    ...   (:init) (:goal (on)))''')
+    >>> made = generate_pddl("light.pddl", "dark.pddl")
+    >>> made.states, made.operations, made.goal_reached
+    (2, 1, True)
+    """
+    from smsl_studio.generate.planning.domain import read_domain
+    from smsl_studio.generate.planning.expressions import read_expression
+    from smsl_studio.generate.planning.plan_states import planned_branch
+    from smsl_studio.generate.planning.problem import read_problem
+
+    texts = [read_content(file).raw for file in (domain, problem)]
+    told = read_domain(read_expression(texts[0], os.fspath(domain)))
+    asked = read_problem(read_expression(texts[1], os.fspath(problem)), told)
+    made = planned_branch(told, asked)
+    origin = _origin("pddl", [domain, problem], sha256_hex(b"".join(texts)))
+    blueprint = _blueprint(made.values, origin, problem)
+    return Generated(blueprint, made.states, made.operations, made.goal_reached)
+
+
+def _origin(how: str, files: Sequence[Name], digest: str) -> dict[str, str]:
+    """Return how something was made, from which files, and the SHA-256 of their bytes."""
+    return {"how": how, "from": ", ".join(Path(one).name for one in files), "digest": digest}
+
+
+def _blueprint(made: dict[str, Json], origin: dict[str, str], file: Name) -> Blueprint:
+    text = write_json({**made, "_origin": origin})
+    return read_blueprint(parse_json(text, f"{Path(file).stem}.json"))

@@ -81,17 +81,7 @@ def edge_alone(
         return _verdict(edge, sentence=words), False
     terms = RunTerms(start, seed=seed, automatic=False, guarded=False)
     dispatcher = Dispatcher(hierarchy.blueprint, host, terms)
-    events = list(dispatcher.open())
-    source = "unknown"
-    if not dispatcher.finished:
-        host.suppose(edge)
-        source = _truth(hierarchy, dispatcher.standing.scene, start, edge.branch, edge.state)
-        dispatcher.ask(edge)
-        events += dispatcher.tick()
-        while dispatcher.phase == "running":
-            if stop_when is not None and stop_when():
-                dispatcher.stop()
-            events += dispatcher.tick()
+    events, source = carried_out(hierarchy, dispatcher, host, edge, start, stop_when)
     at_end = dispatcher.standing
     done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
     believed = {**start, **at_end.configuration}
@@ -106,6 +96,29 @@ def edge_alone(
         hazard=_hazard(hierarchy, start, edge, at_end),
     )
     return swept, at_end.reason == "failed"
+
+
+def carried_out(
+    hierarchy: Hierarchy,
+    dispatcher: Dispatcher,
+    host: Host,
+    edge: Address,
+    start: Mapping[str, str],
+    stop_when: Callable[[], bool] | None = None,
+) -> tuple[list[Event], str]:
+    """Carry out one edge from its source. Return the events, and the truth of the source before."""
+    events = list(dispatcher.open())
+    source = "unknown"
+    if not dispatcher.finished:
+        host.suppose(edge)
+        source = _truth(hierarchy, dispatcher.standing.scene, start, edge.branch, edge.state)
+        dispatcher.ask(edge)
+        events += dispatcher.tick()
+        while dispatcher.phase == "running":
+            if stop_when is not None and stop_when():
+                dispatcher.stop()
+            events += dispatcher.tick()
+    return events, source
 
 
 def _hazard(hierarchy: Hierarchy, start: Mapping[str, str], edge: Address, at_end: Standing) -> str:

@@ -34,7 +34,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from smsl_studio.errors import PluginError
+from smsl_studio.errors import PluginError, did_you_mean
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature, signature_of
 from smsl_studio.library.terms import (
@@ -48,6 +48,7 @@ from smsl_studio.world.engines import ENGINES, TABLE, USUAL
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
+_TERMS = ("name", "stop", "timeout", "resumes", "touches", "available", "recovery")
 STOP_MODES = ("abort", "hold", "finish")
 NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
@@ -99,6 +100,7 @@ class OperationEntry:
     resumes: bool = True
     touches: tuple[Pattern, ...] = ()
     available: Availability | None = None
+    recovery: bool = False
 
     def texts(self, branch: str, operation: str) -> dict[str, str] | None:
         """Return the parameters that the pattern finds in the name of an operation, None if it does
@@ -250,6 +252,7 @@ class OperationLibrary:
         resumes: bool = True,
         touches: Sequence[str] = (),
         available: Availability | None = None,
+        **marks: bool,
     ) -> Callable[[FunctionT], FunctionT]:
         """Register an operation (paper, Operation Representation). The decorated generator function
         carries out the operations that the pattern ``name`` matches.
@@ -262,11 +265,15 @@ class OperationLibrary:
         the facts that may have any value after a cancel, besides the facts of its edge: ``"{n}"``
         for the SB of the edge, or ``"SB/{n}"``. Here facts count from 1, and names in braces are
         parameters of the function.
-        ``available`` says whether it can be used now (see ``Availability``).
+        ``available`` says whether it can be used now (see ``Availability``). The mark ``recovery``
+        says that it leads out of a failure; ``generate explore`` does not try it.
         """
         name = proper_name(name, "an operation") if name else ""
         _one_of(stop, STOP_MODES, "stop")
         timeout, resumes = seconds(timeout, "timeout"), truth(resumes, "resumes")
+        if odd := next((mark for mark in marks if mark != "recovery"), None):
+            raise PluginError(f"an operation has no {odd!r}", advice=did_you_mean(odd, _TERMS))
+        recovers = truth(marks.get("recovery", False), "recovery")
         touched = [proper_name(fact, "a fact") for fact in touches]
         if available is not None and not isinstance(available, Availability):
             raise PluginError(f"available is of type {type(available).__name__!r}, no Availability")
@@ -289,7 +296,9 @@ class OperationLibrary:
             called = f"{self.name}.{proper_name(function.__name__, 'a function')}"
             entry = OperationEntry(function, called, pattern, signature, stop, timeout)
             self.operations.append(
-                replace(entry, resumes=resumes, touches=facts, available=available)
+                replace(
+                    entry, resumes=resumes, touches=facts, available=available, recovery=recovers
+                )
             )
             return function
 

@@ -9,7 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 
 from smsl_studio.blueprint.project import project_of
-from smsl_studio.front.approval_badge import LOOKING, UNINSPECTED, ApprovalWords, approval_words
+from smsl_studio.front.approval_badge import (
+    LOOKING,
+    ApprovalWords,
+    approval_words,
+    unsigned_words,
+)
 from smsl_studio.front.former_record import approval_stamps, has_record_beside, may_have_record
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
@@ -142,7 +147,7 @@ class ApprovalFeature(Feature):
         self._seen = self._stamps()
         if self.policy is None and not has_record_beside(self._session.blueprint.file):
             self._later.stop()
-            self._show(UNINSPECTED)
+            self._show(unsigned_words(self._session.blueprint))
             return
         self._show(LOOKING)
         self._later.start()

@@ -1,0 +1,5 @@
+(define (problem crew-2)
+  (:domain crew)
+  (:objects ada - surgeon ben cleo - nurse room operating - place)
+  (:init (stands ada room) (stands ben room) (stands cleo room) (sink room) (table operating))
+  (:goal (and (stands ada operating) (exists (?n - nurse) (stands ?n operating)))))

@@ -1,0 +1,5 @@
+(define (problem lamps-4)
+  (:domain lamps)
+  (:objects north east south west - lamp)
+  (:init (power) (lit north) (wired north east) (wired east south) (wired south west))
+  (:goal (and (power) (forall (?l - lamp) (lit ?l)))))

@@ -1,0 +1,6 @@
+(define (problem trays-3)
+  (:domain trays)
+  (:objects scalpels clamps needles - box)
+  (:init (on clamps scalpels) (on-table scalpels) (on-table needles)
+         (free clamps) (free needles) (empty))
+  (:goal (and (on scalpels clamps) (on clamps needles))))

@@ -1,0 +1,309 @@
+"""A blueprint from physics: every operation is tried in every state that is found."""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
+from smsl_studio.errors import PlanningError, UsageError
+from smsl_studio.front.generated import Generated
+from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.single_edge import carried_out
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.operation_library import OperationEntry
+from smsl_studio.runlog.events import OperationEnded
+from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.smsl.json_form import parse_json, write_json
+from smsl_studio.stop import heed
+
+Json = Any
+Values = tuple[str, ...]
+LIMIT = 10_000
+"""The largest number of states that are explored, if nothing else is said."""
+MOST_OPERATIONS = 2_000
+"""The largest number of operations that are tried in one state."""
+_HERE = "State_here"
+
+
+@dataclass(frozen=True)
+class Explored:
+    """What physics permits. ``bound`` says that there are more states than were to be explored."""
+
+    generated: Generated
+    bound: bool
+
+
+@dataclass
+class _Finding:
+    """The states that were found, in order, and where the operations lead."""
+
+    rows: dict[Values, dict[str, Values]] = field(default_factory=dict)
+    bound: bool = False
+
+
+def generate_explore(
+    start: Blueprint,
+    world: str,
+    *,
+    repeats: int = 1,
+    limit: int = LIMIT,
+    plugin_paths: Sequence[Path] = (),
+    going: Callable[[int, int], None] | None = None,
+) -> Explored:
+    """Return the blueprint of a world: all states that its operations reach, from a start on.
+
+    ``start`` gives INITIAL, the facts with their values, and what binds them. An operation is an
+    edge if its function returned in all ``repeats`` (with the seeds 0, 1, ...), the source was true
+    before, and the same facts were read afterwards: known values that ``start`` has, and not those
+    of the source. ``going`` is told the numbers of states that are done and found.
+
+    UsageError for a world without operations of its own. PlanningError for several SBs. WorldError
+    for a world that does not exist or does not suit.
+
+    >>> generate_explore(read("hanoi.json"), "table")
+    Traceback (most recent call last):
+    ...
+    smsl_studio.errors.UsageError: the world table has no operations of its own
+    """
+    if len(start) != 1:
+        raise PlanningError(
+            f"physics is explored for one State Branch, and here are {len(start)}",
+            advice="Extract or flatten one of them first.",
+        )
+    (branch,) = start
+    loaded = known_world(world, plugin_paths)
+    if loaded is None:
+        raise UsageError(f"the world {world} has no operations of its own")
+    names = bound_names(loaded, world, branch)
+    request = RunRequest(start, world, host="local", plugin_paths=tuple(plugin_paths))
+    attempts = _Attempts(request, loaded, names, repeats)
+    found = _explored(attempts, branch, limit, going)
+    return Explored(_generated(found, branch, start, world), found.bound)
+
+
+def bound_names(loaded: Loaded, world: str, branch: StateBranch) -> tuple[str, ...]:
+    """Return the names of all operations that a world binds, with arguments from facts and their
+    values. UsageError if there are too many."""
+    found: dict[str, None] = {}
+    skipped: set[str] = set()
+    for plugin in loaded.serving(world):
+        for entry in plugin.library.operations:
+            for name in _names(entry, branch):
+                heed()
+                (skipped.add(name) if entry.recovery else found.setdefault(name))
+                if len(found) > MOST_OPERATIONS:
+                    raise UsageError(
+                        f"the world {world} has more than {MOST_OPERATIONS:,} operations with all "
+                        "arguments",
+                        advice="Take a blueprint with fewer facts or values.",
+                    )
+    return tuple(name for name in found if name not in skipped)
+
+
+def _names(entry: OperationEntry, branch: StateBranch) -> Iterator[str]:
+    """Give the names that a pattern has with facts and values as its arguments."""
+    if entry.pattern is None:
+        return
+    digits = [str(number + 1) for number in range(branch.num_facts)]
+    notes = (branch.fact_note(digit) for digit in range(branch.num_facts))
+    facts = [note.name for note in notes if note is not None and note.name]
+    values = sorted({value for alphabet in branch.alphabet for value in alphabet})
+    choices: list[Sequence[str]] = []
+    for parameter in entry.pattern.parameters:
+        kind = entry.signature.types.get(parameter, str)
+        if kind is bool:
+            choices.append(("true", "false"))
+        elif kind in (int, float):
+            numbers = [one for one in values if one.isascii() and one.isdecimal()]
+            choices.append(tuple(dict.fromkeys((*digits, *numbers))))
+        else:
+            choices.append(tuple(dict.fromkeys((*values, *facts))))
+    for chosen in itertools.islice(itertools.product(*choices), MOST_OPERATIONS + 1):
+        given = dict(zip(entry.pattern.parameters, chosen, strict=True))
+        whole = entry.pattern.fill(given)
+        operation = whole.removeprefix(f"{branch.name}/") if "/" in entry.pattern.text else whole
+        if "/" not in operation and entry.texts(branch.name, operation) == given:
+            yield operation
+
+
+class _Attempts:
+    """Tries operations, each from a state that is arranged anew."""
+
+    def __init__(
+        self, request: RunRequest, loaded: Loaded, names: Sequence[str], repeats: int
+    ) -> None:
+        self._request, self._loaded, self._names = request, loaded, names
+        self._repeats = repeats
+        (self._branch,) = request.blueprint
+        self._alphabet = [frozenset(own) for own in self._branch.alphabet]
+
+    def row(self, values: Values) -> dict[str, Values]:
+        """Return where each operation leads from some values."""
+        blueprint = self._here(values)
+        hierarchy = Hierarchy(blueprint)
+        found: dict[str, Values] = {}
+        host = self._host(blueprint)
+        try:
+            for name in self._names:
+                ends: set[Values | None] = set()
+                for seed in range(self._repeats):
+                    heed()
+                    end, lost = self._end(hierarchy, host, name, seed)
+                    ends.add(end)
+                    if lost:
+                        host.close()
+                        host = self._host(blueprint)
+                    if end is None or len(ends) > 1:
+                        break
+                if len(ends) == 1:
+                    (end,) = ends
+                    if end is not None and end != values:
+                        found[name] = end
+        finally:
+            host.close()
+        return found
+
+    def _host(self, blueprint: Blueprint) -> Host:
+        old = self._request
+        request = RunRequest(blueprint, old.world, host="local", plugin_paths=old.plugin_paths)
+        return make_host(request, self._loaded)
+
+    def _end(
+        self, hierarchy: Hierarchy, host: Host, name: str, seed: int
+    ) -> tuple[Values | None, bool]:
+        """Return the facts after an operation, None if it made no edge, and whether the host was
+        lost."""
+        branch = self._branch.name
+        start = {branch: _HERE}
+        edge = Address(branch, _HERE, name)
+        terms = RunTerms(start, seed=seed, automatic=False, guarded=False)
+        dispatcher = Dispatcher(hierarchy.blueprint, host, terms)
+        events, source = carried_out(hierarchy, dispatcher, host, edge, start)
+        at_end = dispatcher.standing
+        lost = at_end.reason == "failed"
+        outcomes = [one.outcome for one in events if isinstance(one, OperationEnded)]
+        if lost or source != "true" or outcomes != ["returned"]:
+            return None, lost
+        values: list[str] = []
+        for digit, alphabet in enumerate(self._alphabet):
+            reading = at_end.scene.get(branch, digit)
+            if reading is None or reading.value not in alphabet:
+                return None, lost
+            values.append(reading.value)
+        return tuple(values), lost
+
+    def _here(self, values: Values) -> Blueprint:
+        """Return a blueprint of one state, from which every operation leads back to it."""
+        branch = self._branch
+        fields: dict[str, Json] = {
+            key: value
+            for key, value in branch.fields.items()
+            if key not in ("_states", "_layout", "_operations")
+        }
+        fields["_states"] = {_HERE: {"facts": list(values)}}
+        header = {"INITIAL": _HERE, "ACTIVATING": _HERE, "NUM_FACTS": len(values)}
+        row = dict.fromkeys(self._names, _HERE)
+        return _built({branch.name: {"HEADER": header, **fields, _HERE: row}}, "here.json")
+
+
+def _explored(
+    attempts: _Attempts,
+    branch: StateBranch,
+    limit: int,
+    going: Callable[[int, int], None] | None,
+) -> _Finding:
+    """Try all operations in all states that are found, breadth first."""
+    start = branch.facts(branch.initial)
+    found = _Finding({start: {}})
+    queue = deque([start])
+    done = 0
+    while queue:
+        values = queue.popleft()
+        for name, target in attempts.row(values).items():
+            if target not in found.rows:
+                if len(found.rows) >= limit:
+                    found.bound = True
+                    continue
+                found.rows[target] = {}
+                queue.append(target)
+            found.rows[values][name] = target
+        done += 1
+        if going is not None:
+            going(done, len(found.rows))
+    return found
+
+
+def _generated(found: _Finding, branch: StateBranch, start: Blueprint, world: str) -> Generated:
+    known = {branch.facts(name): name for name in reversed(branch.table)}
+    names = {values: known.get(values, "State_" + "".join(values)) for values in found.rows}
+    goal = branch.facts(branch.activating)
+    reached = goal in found.rows
+    header: dict[str, Json] = {"INITIAL": names[branch.facts(branch.initial)]}
+    if reached:
+        header["ACTIVATING"] = names[goal]
+    header["NUM_FACTS"] = branch.num_facts
+    notes = branch.fields.get("_states")
+    told = isinstance(notes, Mapping) and any("facts" in one for one in notes.values())
+    fields: dict[str, Json] = {}
+    if "_facts" in branch.fields:
+        fields["_facts"] = branch.fields["_facts"]
+    if told:
+        fields["_states"] = {names[one]: {"facts": list(one)} for one in found.rows}
+    table = {
+        names[values]: {name: names[target] for name, target in row.items()}
+        for values, row in found.rows.items()
+    }
+    raw = write_json({one.name: dict(one.table) for one in start}).encode()
+    origin = {"how": "explore", "from": world, "digest": sha256_hex(raw)}
+    values = {branch.name: {"HEADER": header, **fields, **table}, "_origin": origin}
+    blueprint = _built(values, "explored.json")
+    return Generated(blueprint, len(table), sum(map(len, table.values())), reached)
+
+
+def _built(values: dict[str, Json], name: str) -> Blueprint:
+    return read_blueprint(parse_json(write_json(values), name))
+
+
+@dataclass(frozen=True)
+class PhysicsDifference:
+    """Edges of another blueprint that were not found, and edges that it does not have."""
+
+    edges: int
+    missing: tuple[str, ...]
+    false: tuple[str, ...]
+
+
+def against(explored: Blueprint, other: Blueprint) -> PhysicsDifference:
+    """Compare the edges of two blueprints of one State Branch, by facts and operation names."""
+    if len(other) != 1:
+        raise PlanningError(f"edges are compared with one State Branch, not {len(other)}")
+    ours, theirs = _edges(explored), _edges(other)
+    return PhysicsDifference(
+        len(ours),
+        tuple(address for key, address in theirs.items() if key not in ours),
+        tuple(address for key, address in ours.items() if key not in theirs),
+    )
+
+
+def _edges(blueprint: Blueprint) -> dict[tuple[Values, str, Values], str]:
+    (branch,) = blueprint
+    return {
+        (branch.facts(state), operation, branch.facts(target)): str(
+            Address(branch.name, state, operation)
+        )
+        for state, row in branch.table.items()
+        for operation, target in row.items()
+        if target in branch.table
+    }

@@ -1,0 +1,146 @@
+"""``generate explore``: a world is tried out, and what it permits is a blueprint."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import smsl_studio as smsl
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import PlanningError, PluginError, UsageError, WorldError
+from smsl_studio.front.hosts import known_world
+from smsl_studio.front.physics import against, bound_names, generate_explore
+from smsl_studio.library.operation_library import OperationLibrary
+from smsl_studio.shipped import samples_dir
+from tests.plugin_folder import blueprint_of, write_plugin
+
+SWITCHES = """
+def register(library):
+    @library.world("switches", engine="table", settle=0.1)
+    def build(world, blueprint, seed):
+        world.seed = seed
+
+    @library.arrange("switches")
+    def arrange(world, facts):
+        world.set_facts(facts)
+
+    @library.sensor("switch_{n}", fact="{n}", period=0.1)
+    def switch(world, n: int):
+        return world.fact("BOARD", n - 1)
+
+    @library.operation("Op_{n}{to}", timeout=5.0)
+    def turn(world, n: int, to: str):
+        yield
+        if n > 2 or (n == 2 and world.fact("BOARD", 0) == "0"):
+            return False
+        world.set_facts({("BOARD", n - 1): to})
+
+    @library.operation("Op_reset", recovery=True)
+    def reset(world):
+        yield
+        world.set_facts({("BOARD", 0): "0", ("BOARD", 1): "0"})
+
+    @library.operation("Op_break")
+    def smash(world):
+        yield
+        raise RuntimeError("it broke")
+
+    @library.operation("Op_lose")
+    def lose(world):
+        yield
+        world.set_facts({("BOARD", 0): "q"})
+
+    @library.operation("Op_idle")
+    def idle(world):
+        yield
+"""
+BOARD = {
+    "BOARD": {
+        "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2},
+        "State_00": {"Op_11": "State_10", "Op_21": "State_01"},
+        "State_10": {"Op_21": "State_11", "Op_10": "State_00"},
+        "State_11": {"Op_20": "State_10", "Op_10": "State_01"},
+        "State_01": {},
+    }
+}
+
+
+@pytest.fixture
+def paths(tmp_path: Path) -> tuple[Path, ...]:
+    write_plugin(tmp_path, "switches", SWITCHES)
+    return (tmp_path,)
+
+
+def table_of(blueprint: Blueprint) -> dict[str, dict[str, str]]:
+    (branch,) = blueprint
+    return {state: dict(row) for state, row in branch.table.items()}
+
+
+def test_what_the_world_permits_is_found(paths: tuple[Path, ...]) -> None:
+    seen: list[tuple[int, int]] = []
+    told = generate_explore(
+        blueprint_of(BOARD), "switches", plugin_paths=paths, repeats=2,
+        going=lambda done, found: seen.append((done, found)),
+    )  # fmt: skip
+    assert table_of(told.generated.blueprint) == {
+        "State_00": {"Op_11": "State_10"},
+        "State_10": {"Op_10": "State_00", "Op_21": "State_11"},
+        "State_11": {"Op_10": "State_01", "Op_20": "State_10"},
+        "State_01": {"Op_11": "State_11"},
+    }
+    assert (told.generated.goal_reached, told.bound) == (True, False)
+    assert seen[-1] == (4, 4)
+    origin = told.generated.blueprint.fields["_origin"]
+    assert (origin["how"], origin["from"]) == ("explore", "switches")
+    (branch,) = told.generated.blueprint
+    assert (branch.initial, branch.activating) == ("State_00", "State_11")
+
+
+def test_the_difference_names_what_is_missing_and_what_is_false(paths: tuple[Path, ...]) -> None:
+    board = blueprint_of(BOARD)
+    told = generate_explore(board, "switches", plugin_paths=paths)
+    difference = against(told.generated.blueprint, board)
+    assert difference.edges == 6
+    assert difference.missing == ("BOARD/State_00/Op_21",)
+    assert difference.false == ("BOARD/State_01/Op_11",)
+
+
+def test_the_limit_keeps_what_was_reached(paths: tuple[Path, ...]) -> None:
+    told = generate_explore(blueprint_of(BOARD), "switches", plugin_paths=paths, limit=2)
+    assert told.bound
+    assert table_of(told.generated.blueprint) == {
+        "State_00": {"Op_11": "State_10"},
+        "State_10": {"Op_10": "State_00"},
+    }
+    assert not told.generated.goal_reached
+
+
+def test_operations_that_recover_are_not_tried(paths: tuple[Path, ...]) -> None:
+    loaded = known_world("switches", paths)
+    assert loaded is not None
+    names = bound_names(loaded, "switches", blueprint_of(BOARD)["BOARD"])
+    turns = ("Op_10", "Op_11", "Op_20", "Op_21", "Op_00", "Op_01")
+    assert names == (*turns, "Op_break", "Op_lose", "Op_idle")
+    hanoi = known_world("hanoi")
+    assert hanoi is not None
+    board = smsl.read(samples_dir() / "hanoi-2.json")
+    found = bound_names(hanoi, "hanoi", board["SB1"])
+    assert found == tuple(f"Op_{disk}{peg}" for disk in "12" for peg in "abc")
+
+
+def test_what_cannot_be_explored_is_refused(paths: tuple[Path, ...]) -> None:
+    with pytest.raises(UsageError, match="no operations of its own"):
+        generate_explore(blueprint_of(BOARD), "table")
+    with pytest.raises(WorldError, match="no world"):
+        generate_explore(blueprint_of(BOARD), "moon", plugin_paths=paths)
+    with pytest.raises(PlanningError, match="one State Branch"):
+        generate_explore(smsl.read(samples_dir() / "hfsm.json"), "switches", plugin_paths=paths)
+
+
+def test_an_unknown_mark_of_an_operation_is_a_fault() -> None:
+    library = OperationLibrary("board")
+    with pytest.raises(PluginError, match="no 'recover'"):
+        library.operation("Op_reset", recover=True)
+    with pytest.raises(PluginError, match="recovery"):
+        library.operation("Op_reset", recovery="yes")  # type: ignore[arg-type]
