@@ -44,11 +44,12 @@ def tells_apart(rect: Rect, own: EdgeShape, beside: Sequence[EdgeShape]) -> bool
 
 
 class _Away(NamedTuple):
-    """A place away from its line, and both ends of its leader."""
+    """A place away from its line, both ends of its leader, and whether it crosses a line."""
 
     rect: AsideRect
     foot: Point
     end: Point
+    across: bool
 
 
 class LabelChoice:
@@ -67,8 +68,12 @@ class LabelChoice:
         places: LabelPlaces,
         compact: bool,
         away: bool = False,
+        waits: Callable[[int], bool] = lambda _: False,
     ) -> None:
-        """``away`` says that labels may stand away from their lines."""
+        """``away`` says that labels may stand away from their lines. ``waits`` tells whether an
+        edge has exactly one other line between its two states, whose label has no place yet.
+        """
+        self._waits = waits
         self._places, self._stages = places, len(_STAGES) if away else 0
         self._away: list[dict[int, list[_Away]]] = [{} for _ in _STAGES]
         self._lines = dict(zip(shapes, zip(shapes.values(), sizes, strict=True), strict=True))
@@ -129,7 +134,11 @@ class LabelChoice:
         if edge not in self._away[stage]:
             self._look_away([edge], stage)
         places, shape = self._places, self._lines[edge][0]
-        for rect, foot, end in self._away[stage][edge]:
+        waits = self._waits(edge)
+        for rect, foot, end, across in self._away[stage][edge]:
+            # Beyond the other one of two lines stands the name of that one.
+            if across and waits:
+                continue
             # The leader that is drawn can begin a little beside the foot that was looked for.
             free = places.is_untaken(rect) and places.may_lead(foot, end)
             if free and places.may_lead(*leader(shape, rect)):
@@ -175,9 +184,11 @@ class LabelChoice:
                 [np.nonzero(free[row] & alone[row])[0], np.nonzero(free[row] & ~alone[row])[0]]
             )
             best = best[places.are_led(edge, self._lines[edge][0], rects[row, best])]
-            found = zip(*(of[row, best].tolist() for of in (rects, feet, ends)), strict=True)
+            each = (rects, feet, ends, alone)
+            found = zip(*(of[row, best].tolist() for of in each), strict=True)
             self._away[stage][edge] = [
-                _Away(AsideRect(*rect), (ax, ay), (bx, by)) for rect, (ax, ay), (bx, by) in found
+                _Away(AsideRect(*rect), (ax, ay), (bx, by), not clear)
+                for rect, (ax, ay), (bx, by), clear in found
             ]
 
     def _alone(self, edges: Sequence[int], feet: Floats, gaps: int) -> NDArray[np.bool_]:

@@ -117,10 +117,23 @@ class LabelSeats:
         lines = self._lines
         shapes = {edge: lines.shapes[edge] for edge in edges}
         sizes, careful = list(map(self.size, shapes)), lines.picture.careful
-        found = LabelChoice(shapes, sizes, self.places, lines.style.compact, careful)
+        style = lines.style
+        found = LabelChoice(shapes, sizes, self.places, style.compact, careful, self._waits)
         if not lines.picture.small:
             found.beside = self._beside
         return found
+
+    def _waits(self, edge: int) -> bool:
+        """Return whether an edge has exactly one other line between its two states, and the label
+        of that one has no place yet.
+        """
+        picture = self._lines.picture
+        a, b = int(picture.source[edge]), int(picture.target[edge])
+        if a == b or b < 0:
+            return False
+        pair = self._lines.pair(a, b)
+        others = [one for one in (*pair.there, *pair.back) if one != edge]
+        return len(others) == 1 and self.rects.get(others[0]) is None
 
     def _beside(self, edge: int) -> list[EdgeShape]:
         """Return the other lines between the states of an edge, as far as they are drawn.

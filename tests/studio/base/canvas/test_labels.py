@@ -63,6 +63,25 @@ def test_every_label_of_the_samples_finds_a_place() -> None:
             assert not hidden, [str(geometry.picture.address(e)) for e in hidden]
 
 
+@pytest.mark.parametrize("unit", [1.0, 1.3, 1.6, 1.9, 2.2])
+def test_the_only_name_of_two_lines_stands_at_its_own(unit: float) -> None:
+    """Else a reader takes it for the name of the other one."""
+    geometry = geometry_of(hanoi(3), "SB1", (46.0, 24.0), LineStyle(unit, True))
+    picture, rects = geometry.picture, shown(geometry)
+    lines: dict[frozenset[int], list[int]] = {}
+    for edge in range(len(picture.operations)):
+        ends = frozenset((int(picture.source[edge]), int(picture.target[edge])))
+        lines.setdefault(ends, []).append(edge)
+    for pair in lines.values():
+        named = [edge for edge in pair if edge in rects]
+        if len(pair) == 2 and len(named) == 1:
+            other = next(edge for edge in pair if edge not in named)
+            own, beside = geometry.shape(named[0]), geometry.shape(other)
+            rect = rects[named[0]]
+            x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
+            assert own.distance(x, y) < beside.distance(x, y), picture.address(named[0])
+
+
 def test_no_line_of_the_samples_runs_through_a_node() -> None:
     for name in ("hfsm.json", "registration.json"):
         blueprint = sample(name)
