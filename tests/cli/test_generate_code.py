@@ -160,3 +160,30 @@ def test_the_licence_stands_at_the_top(shell: Shell, tmp_path: Path) -> None:
     for file in made.rglob("*.py"):
         assert file.read_text().startswith("# Copyright Ada\n# All rights reserved\n")
     assert _run(made, "tower", "run").returncode == 0
+
+
+def test_a_run_may_demand_a_record(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Studio and the generated code answer alike, and say the same code."""
+    monkeypatch.setenv("SMSL_STUDIO_HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("SMSL_PASSPHRASE", "a long enough secret")
+    blueprint = tmp_path / "hanoi-2.json"
+    blueprint.write_bytes(Path(sample("hanoi-2")).read_bytes())
+    shell("keys", "make", "--person", "Dr. Sun", "--role", "surgeon", "--id", "sun")
+    record = str(tmp_path / "record.json")
+    assert shell("approve", str(blueprint), "--key", "sun", "-o", record).status == 0
+    made = tmp_path / "made"
+    shell("generate", "code", str(blueprint), "-o", str(made), "--record", record)
+    for roles, status in (("surgeon = 1", 0), ("surgeon = 1, engineer = 1", 1)):
+        policy = tmp_path / "policy.toml"
+        policy.write_text(f"roles = {{ {roles} }}\n")
+        words = ["run", "--record", record, "--policy", str(policy), "--format", "json"]
+        call = [sys.executable, "-c", RUN, "hanoi_2", *words]
+        done = subprocess.run(call, cwd=made, capture_output=True, text=True, check=False)
+        studio = shell("run", str(blueprint), "--world", "table", *words[1:])
+        assert done.returncode == studio.status == status
+        last, theirs = json.loads(done.stdout.splitlines()[-1]), studio.lines[-1]
+        assert last["reason"] == theirs["reason"]
+        codes = [one["code"] for one in last.get("refusals", [])]
+        assert codes == [one["code"] for one in theirs.get("refusals", [])]

@@ -162,7 +162,7 @@ class Planner:
             is_goal,
             lambda node: self._moves(node, movers, quiet, routed),
             patience(self.blueprint.state_count),
-            Estimate(self.stepper, start, wanted, movers),
+            Estimate(self.stepper, start, wanted, movers, quiet),
         )
         return None if found is None else self._written(start, goal, found)
 
