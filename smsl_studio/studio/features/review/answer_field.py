@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.inspection.review.review_file import LONGEST
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.controls import Elided, row
 
 _RETURN = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
@@ -31,11 +31,15 @@ class AnswerField(QWidget):
         self.keep.setProperty("role", "primary")
         self.keep.setEnabled(False)
         self.cancel = QPushButton("Cancel")
-        hint = label("Ctrl+Enter keeps it", "readSmall")
+        # Shortened where it has no room, so that it never makes the line wider than the page.
+        hint = Elided("Ctrl+Enter keeps it")
+        hint.setProperty("role", "readSmall")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 4, 0, 0)
         column.addWidget(self.text)
-        column.addLayout(row(self.keep, self.cancel, hint, None))
+        last = row(self.keep, self.cancel, hint)
+        last.setStretch(2, 1)
+        column.addLayout(last)
         self.text.textChanged.connect(self._typed)
         self.keep.clicked.connect(self.give)
         self.cancel.clicked.connect(self.left)
