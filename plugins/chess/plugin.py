@@ -97,7 +97,9 @@ def weak_grip(board: Board, force: float = 0.1) -> None:
 def register(library: OperationLibrary) -> None:
     """Register the world ``chess`` with its operations, sensor and faults."""
 
-    @library.world("chess", settle=0.2)
+    places = tuple(block + layer for block in BLOCKS for layer in "BT")
+
+    @library.world("chess", settle=0.2, values=places)
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Board:
         board = Board(world, blueprint, seed)
         board.furnish()

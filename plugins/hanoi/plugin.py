@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def register(library: OperationLibrary) -> None:
     """Register the world ``hanoi`` with its operations, sensors and faults."""
 
-    @library.world("hanoi", settle=0.2)
+    @library.world("hanoi", settle=0.2, values=("a", "b", "c"))
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Table:
         if len(blueprint) != 1:
             raise WorldError(

@@ -148,7 +148,7 @@ OPERATIONS = {
 def register(library: OperationLibrary) -> None:
     """Register the world ``registration`` with its operations, sensors and faults."""
 
-    @library.world("registration", settle=0.2)
+    @library.world("registration", settle=0.2, values=("0", "1"))
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Site:
         site = Site(world, blueprint, seed)
         site.furnish()

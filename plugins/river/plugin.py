@@ -83,7 +83,7 @@ def weak_grip(crossing: Crossing, force: float = 0.1) -> None:
 def register(library: OperationLibrary) -> None:
     """Register the world ``river`` with its operations, sensor and faults."""
 
-    @library.world("river", settle=0.2)
+    @library.world("river", settle=0.2, values=("0", "B", "1"))
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Crossing:
         crossing = Crossing(world, blueprint, seed)
         crossing.furnish()

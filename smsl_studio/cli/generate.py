@@ -15,6 +15,7 @@ from smsl_studio.legible import one_line
 from smsl_studio.smsl.files import save_document
 
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
     from smsl_studio.front.generated import Generated
     from smsl_studio.front.physics import PhysicsDifference
 
@@ -42,7 +43,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     explore = parser.add_argument_group("explore")
     explore.add_argument("--world", metavar="W", help="the world that is explored")
     explore.add_argument(
-        "--start", metavar="FILE", help="a blueprint with the start, the facts and their values"
+        "--start",
+        metavar="FILE|VALUES",
+        help="a blueprint with the start, the facts and their values; or values: a,a,a",
     )
     explore.add_argument(
         "--repeats", type=_count, metavar="N", help="how often each operation must succeed (1)"
@@ -95,7 +98,7 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
 
     if options.world is None or options.start is None:
         raise UsageError("generate explore takes --world and --start")
-    start = read_argument(options.start)
+    start = _start(options.start, options.world)
     other = None if options.against is None else read_argument(options.against)
     limit = options.limit or LIMIT
     found = generate_explore(start, options.world, repeats=options.repeats or 1, limit=limit)
@@ -109,6 +112,15 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
     if not made.goal_reached:
         note("the ACTIVATING state of the start was not reached; ACTIVATING is left out")
     return 0 if made.goal_reached and not found.bound else 1
+
+
+def _start(text: str, world: str) -> Blueprint:
+    """Return the start: the blueprint in a file, or some values."""
+    from smsl_studio.front.physics import start_of_values
+
+    if text == "-" or any(sign in text for sign in "./\\"):
+        return read_argument(text)
+    return start_of_values(text, world)
 
 
 def _code(options: argparse.Namespace, out: Output) -> int:

@@ -93,6 +93,37 @@ def generate_explore(
     return Explored(_generated(found, branch, start, world), found.bound)
 
 
+def start_of_values(text: str, world: str, plugin_paths: Sequence[Path] = ()) -> Blueprint:
+    """Return a blueprint for ``generate_explore`` that starts with some values: ``a,a,a`` or
+    ``aaa``. Each fact may have the values that the world's plugin declares.
+
+    UsageError if the world declares none, or not these.
+    """
+    loaded = known_world(world, plugin_paths)
+    declared = () if loaded is None else loaded.world(world)[1].values
+    if not declared:
+        raise UsageError(
+            f"the world {world} does not declare the values of its facts",
+            advice="Name a blueprint as the start.",
+        )
+    width = len(declared[0])
+    plain = text.removeprefix("State_")
+    values = plain.split(",") if "," in plain else _cut(plain, width)
+    if not plain or any(value not in declared for value in values):
+        raise UsageError(
+            f"{text!r} is no start of the world {world}",
+            advice=f"Name a blueprint, or a value for each fact: {', '.join(declared)}.",
+        )
+    first = "State_" + "".join(values)
+    names = [first, *("State_" + one * len(values) for one in declared)]
+    header = {"INITIAL": first, "ACTIVATING": first, "NUM_FACTS": len(values)}
+    return _built({"SB1": {"HEADER": header, **{name: {} for name in names}}}, "start.json")
+
+
+def _cut(text: str, width: int) -> list[str]:
+    return [text[at : at + width] for at in range(0, len(text), width)]
+
+
 def bound_names(loaded: Loaded, world: str, branch: StateBranch) -> tuple[str, ...]:
     """Return the names of all operations that a world binds, with arguments from facts and their
     values. UsageError if there are too many."""

@@ -59,7 +59,8 @@ class WorldEntry:
 
     The result of ``build`` is the first argument of operations, sensors and ``arrange``. If
     ``build`` returns None, the engine is this argument. ``settle`` is the time (s) that the state
-    check of a target may take to become true after an operation has ended.
+    check of a target may take to become true after an operation has ended. ``values`` are the
+    values that facts of the world may have in a start, if the plugin says so.
     """
 
     name: str
@@ -67,6 +68,7 @@ class WorldEntry:
     hardware: bool
     settle: float
     build: Callable[..., Any]
+    values: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,22 +170,30 @@ class OperationLibrary:
         return any((self.worlds, self.operations, self.sensors, self.costs))
 
     def world(
-        self, name: str, engine: str = USUAL, hardware: bool = False, settle: float = 0.5
+        self,
+        name: str,
+        engine: str = USUAL,
+        hardware: bool = False,
+        settle: float = 0.5,
+        *,
+        values: Sequence[str] = (),
     ) -> Callable[[FunctionT], FunctionT]:
         """Register a world. The decorated ``build(world, blueprint, seed)`` furnishes it.
 
         ``engine`` is the engine's name. ``hardware`` says that real machines move. ``settle`` is
-        in seconds (see ``WorldEntry``).
+        in seconds (see ``WorldEntry``). ``values`` are those that its facts may have, for
+        ``generate explore``.
         """
         name = proper_name(name, "a world")
         _one_of(engine, ENGINES, "engine")
         hardware, settle = truth(hardware, "hardware"), seconds(settle, "settle", zero=True)
+        known = tuple(proper_name(value, "a value") for value in values)
         if name == TABLE or name in self.worlds:
             raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the function that builds the world."""
-            self.worlds[name] = WorldEntry(name, engine, hardware, settle, function)
+            self.worlds[name] = WorldEntry(name, engine, hardware, settle, function, known)
             return function
 
         return keep

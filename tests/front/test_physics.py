@@ -10,16 +10,21 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PlanningError, PluginError, UsageError, WorldError
 from smsl_studio.front.hosts import known_world
-from smsl_studio.front.physics import against, bound_names, generate_explore
+from smsl_studio.front.physics import (
+    against,
+    bound_names,
+    generate_explore,
+    start_of_values,
+)
 from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import blueprint_of, write_plugin
 
 SWITCHES = """
 def register(library):
-    @library.world("switches", engine="table", settle=0.1)
+    @library.world("switches", engine="table", settle=0.1, values=("0", "1"))
     def build(world, blueprint, seed):
-        world.seed = seed
+        (world.sb,) = (branch.name for branch in blueprint)
 
     @library.arrange("switches")
     def arrange(world, facts):
@@ -27,19 +32,19 @@ def register(library):
 
     @library.sensor("switch_{n}", fact="{n}", period=0.1)
     def switch(world, n: int):
-        return world.fact("BOARD", n - 1)
+        return world.fact(world.sb, n - 1)
 
     @library.operation("Op_{n}{to}", timeout=5.0)
     def turn(world, n: int, to: str):
         yield
-        if n > 2 or (n == 2 and world.fact("BOARD", 0) == "0"):
+        if n > 2 or (n == 2 and world.fact(world.sb, 0) == "0"):
             return False
-        world.set_facts({("BOARD", n - 1): to})
+        world.set_facts({(world.sb, n - 1): to})
 
     @library.operation("Op_reset", recovery=True)
     def reset(world):
         yield
-        world.set_facts({("BOARD", 0): "0", ("BOARD", 1): "0"})
+        world.set_facts({(world.sb, 0): "0", (world.sb, 1): "0"})
 
     @library.operation("Op_break")
     def smash(world):
@@ -49,7 +54,7 @@ def register(library):
     @library.operation("Op_lose")
     def lose(world):
         yield
-        world.set_facts({("BOARD", 0): "q"})
+        world.set_facts({(world.sb, 0): "q"})
 
     @library.operation("Op_idle")
     def idle(world):
@@ -144,3 +149,18 @@ def test_an_unknown_mark_of_an_operation_is_a_fault() -> None:
         library.operation("Op_reset", recover=True)
     with pytest.raises(PluginError, match="recovery"):
         library.operation("Op_reset", recovery="yes")  # type: ignore[arg-type]
+
+
+def test_values_are_a_start_where_the_world_declares_them(paths: tuple[Path, ...]) -> None:
+    for text in ("00", "0,0", "State_00"):
+        start = start_of_values(text, "switches", paths)
+        told = generate_explore(start, "switches", plugin_paths=paths)
+        assert told.generated.operations == 6
+        assert told.generated.goal_reached
+    for wrong in ("", "02", "0,", "State_"):
+        with pytest.raises(UsageError, match="is no start of the world switches"):
+            start_of_values(wrong, "switches", paths)
+    with pytest.raises(UsageError, match="does not declare"):
+        start_of_values("00", "table")
+    for world, values in (("hanoi", "aaa"), ("river", "0000"), ("chess", "0B1B")):
+        assert start_of_values(values, world)["SB1"].num_facts in (2, 3, 4)

@@ -92,7 +92,14 @@ def test_learnt_rules_are_short_and_have_the_form_of_rules(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "cases"),
-    [("hanoi 4", 4), ("river", 4), ("lights 2x3", 2), ("lamps 5", 2), ("tiles 3", 1)],
+    [
+        ("hanoi 4", 4),
+        ("river", 4),
+        ("lights 2x3", 2),
+        ("three counters", 8),
+        ("lamps 5", 2),
+        ("tiles 3", 1),
+    ],
 )
 def test_words_of_names_are_parameters(name: str, cases: int) -> None:
     assert learnt_of(name).cases == cases

@@ -53,7 +53,9 @@ def terms_of(
     size = len(family.operations)
     facts = {name: (digit,) * size for digit, name in enumerate(names)}
     places = {name: digit for digit, name in enumerate(names)}
-    for pattern, made in family.fact_terms(names).items():
+    # The name of a fact that is only its digit says nothing about the words of operations.
+    named = [name for digit, name in enumerate(names) if name != digit_name(digit)]
+    for pattern, made in family.fact_terms(named).items():
         facts[pattern] = tuple(places[name] for name in made)
     every = sorted({value for alphabet in alphabets for value in alphabet})
     values = {value: (value,) * size for value in every}
@@ -181,6 +183,11 @@ def fact_text(name: str) -> str:
     """Return the name of a fact, or its pattern, as a condition writes it."""
     bare = name.replace("{", "").replace("}", "")
     return name if bare.isascii() and bare.isidentifier() and _plain(bare) else written_plain(name)
+
+
+def digit_name(digit: int) -> str:
+    """Return the name of a fact that has no other name."""
+    return f"digit {digit}"
 
 
 def _plain(name: str) -> bool:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from smsl_studio.generate.examples.atoms import Atoms, Literal
 from smsl_studio.generate.examples.cover import Formula, condition_of
+from smsl_studio.generate.examples.edge_groups import MOST_GROUPS, Assignment, EdgeGroup, EdgeGroups
 from smsl_studio.generate.examples.family import Family
 from smsl_studio.generate.examples.table import ExampleTable
 from smsl_studio.stop import heed
 
-_MOST_CASES, _DEAREST = 90, 1e6
+_DEAREST = 1e6
 _MOST_ORDERED = 12
-Assignment = tuple[str, str]
-_Signature = tuple[int, frozenset[int], frozenset[Assignment]]
 
 
 @dataclass(frozen=True)
@@ -39,16 +38,6 @@ class LearntRule:
         return sum(case.when.cost + len(case.change) + 1 for case in self.cases)
 
 
-@dataclass
-class _EdgeKind:
-    """Edges that one case can make. ``sets`` has what all of them have in common, ``changed`` the
-    facts that they change, by the number of the operation."""
-
-    changed: dict[int, frozenset[int]]
-    sets: frozenset[Assignment]
-    mask: int
-
-
 class CaseSearch:
     """Finds the cases of one family."""
 
@@ -64,96 +53,44 @@ class CaseSearch:
             for source in table.edges.get(operation, {}):
                 self._edges |= 1 << (at * len(self._states) + self._numbers[source])
 
-    def rule(self, most_cases: int = _MOST_CASES, most: float = _DEAREST) -> LearntRule | None:
+    def rule(self, most_cases: int = MOST_GROUPS, most: float = _DEAREST) -> LearntRule | None:
         """Return the rule, None if it would have more cases, or cost more, than it may."""
-        kinds = self._kinds(most_cases)
-        if kinds is None:
-            return None
-        changes = [self._change(kind) for kind in kinds]
+        found = EdgeGroups(self._table, self._family, self._atoms)
+        ways = [groups for groups in (found.common(), found.merged()) if groups is not None]
+        ways = [groups for groups in sorted(ways, key=len) if len(groups) <= most_cases]
+        if len(ways) == 2 and {one.mask for one in ways[0]} == {one.mask for one in ways[1]}:
+            ways.pop()
+        literals = self._atoms.literals() if ways else []
+        for groups in ways:
+            rule = self._rule(groups, literals, most)
+            if rule is not None:
+                return rule
+        return None
+
+    def _rule(
+        self, groups: Sequence[EdgeGroup], literals: Sequence[Literal], most: float
+    ) -> LearntRule | None:
+        changes = [self._change(group) for group in groups]
         if any(change is None for change in changes):
             return None
-        literals = self._atoms.literals()
         plans = [
-            _Plan(kind.mask, change, *self._effect(change))
-            for kind, change in zip(kinds, changes, strict=True)
+            _Plan(group.mask, change, *self._effect(change))
+            for group, change in zip(groups, changes, strict=True)
             if change is not None
         ]
         cases = self._ordered(plans, literals, most)
         return None if cases is None else LearntRule(self._family, tuple(cases), self._atoms)
 
-    def _kinds(self, most_cases: int) -> list[_EdgeKind] | None:
-        """Return the edges in as few kinds as are found, the largest first."""
-        signatures: dict[tuple[object, ...], int] = {}
-        seen: dict[tuple[object, ...], _Signature] = {}
-        changing = self._changing()
-        for at, operation in enumerate(self._family.operations):
-            possible = self._possible(at, changing)
-            for source, target in self._table.edges.get(operation, {}).items():
-                heed()
-                changed = frozenset(d for d in changing if source[d] != target[d])
-                key: tuple[object, ...] = (at, changed, tuple(target[d] for d in changing))
-                bit = 1 << (at * len(self._states) + self._numbers[source])
-                signatures[key] = signatures.get(key, 0) | bit
-                if key not in seen:
-                    true = frozenset(one for one, digit, text in possible if target[digit] == text)
-                    seen[key] = at, changed, true
-        kinds: list[_EdgeKind] = []
-        order = sorted(
-            signatures, key=lambda key: (-len(seen[key][1]), -signatures[key].bit_count())
-        )
-        for key in order:
-            heed()
-            (number, moved, true), mask = seen[key], signatures[key]
-            fitting = [(kind, kind.sets & true) for kind in kinds]
-            for kind, sets in sorted(fitting, key=lambda one: -len(one[1])):
-                wanted = {**kind.changed}
-                wanted[number] = wanted.get(number, frozenset()) | moved
-                same = len(sets) == len(kind.sets) and wanted == kind.changed
-                if same or self._covers(sets, wanted):
-                    kind.changed, kind.sets = wanted, sets
-                    kind.mask |= mask
-                    break
-            else:
-                if len(kinds) >= most_cases:
-                    return None
-                kinds.append(_EdgeKind({number: moved}, true, mask))
-        return sorted(kinds, key=lambda kind: -kind.mask.bit_count())
-
-    def _changing(self) -> tuple[int, ...]:
-        found: set[int] = set()
-        for operation in self._family.operations:
-            for source, target in self._table.edges.get(operation, {}).items():
-                heed()
-                found.update(d for d, v in enumerate(source) if target[d] != v)
-        return tuple(sorted(found))
-
-    def _possible(self, at: int, changing: Sequence[int]) -> list[tuple[Assignment, int, str]]:
-        """Return all ways to set a fact that changes, with its digit and its value."""
-        terms = self._atoms.terms
-        return [
-            ((fact, value), digits[at], texts[at])
-            for fact, digits in terms.facts.items()
-            if digits[at] in changing
-            for value, texts in terms.values.items()
-            if terms.valid(fact, value, self._atoms.alphabets)
-        ]
-
-    def _covers(self, sets: frozenset[Assignment], wanted: Mapping[int, frozenset[int]]) -> bool:
-        """Return whether all facts that change are set."""
-        facts = self._atoms.terms.facts
-        digits = [facts[fact] for fact in {fact for fact, _ in sets}]
-        return all(changed <= {own[at] for own in digits} for at, changed in wanted.items())
-
-    def _change(self, kind: _EdgeKind) -> tuple[Assignment, ...] | None:
-        """Return the shortest change that makes all edges of a kind."""
+    def _change(self, group: EdgeGroup) -> tuple[Assignment, ...] | None:
+        """Return the shortest change that makes all edges of a group."""
         facts = self._atoms.terms.facts
         chosen: list[Assignment] = []
-        open_edges = [(at, set(changed)) for at, changed in kind.changed.items()]
+        open_edges = [(at, set(changed)) for at, changed in group.changed.items()]
         taken: list[set[int]] = [set() for _ in self._family.operations]
         while any(changed for _, changed in open_edges):
             heed()
             best, most = None, 0
-            for one in sorted(kind.sets, key=lambda pair: (pair[0], "{" not in pair[1], pair[1])):
+            for one in sorted(group.sets, key=lambda pair: (pair[0], "{" not in pair[1], pair[1])):
                 digits = facts[one[0]]
                 if any(digit in own for digit, own in zip(digits, taken, strict=True)):
                     continue

@@ -14,7 +14,7 @@ from smsl_studio.generate.examples.atoms import Atoms, Literal, equal_text
 from smsl_studio.stop import heed
 
 _MOST_TERMS = 40
-_MOST_JOINED = {1: 100_000, 2: 300, 3: 60}
+_MOST_JOINED = {1: 100_000, 2: 200, 3: 40}
 _MOST_PAIRED = 160
 
 
@@ -83,7 +83,8 @@ def _units(atoms: Atoms, literals: Sequence[Literal], wanted: int, other: int) -
     found = [one for one in literals if not wanted & ~one.mask and other & ~one.mask]
     for fact in atoms.terms.facts:
         values = atoms.values_in(fact, wanted)
-        if len(values) > 1:
+        told = all(atoms.terms.valid(fact, one, atoms.alphabets) for one in values)
+        if len(values) > 1 and told:
             one = atoms.one_of(fact, values)
             if other & ~one.mask:
                 found.append(one)
@@ -151,11 +152,12 @@ def _excluded(literals: Sequence[Literal], wanted: int, other: int) -> list[Clau
     """Return excluded pairs, and more where pairs do not do, that exclude all of ``other``."""
     useful = [one for one in literals if one.mask & other][:_MOST_PAIRED]
     pairs: list[Clause] = []
-    for one, second in combinations(useful, 2):
-        both = one.mask & second.mask
-        if both & other and not both & wanted:
-            pairs.append(Clause((one, second), excluded=True))
+    for at, one in enumerate(useful):
         heed()
+        here, there = one.mask & other, one.mask & wanted
+        for second in useful[at + 1 :]:
+            if here & second.mask and not there & second.mask:
+                pairs.append(Clause((one, second), excluded=True))
     full = (1 << max(wanted.bit_length(), other.bit_length())) - 1
     chosen, left = _covering(pairs, other, full)
     while left and len(chosen) < _MOST_TERMS:

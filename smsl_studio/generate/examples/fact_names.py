@@ -10,6 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 
+from smsl_studio.generate.examples.atoms import digit_name
 from smsl_studio.generate.examples.family import fine_words_of, words_of
 from smsl_studio.generate.examples.table import ExampleTable
 from smsl_studio.stop import heed
@@ -25,7 +26,7 @@ def fact_names(table: ExampleTable) -> tuple[str, ...]:
     keys = _keys(table)
     if not keys:
         return labels
-    if _names_in(labels, keys):
+    if all(table.labels[digit] for digit in keys) and _names_in(labels, keys):
         return labels
     names = list(labels)
     for digit, key in keys.items():
@@ -37,10 +38,10 @@ def fact_names(table: ExampleTable) -> tuple[str, ...]:
 
 def _labels(table: ExampleTable) -> tuple[str, ...]:
     labels = tuple(
-        label if _usable(label) else f"digit {digit}" for digit, label in enumerate(table.labels)
+        label if _usable(label) else digit_name(digit) for digit, label in enumerate(table.labels)
     )
     if len(set(labels)) < len(labels):
-        return tuple(f"digit {digit}" for digit in range(len(labels)))
+        return tuple(map(digit_name, range(len(labels))))
     return labels
 
 
