@@ -34,6 +34,7 @@ BENCHES = (
     "edits",
     "fuzz",
     "exchange",
+    "learn",
     "find",
     "journal",
     "compare",

@@ -48,6 +48,19 @@ def test_without_a_record_nobody_has_inspected_it(sit: Sit, file: Path) -> None:
     card.close()
 
 
+def test_what_was_computed_says_so_until_a_record_covers_it(sit: Sit, file: Path) -> None:
+    origin = {"how": "rules", "from": "door.toml", "digest": "0" * 64}
+    file.write_text(json.dumps({**DOOR, "_origin": origin}, indent=1))
+    person = sit(file)
+    says(person, "Generated, not inspected")
+    badge = person.window.features.approval.badge
+    assert not badge.said.is_good
+    assert any("_origin says how" in line for line in badge.said.lines)
+    approve(file)
+    person.window.features.approval.look_again()
+    says(person, "Approved by 1")
+
+
 def test_it_follows_the_record_and_every_change(sit: Sit, file: Path) -> None:
     approve(file)
     person = sit(file)
