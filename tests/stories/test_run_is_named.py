@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 
 from tests.stories.at_run import AtRun
@@ -105,3 +106,81 @@ def test_a_question_that_outlives_the_run_leaves_its_results(sit: Sit, tmp_path:
     assert run.facts()
     assert run.pane.timeline.lanes
     assert run.pane.events.count()
+
+
+def behind(sit: Sit, tmp_path: Path) -> AtRun:
+    """A run of hfsm.json is paused, and hanoi-2.json is open in Draw mode."""
+    run = held(sit, copy_of("hfsm.json", tmp_path))
+    run.person.ctrl(Key.Key_1)
+    run.person.window.open_path(copy_of("hanoi-2.json", tmp_path))
+    assert title(run.person) == "hanoi-2.json"
+    return run
+
+
+@pytest.mark.parametrize("key", [Key.Key_F5, Key.Key_F10])
+def test_a_key_in_draw_asks_before_the_run_of_another_file_goes_on(
+    sit: Sit, tmp_path: Path, key: Qt.Key
+) -> None:
+    run = behind(sit, tmp_path)
+    person, told = run.person, list[str]()
+    answer(person, "Cancel", told)
+    person.press(key)
+    assert "hfsm.json" in told[0]
+    assert "hanoi-2.json" in told[0]
+    assert (run.phase, person.window.mode) == ("Paused", "draw")
+    person.come_back()
+    answer(person, "Go on with hfsm.json")
+    person.press(key)
+    person.until(lambda: run.pane.run.status is not None and run.pane.run.status.operations > 1)
+    assert person.window.mode == "run"
+
+
+def test_a_run_that_ends_while_it_is_asked_begins_no_other(sit: Sit, tmp_path: Path) -> None:
+    run = behind(sit, tmp_path)
+    person = run.person
+
+    def end() -> None:
+        run.pane.play()
+        run.until_phase("Goal reached")
+        answer(person, "Go on with hfsm.json")
+
+    QTimer.singleShot(50, person.window, end)
+    person.press(Key.Key_F5)
+    assert (run.phase, person.window.mode) == ("Goal reached", "draw")
+    assert not run.pane.run.exists
+
+
+def test_in_run_and_for_the_own_file_no_key_asks(sit: Sit, tmp_path: Path) -> None:
+    run = held(sit, copy_of("hfsm.json", tmp_path))
+    run.person.ctrl(Key.Key_1)
+    run.person.press(Key.Key_F10)
+    run.until_done(3)
+    run.person.window.open_path(copy_of("hanoi-2.json", tmp_path))
+    run.person.ctrl(Key.Key_2)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+
+
+def test_stop_asks_nothing_and_a_pause_says_of_which_run_it_was(sit: Sit, tmp_path: Path) -> None:
+    run = behind(sit, tmp_path)
+    person = run.person
+    person.press(Key.Key_F6)
+    assert "hfsm.json" in person.window.toast.words
+    person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+
+
+def test_the_badge_names_the_file_of_a_run_that_is_not_the_drawing(
+    sit: Sit, tmp_path: Path
+) -> None:
+    run = held(sit, copy_of("hfsm.json", tmp_path))
+    person, badge = run.person, run.person.window.mode_bar.phase
+    person.ctrl(Key.Key_1)
+    assert badge.text() == "Paused"
+    person.window.open_path(copy_of("hanoi-2.json", tmp_path))
+    assert badge.text() == "Paused: hfsm.json"
+    assert badge.accessibleName() == "The run of hfsm.json: Paused"
+    assert "hfsm.json" in badge.toolTip()
+    person.window.resize(900, 800)
+    person.until(lambda: badge.text() == "Paused")
+    assert "hfsm.json" in badge.toolTip()

@@ -120,7 +120,7 @@ def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
     run.until_phase("Stopped")
     run.pane.run.end()
     person.qtbot.waitUntil(lambda: not run.pane.run.exists)
-    assert run.phase == "Stopped"
+    assert run.phase == "Ended: stopped"
     # What was read last stands there, and claims no age.
     assert [row.sensed for row in run.pane.facts.facts.rows]
     assert {row.age for row in run.pane.facts.facts.rows} == {None}

@@ -33,6 +33,21 @@ LATCHED = ("stopped", "fault_hold", "no_route", "taken_over")
 """The run states in which nothing moves until a person has decided."""
 
 
-def phase_words(phase: str) -> tuple[str, str]:
-    """Return the words of a run state and the style of its badge."""
-    return PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))
+OUTCOMES: dict[str, str] = {"failed": "failed"}
+"""The words of ends that differ from those of the run state."""
+
+
+def phase_words(phase: str, over: bool = False) -> tuple[str, str]:
+    """Return the words of a run state and the style of its badge.
+
+    ``over`` says that the run has ended in this state, so that it waits for nobody.
+    """
+    words, kind = PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))
+    if over and kind != "good" and phase not in ("", "refused"):
+        return f"Ended: {OUTCOMES.get(phase, words.lower())}", "quiet"
+    return words, kind
+
+
+def outcome_words(phase: str) -> str:
+    """Return how a run has ended, as words within a sentence."""
+    return OUTCOMES.get(phase, phase_words(phase)[0].lower())

@@ -102,6 +102,8 @@ class KeyButton(QPushButton):
 
     def _inks(self) -> tuple[QColor, QColor]:
         tokens = self._tokens
+        if self._role and not self.isEnabled():
+            return tokens.tx3, tokens.sunk
         if self._role == "stop":
             return QColor("white"), tokens.stop
         return (tokens.onacc, tokens.acc) if self._role else (tokens.tx, tokens.surf)

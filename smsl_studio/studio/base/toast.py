@@ -154,8 +154,14 @@ class Toast(QWidget):
 
     def fail(self, sentence: str, words: str, call: Callable[[], object]) -> None:
         """Show that the program failed, with a button that tells more."""
+        self.tell(sentence, words, call, "E")
+
+    def tell(
+        self, sentence: str, words: str, call: Callable[[], object], severity: str = ""
+    ) -> None:
+        """Show what has happened, with a button that tells more. An edit does not hide it."""
         self._call = call
-        self._show(sentence, "", "E", REFUSED_MS, words)
+        self._show(sentence, "", severity, REFUSED_MS, words)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay in place when the widget below changes its size."""

@@ -122,6 +122,12 @@ def followed(asked: Decision, status: DispatchStatus) -> Decision:
     return now
 
 
+def gone_words(asked: Decision) -> str:
+    """The sentence that a question is gone because the run has ended."""
+    question = f' "{asked.sentence}"' if asked.verb else ""
+    return f"The run has ended, so the question{question} is gone. Nothing of it was recorded."
+
+
 def accept(status: DispatchStatus) -> Decision:
     """The decision to let the automation continue from the located state."""
     located = ", ".join(f"{sb} in {state}" for sb, state in status.candidates[0].items())

@@ -10,6 +10,8 @@ from smsl_studio.studio.base.controls import Label
 from smsl_studio.studio.base.tips import tip_text
 
 HIGH = 32
+NAMED = 130
+"""Largest width of the name of a file (pixels); the tooltip has the whole name."""
 BRIEF = {"Waiting for a human": "Waiting", "Goal reached": "At goal"}
 """The words of long states where there is little room. The colour stays."""
 
@@ -20,6 +22,7 @@ class PhaseBadge(Label):
     def __init__(self) -> None:
         super().__init__()
         self._kind, self._brief = "", False
+        self._file, self._named = "", True
         self._said: tuple[str, str, str] | None = None
         self.setProperty("role", "phase")
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -32,8 +35,6 @@ class PhaseBadge(Label):
             return
         self._said = words, kind, tip
         self._write()
-        self.setToolTip(tip_text(tip))
-        self.setAccessibleName(plain_text(f"The run: {words}"))
         if kind != self._kind:
             self._kind = kind
             self.setProperty("kind", kind)
@@ -46,9 +47,27 @@ class PhaseBadge(Label):
             self._brief = brief
             self._write()
 
+    def show_file(self, file: str) -> None:
+        """Name the file of the run, where another one is shown; empty names none."""
+        if file != self._file:
+            self._file = file
+            self._write()
+
+    def set_named(self, named: bool) -> None:
+        """Show the name of the file, if there is one, or leave it to the tooltip."""
+        if named != self._named:
+            self._named = named
+            self._write()
+
     def _write(self) -> None:
-        words, kind, _ = self._said or ("", "quiet", "")
-        if self._brief:
-            self.setText(BRIEF.get(words, words))
-        else:
-            self.setText(words if kind == "quiet" else f"●  {words}")
+        words, kind, tip = self._said or ("", "quiet", "")
+        shown = BRIEF.get(words, words) if self._brief else words
+        dot = "" if self._brief or kind == "quiet" else "●  "
+        of = f"The run of {self._file}" if self._file else "The run"
+        if self._file and self._named and not self._brief:
+            middle = Qt.TextElideMode.ElideMiddle
+            name = self.fontMetrics().elidedText(plain_text(self._file), middle, NAMED)
+            shown = f"{shown}: {name}"
+        self.setText(f"{dot}{shown}")
+        self.setToolTip(tip_text(f"{of}. {tip}".strip() if self._file else tip))
+        self.setAccessibleName(plain_text(f"{of}: {words}"))

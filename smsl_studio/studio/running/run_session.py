@@ -140,6 +140,11 @@ class RunSession(QObject, Commands):
         return "opening" if self.status is None else self.story.moment.phase
 
     @property
+    def over(self) -> bool:
+        """Whether a run has ended, so that ``phase`` says how."""
+        return not self._exists and self.story.moment.finished is not None
+
+    @property
     def time(self) -> float:
         """The simulated time in seconds; 0 without a run."""
         return max(self.story.moment.time, self.status.time if self.status is not None else 0.0)

@@ -54,9 +54,9 @@ class Features(QObject):
     """Line and column of the caret in the source, from 1."""
     run_exists = Signal(bool)
     """Whether there is a run that can be stopped."""
-    phase_shown = Signal(str, str, str)
-    """The word for the run's phase, its kind (which selects the colour), and the sentence about
-    it."""
+    phase_shown = Signal(str, str, str, str)
+    """The word for the run's phase, its kind (which selects the colour), the sentence about it,
+    and its file if that is not the file of the drawing."""
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
@@ -247,5 +247,5 @@ class Features(QObject):
         self.draw.source.set_active(Address(sb, state) for sb, state in there.items())
 
     def _tell_phase(self) -> None:
-        run = self.run.pane.run
-        self.phase_shown.emit(*phase_words(run.phase), run.sentence)
+        run, other = self.run.pane.run, self.run.pane.other
+        self.phase_shown.emit(*phase_words(run.phase, run.over), run.sentence, other)

@@ -159,6 +159,15 @@ class Dialogs:
         why = "Closing the window ends it. What moves is stopped first."
         return self._chosen("A run is there", said, why, words, default=STAY) != STAY
 
+    def may_go_on(self, ran: str, drawn: str) -> bool:
+        """Ask whether the run of the file ``ran`` may go on, while ``drawn`` is shown."""
+        return self._agrees(
+            "A run of another file",
+            f"The run that is there is of {ran} and began before {drawn} was opened.",
+            f"It would go on now. To run {drawn}, end that run first.",
+            f"Go on with {ran}",
+        )
+
     def _come_forward(self) -> None:
         """Bring the window to the front, so that the person sees which one the question is
         about."""

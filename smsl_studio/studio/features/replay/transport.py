@@ -102,7 +102,7 @@ class ReplayTransport(QWidget):
         self.moment.setText(f"{replay.time:{len(f'{replay.end:.2f}')}.2f} of {replay.end:.2f} s")
         self.back.setEnabled(replay.index > 0)
         self.step.setEnabled(replay.index < replay.count)
-        words, kind = phase_words(replay.phase)
+        words, kind = phase_words(replay.phase, replay.story.moment.finished is not None)
         self.phase.setText(words)
         self.phase.setToolTip(tip_text(replay.sentence))
         if self.phase.property("kind") != kind:

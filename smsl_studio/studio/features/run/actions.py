@@ -10,7 +10,13 @@ from smsl_studio.studio.running.run_actions import RunActions
 
 
 class Trials(Protocol):
-    """What the actions may ask about trying things by hand."""
+    """What the actions may ask about the run and about trying things by hand."""
+
+    def may_move(self) -> bool:
+        """Whether the run may go on now; a run of another file than the one shown is asked for."""
+
+    def tell_other(self) -> None:
+        """Say of which run a pause was, if it is of another file than the one shown."""
 
     def can_inject(self) -> bool:
         """Whether a fault can be injected now."""
@@ -32,13 +38,20 @@ def run_actions(
 
     def play() -> None:
         """Show the run and continue it."""
-        watch()
-        run.play()
+        if trials.may_move():
+            watch()
+            run.play()
+
+    def pause() -> None:
+        """Pause the run."""
+        trials.tell_other()
+        run.pause()
 
     def step() -> None:
         """Show the run and carry out one operation."""
-        watch()
-        run.step()
+        if trials.may_move():
+            watch()
+            run.step()
 
     def watch() -> None:
         """Switch to Run mode, unless Supervise or Replay mode is shown."""
@@ -52,7 +65,7 @@ def run_actions(
     return (
         Action("run_play", "Run", play, "Run", "play", ("F5",), can_run,
                tip="Start the run, or go on with it"),
-        Action("run_pause", "Pause", run.pause, "Run", "pause", ("F6",)),
+        Action("run_pause", "Pause", pause, "Run", "pause", ("F6",)),
         Action("run_step", "One operation", step, "Run", "step", ("F10",), can_run),
         Action("monitor", "Monitor", run.show_monitor, "View", "signal", ("Ctrl+M",), section=1,
                tip="Every sensor, fact, node and state check of the run"),

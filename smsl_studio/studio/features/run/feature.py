@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEventLoop, QTimer
 
+from smsl_studio.front.views.phase_words import outcome_words, phase_words
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Control, Feature, Page, Shell, whole
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.run_keys import lend_run_keys
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
 from smsl_studio.studio.running.run_actions import RunActions
 from smsl_studio.studio.running.window_parts import WindowParts
@@ -26,6 +29,10 @@ if TYPE_CHECKING:
 
 PATIENCE = 3000
 """Milliseconds that a closing window waits for its run to stop."""
+OWN = ("run", "supervise", "replay")
+"""The modes whose title names the run that the keys act on."""
+REST = ("paused", "ready", "fault_hold", "no_route")
+"""The run states from which a key lets something move."""
 
 
 class RunFeature(Feature):
@@ -79,6 +86,7 @@ class RunFeature(Feature):
                         pane.transport.seed.textChanged):  # fmt: skip
             changed.connect(lambda *_: warming.soon())
         files.asking.connect(pane.file_asked)
+        pane.run.exists_changed.connect(self._tell_end)
         if self._loaded is not None:
             pane.set_plugins(self._loaded)
         return pane
@@ -107,6 +115,34 @@ class RunFeature(Feature):
         pane.play()
         pane.next.step = None
         return "" if pane.run.exists else "It cannot be played now. Run says why."
+
+    @property
+    def _other(self) -> str:
+        """The file of a run that exists, if the shown page is about another file; else empty."""
+        pane = self.part.made
+        elsewhere = pane is not None and pane.run.exists and self._shell.mode not in OWN
+        return pane.other if pane is not None and elsewhere else ""
+
+    def may_move(self) -> bool:
+        """Whether the run may go on now.
+
+        The person is asked if it is of another file than the one that is shown, because then the
+        key was probably meant for that one.
+        """
+        other = self._other
+        if not other:
+            return True
+        run = self.pane.run
+        if run.phase not in REST and not run.pausing:
+            return True
+        agreed = Dialogs(self._parts.window).may_go_on(other, self._parts.files.name)
+        # While it was asked the run may have ended, and then a key would begin another one.
+        return agreed and run.exists
+
+    def tell_other(self) -> None:
+        """Say of which run a pause was, if it is of another file than the one shown."""
+        if self._other:
+            self._parts.toast.say(f"The run of {self._other} is told to pause")
 
     def pause(self) -> None:
         """Pause the run."""
@@ -148,6 +184,19 @@ class RunFeature(Feature):
         path = self._parts.files.path
         folder = path.parent if path is not None else Path.home()
         save_script(self.pane.run, folder, self._parts.toast, self._parts.window)
+
+    def _tell_end(self, exists: bool) -> None:
+        """Say how a run has ended, where the shown page does not."""
+        run, shown = self.pane.run, self._shell.mode in ("run", "supervise")
+        if shown or exists or not run.over or run.blueprint is None:
+            return
+        said = f"The run of {Path(run.blueprint.file).name} has ended: {outcome_words(run.phase)}."
+        self._parts.toast.tell(
+            f"{said} {capital(run.sentence)}".strip(),
+            "Show the run",
+            lambda: self._shell.set_mode("run"),
+            "" if phase_words(run.phase)[1] == "good" else "W",
+        )
 
     # What the shell needs.
 

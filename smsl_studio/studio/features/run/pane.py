@@ -338,7 +338,7 @@ class RunPane(QWidget):
 
     def _refresh(self) -> None:
         run, status, blueprint = self.run, self.run.status, self.run.blueprint
-        self.transport.show_phase(run.phase, run.exists, run.sentence)
+        self.transport.show_phase(run.phase, run.exists, run.sentence, run.over)
         if self.isVisible():
             self.next.offer()
         self.canvas.refresh()

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.phase_words import LATCHED
 from smsl_studio.front.views.possible_rows import PossibleRow
+from smsl_studio.studio.base.announcement import announce
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.running import decisions
@@ -34,6 +35,7 @@ class PossiblePanel(QWidget):
         self._run = run
         self.list = PossibleList(tokens)
         self.hold, self.asking = HoldCard(brief=True), ConfirmBox()
+        self._gone = ""
         inset = QVBoxLayout()
         inset.setContentsMargins(8, 8, 8, 0)
         inset.setSpacing(8)
@@ -80,9 +82,14 @@ class PossiblePanel(QWidget):
             else:
                 self.asking.show_decision(None)
         else:
+            if decision is not None and self._run.over:
+                self._gone = decisions.gone_words(decision)
+                announce(self, self._gone, urgent=True)
             self.asking.show_decision(None)
+        if self._run.exists:
+            self._gone = ""
         self._fit()
-        self.list.show_rows(rows, by_hand, empty)
+        self.list.show_rows(rows, by_hand, f"{empty} {self._gone}".strip())
 
     def row_widgets(self) -> list[QWidget]:
         """The widgets of the rows in order."""

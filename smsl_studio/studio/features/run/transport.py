@@ -117,9 +117,11 @@ class Transport(QWidget):
         for widget in (self.world, self.start, self.goal, self.seed):
             widget.setEnabled(not locked)
 
-    def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
-        """Show the phase of the run; ``exists`` says whether there is one to stop."""
-        self.phase.show_phase(*phase_words(phase), tip)
+    def show_phase(self, phase: str, exists: bool, tip: str = "", over: bool = False) -> None:
+        """Show the phase of the run; ``exists`` says whether there is one to stop, ``over``
+        whether it has ended."""
+        self.phase.show_phase(*phase_words(phase, over), tip)
+        self.stop.setEnabled(exists)
         self.stop.setToolTip(
             tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
         )

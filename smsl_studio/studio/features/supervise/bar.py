@@ -76,11 +76,14 @@ class SuperviseBar(QWidget):
             self, self._said[1], self._person, self._said[0], self._goal, line,
             self.step, self.end, self.phase, self.play, self.reset, gaps=4,
         )  # fmt: skip
-        self.show_run("", exists=False, tip="", goal="", person="")
+        self.show_run("", exists=False, over=False, tip="", goal="", person="")
 
-    def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
-        """Show the phase of the run, its goal, and the person who commands."""
-        self.phase.show_phase(*phase_words(phase), tip)
+    def show_run(
+        self, phase: str, exists: bool, over: bool, tip: str, goal: str, person: str
+    ) -> None:
+        """Show the phase of the run, its goal, and the person who commands; ``over`` says that it
+        has ended."""
+        self.phase.show_phase(*phase_words(phase, over), tip)
         pairs = ((self._goal, goal), (self._person, person))
         for before, (part, said) in zip(self._said, pairs, strict=True):
             part.setToolTip(tip_text(said))
@@ -105,6 +108,7 @@ class SuperviseBar(QWidget):
             self.play.setToolTip(tip_text("Go on (F5)" if exists else "Run to the goal (F5)"))
         tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         self.stop.setToolTip(tip_text(tip))
+        self.stop.setEnabled(exists)
         self._precedence.fit()
 
     @property

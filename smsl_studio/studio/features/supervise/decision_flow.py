@@ -103,6 +103,8 @@ class DecisionFlow(QObject):
             or (decision.command == "accept" and not located)
         ):
             self._asking.show_decision(None)
+            if self._run.over:
+                self._step_in.say(decisions.gone_words(decision))
         elif (
             card is not None
             and card.address == self.picked

@@ -88,7 +88,7 @@ class Notice(QWidget):
             self._title.setText("Opening the world")
             self._why.setText("")
         elif run.story.moment.finished is not None:
-            self._title.setText(phase_words(run.phase)[0])
+            self._title.setText(phase_words(run.phase, run.over)[0])
             again = (
                 f"F5 runs {Path(drawn.file).name} as it is drawn now."
                 if run.is_another(drawn)

@@ -293,7 +293,7 @@ class SupervisePane(QWidget):
         goals = ", ".join(goal.state for goal in status.goals) if status is not None else ""
         person = run.who()
         named = "" if person == "a person" else person
-        self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
+        self.bar.show_run(run.phase, run.exists, run.over, run.sentence, goals, named)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the columns to the new size."""

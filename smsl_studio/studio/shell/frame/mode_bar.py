@@ -39,6 +39,8 @@ SNUG = 1360
 WORDS = 560
 """The width of the drawing tools from which their buttons have words (pixels)."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_review", "mode_replay")
+NAMED = 1100
+"""Below this width of the bar the word of the run leaves the name of its file to the tooltip."""
 NO_TOOLS = ("start",)
 PAGES = ("merge",)
 """Pages of Draw on which nothing is drawn."""
@@ -91,7 +93,7 @@ class ModeBar(QToolBar):
         self._middle.setMinimumWidth(1)
         self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
-        inner = _Whole(self.segments)
+        inner = _Whole(self.segments, self.phase)
         layout = QHBoxLayout(inner)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(12)
@@ -142,10 +144,14 @@ class ModeBar(QToolBar):
         self._show_stop()
         self._draw_tools.show_run(not shown)
 
-    def show_phase(self, words: str, kind: str, tip: str) -> None:
+    def show_phase(self, words: str, kind: str, tip: str, file: str = "") -> None:
         """Show the word for the run's phase beside Stop, so that a person sees the effect of
-        Stop."""
+        Stop.
+
+        ``file`` is the file of the run if it is another one than the drawing.
+        """
         before = self.phase.text()
+        self.phase.show_file(file)
         self.phase.show_phase(words, kind, tip)
         if self.phase.text() != before:
             self._precedence.fit()
@@ -188,14 +194,15 @@ class _Whole(QWidget):
 
     precedence: Precedence
 
-    def __init__(self, segments: Segments) -> None:
+    def __init__(self, segments: Segments, phase: PhaseBadge) -> None:
         super().__init__()
-        self._segments = segments
+        self._segments, self._phase = segments, phase
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Decide again which parts are hidden."""
         super().resizeEvent(event)
         self._segments.fit(self.width())
+        self._phase.set_named(self.width() >= NAMED)
         self.precedence.fit()
 
 
