@@ -5,14 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QPushButton
 
-from smsl_studio.runlog.events import OperationStarted
+from smsl_studio.runlog.events import Commanded, OperationStarted
 from tests.plugin_folder import write_plugin
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
-from tests.stories.person import SAMPLES
+from tests.stories.person import LEFT, SAMPLES
 
 Key = Qt.Key
 HFSM = SAMPLES / "hfsm.json"
@@ -60,6 +61,44 @@ def test_an_arrow_is_clicked_and_an_operation_is_chosen_from_the_list(sit: Sit) 
     run.until_done(3)
     assert run.active() == {"SB1": "State111", "SB2": "State1"}
     assert run.phase == "Ready"
+
+
+def test_the_second_press_of_a_double_click_carries_out_no_other_operation(sit: Sit) -> None:
+    run = _by_hand(sit, HFSM)
+    first = run.button("Operation000")
+    at = first.mapToGlobal(first.rect().center())
+    _press_at(first, at, 1_000)
+    run.until_done(1)
+    # The next operation has come below the pointer.
+    second = run.button("Operation100B")
+    _press_at(second, at, 1_220)
+    # The run takes commands in their order, so another choice would stand before the pause.
+    run.person.press(Key.Key_F6)
+    run.person.until(lambda: "pause" in asked(run))
+    assert asked(run).count("ask") == 1
+
+
+def asked(run: AtRun) -> list[str]:
+    return [one.command for one in run.events if isinstance(one, Commanded)]
+
+
+def _press_at(button: QPushButton, at: QPoint, moment: int) -> None:
+    """Press and let go at a point of the screen, at a moment (milliseconds)."""
+    for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+        held = LEFT if kind == QEvent.Type.MouseButtonPress else Qt.MouseButton.NoButton
+        event = QMouseEvent(
+            kind, QPointF(button.rect().center()), QPointF(at), LEFT, held,
+            Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        event.setTimestamp(moment)
+        QApplication.sendEvent(button, event)
+
+
+def test_a_held_key_steps_and_plays_once(sit: Sit) -> None:
+    actions = sit(HFSM).window.actions_table
+    assert not actions["run_step"].autoRepeat()
+    assert not actions["run_play"].autoRepeat()
+    assert actions["undo"].autoRepeat()
 
 
 def test_the_focus_stays_in_the_list_when_its_rows_are_made_again(sit: Sit) -> None:

@@ -53,6 +53,9 @@ class Action:
     inner: str = ""
     """The words of the submenu in which the row stands; a menu shows it where its first row is."""
 
+    once: bool = False
+    """Whether a key that is held counts once, because the action lets something move."""
+
     @property
     def hint(self) -> str:
         """The text of the tooltip: ``tip`` or else the words, and the first shortcut."""
@@ -100,6 +103,7 @@ class Actions(QObject):
             made = QAction(action.words, window)
             made.setObjectName(action.id)
             made.setCheckable(action.checked is not None)
+            made.setAutoRepeat(not action.once)
             made.setIconVisibleInMenu(action.checked is None)
             if action.scope == "window":
                 made.setShortcuts([QKeySequence(key) for key in action.keys])

@@ -26,6 +26,7 @@ from smsl_studio.studio.base.icons import icon, pixmap
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.running.choice_button import ChoiceButton, DoublePress
 
 ROW = 35
 SOON = 20
@@ -69,6 +70,7 @@ class PossibleList(QScrollArea):
         FocusLine(self)
         self._rows: tuple[PossibleRow, ...] = ()
         self._by_hand = False
+        self._presses = DoublePress()
         self._empty = "Starts with the run"
         self._narrow = False
         self._late = QTimer(self)
@@ -191,7 +193,8 @@ class PossibleList(QScrollArea):
         across.addWidget(self._mark(row.kind))
         if row.kind in ("route", "possible") and self._by_hand:
             hint = f"Carry out {row.address}"
-            button = self._button(row.name, hint, self.chosen, row)
+            button = ChoiceButton(row.name, hint, self._presses)
+            button.clicked.connect(lambda _=False: self.chosen.emit(row.address))
             across.addWidget(self._fixed(button, 0))
             room = button.maximumWidth() - PADDING
             button.setText(as_it_is(_shortened(row.name, 500, room)))

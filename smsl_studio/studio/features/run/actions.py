@@ -64,9 +64,10 @@ def run_actions(
 
     return (
         Action("run_play", "Run", play, "Run", "play", ("F5",), can_run,
-               tip="Start the run, or go on with it"),
+               tip="Start the run, or go on with it", once=True),
         Action("run_pause", "Pause", pause, "Run", "pause", ("F6",)),
-        Action("run_step", "One operation", step, "Run", "step", ("F10",), can_run),
+        Action("run_step", "One operation", step, "Run", "step", ("F10",), can_run,
+               once=True),
         Action("monitor", "Monitor", run.show_monitor, "View", "signal", ("Ctrl+M",), section=1,
                tip="Every sensor, fact, node and state check of the run"),
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
