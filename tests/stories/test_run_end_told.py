@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
+from smsl_studio.runlog.events import Commanded
 from smsl_studio.studio.running import operation_time
 from tests.stories.at_run import AtRun
 from tests.stories.at_supervise import AtSupervise
@@ -123,3 +124,36 @@ def test_a_question_in_run_says_that_the_run_has_ended(
 
 def _reads(possible: QWidget, words: str) -> bool:
     return any(words in part.text() for part in possible.findChildren(QLabel) if part.isVisible())
+
+
+def test_a_run_that_is_paused_is_ended_from_the_palette_with_a_question(sit: Sit) -> None:
+    run = paused(sit)
+    person = run.person
+    person.ctrl(Key.Key_K)
+    person.type("end run")
+    person.press(Key.Key_Return)
+    asking = person.window.features.supervise.pane.step_in.asking
+    person.until(asking.isVisible)
+    assert "stopped first" in asking.words
+    assert run.pane.run.exists
+    person.press(Key.Key_Return)
+    person.until(lambda: not run.pane.run.exists)
+    assert run.phase == "Ended: stopped"
+
+
+def test_what_moves_is_stopped_before_its_run_is_ended(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(operation_time, "USUAL", 30.0)
+    run = AtRun(sit(HFSM))
+    run.choose(world="table")
+    run.person.press(Key.Key_F5)
+    run.until_runs()
+    action = run.person.window.actions_table["run_end"]
+    assert action.isEnabled()
+    action.trigger()
+    run.person.press(Key.Key_Return)
+    run.person.until(lambda: not run.pane.run.exists)
+    done = [one.command for one in run.events if isinstance(one, Commanded) and not one.refused]
+    assert done == ["stop", "end"]
+    assert not action.isEnabled()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -18,6 +19,7 @@ from smsl_studio.world.protocol import Shape
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
+from tests.stories.test_files import copy_of
 
 Key = Qt.Key
 
@@ -82,6 +84,36 @@ def test_a_step_is_watched_beside_the_text_with_its_world(
     person.until(lambda: painter.seen[-1] == run.poses())
     person.click(column.leave)
     assert not column.isVisible()
+
+
+def test_beside_a_step_nothing_of_the_run_of_another_file_is_shown(
+    sit: Sit, tmp_path: Path
+) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    run = AtRun(person)
+    run.choose(world="table")
+    person.press(Key.Key_F10)
+    run.until_done(1)
+    person.ctrl(Key.Key_1)
+    person.window.open_path(copy_of("hanoi-2.json", tmp_path))
+    review = person.window.features.review
+    person.ctrl(Key.Key_4)
+    person.until(lambda: review.review.seen is not None)
+    seen = review.review.seen
+    assert seen is not None
+    step = next(one for one in seen.lines if one.line.about and one.line.about[0].operation)
+    review.page.show_line(step.line.key)
+    person.press(Key.Key_W)
+    column = review.watching()
+    assert column.isVisible()
+    assert "a run of hfsm.json" in column.said.text()
+    assert not column.canvas.isVisible()
+    assert not column.facts.isVisible()
+    run.pane.run.finish()
+    person.until(lambda: not run.pane.run.exists)
+    person.press(Key.Key_W)
+    person.until(column.canvas.isVisible)
+    assert column.facts.isVisible()
 
 
 def test_the_last_pose_is_drawn_however_long_a_picture_takes(

@@ -289,7 +289,7 @@ class Commands:
         owes="run_finished",
         explains=("run_finished",),
         label="End run",
-        tip="Finish a run that is stopped or holds",
+        tip="End the run for good; what moves is stopped first",
         consequence="It ends the run for good; its record is closed",
         offer="End the run here.",
         offered=("stopped", *_HELD),

@@ -167,6 +167,15 @@ def way_out(word: str) -> Decision:
     return offered(_way_out(word))
 
 
+def end(held: bool) -> Decision:
+    """The decision to end a run; one that is neither stopped nor ``held`` is stopped first."""
+    asked = way_out("end")
+    if held:
+        return asked
+    detail = f"What moves is stopped first, under control. {asked.detail}"
+    return replace(asked, verb="Stop and end", detail=detail)
+
+
 def detour_words(blueprint: Blueprint, status: DispatchStatus, subject: Address | None) -> str:
     """Which route would follow a veto of ``subject``, and how much longer and dearer it is.
 

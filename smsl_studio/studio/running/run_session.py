@@ -39,6 +39,8 @@ from smsl_studio.studio.running.runner import Runner
 from smsl_studio.world.protocol import Shape
 
 PLANNING = "the route is being planned"
+ENDABLE = ("stopped", "fault_hold", "no_route")
+"""The run states in which a run can be ended."""
 FRAME = 33
 """Milliseconds between two readings of the run's news."""
 
@@ -90,7 +92,7 @@ class RunSession(QObject, Commands):
         self._shown: ShownTime | None = None
         self._asked: RunRequest | None = None
         self._steps_first = False
-        self._goes_on = False
+        self._goes_on = self._ends = False
         self.recordings: Path | None = None
         """The folder for the log of the next run; None if it is not recorded."""
         self._opening: RunOpening | None = None
@@ -233,7 +235,7 @@ class RunSession(QObject, Commands):
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
         self._runner = runner
-        self._steps_first, self._goes_on = stepping, False
+        self._steps_first, self._goes_on, self._ends = stepping, False, False
         self._set_exists(True)
         if choice.by_hand:
             # As a command, so that the record and a script of this run say it, too.
@@ -298,9 +300,18 @@ class RunSession(QObject, Commands):
             self._told = RunObserver()
             self.changed.emit()
 
+    def finish(self) -> None:
+        """End the run for good. It can only be ended while it is stopped or holds, so it is
+        stopped first. Any other command cancels the end that waits for that."""
+        if self.phase in ENDABLE:
+            self.end()
+        else:
+            self.stop()
+            self._ends = True
+
     def take(self, command: Command) -> None:
         """Send a command, in the name of ``who`` unless it already has a name."""
-        self._goes_on = False
+        self._goes_on = self._ends = False
         if self._runner is not None and self._exists:
             named = command.by not in ("", PERSON)
             self._runner.command(command if named else replace(command, by=self.who()))
@@ -336,6 +347,8 @@ class RunSession(QObject, Commands):
             self._goes_on = False
             if status.phase in ("paused", "ready"):
                 self.resume()
+        if self._ends and self._exists and status.phase == "stopped":
+            self.end()
         self.changed.emit()
 
     def _refuse(self, error: StudioError) -> None:

@@ -13,6 +13,7 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.facts_table import FactsTable
 from smsl_studio.studio.running.frames import split
 from smsl_studio.studio.running.run_canvas import RunCanvas
+from smsl_studio.studio.running.run_choice import RunChoice
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.scene.world_view import WorldView
 
@@ -22,9 +23,10 @@ FRAME = 33
 
 
 class WatchColumn(QWidget):
-    """Shows the run of this window, in which the step at hand is played.
+    """Shows the run of this window while it is the one in which the step at hand is played.
 
-    A world without shapes has no picture; then the drawing has its room.
+    Nothing of another run is shown, because it would be taken for the step. A world without shapes
+    has no picture; then the drawing has its room.
     """
 
     left = Signal()
@@ -34,6 +36,8 @@ class WatchColumn(QWidget):
         self._run = run
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setProperty("role", "side")
+        self._played: RunChoice | None = None
+        """What the step was begun with; None while no step is played."""
         self.title, self.said = label("", "sideStrong"), label("", "sideText")
         for words in (self.title, self.said):
             words.setWordWrap(True)
@@ -55,13 +59,14 @@ class WatchColumn(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(head)
-        parts = split(
+        parts = self._parts = split(
             Qt.Orientation.Vertical,
             (self.world, self.canvas, self.facts),
             (280, 260, 160),
             (1, 1, 1),
         )
         column.addWidget(parts, 1)
+        column.addStretch(0)
         self.world.came_into_view.connect(self._draw)
         run.opened.connect(self._show_world)
         run.changed.connect(self.refresh)
@@ -79,20 +84,35 @@ class WatchColumn(QWidget):
         self.world.close_graphics()
 
     def show_step(self, words: str) -> None:
-        """Say which step is played."""
+        """Say which step is played, after its run has begun."""
         self.title.setText(words)
+        self._played = self._run.choice
         self._show_world()
         self.refresh()
 
-    def say(self, words: str) -> None:
-        """Say why nothing is played."""
-        self.said.setText(words)
+    def show_none(self, heading: str, why: str) -> None:
+        """Say why a step is not played."""
+        self.title.setText(heading)
+        self._played = None
+        self.said.setText(why)
+        self._show_world()
+        self.refresh()
+
+    @property
+    def plays(self) -> bool:
+        """Whether the run of the window is still that of the step."""
+        return self._played is not None and self._run.choice is self._played
 
     def refresh(self) -> None:
         """Show the present state of the run."""
         if self.isHidden():
             return
         run = self._run
+        self._parts.setVisible(self.plays)
+        if not self.plays:
+            if self._played is not None:
+                self.said.setText("Another run has begun since. Run mode shows it.")
+            return
         self.canvas.refresh()
         if run.status is None or run.blueprint is None:
             self.facts.show_rows(())
@@ -105,6 +125,10 @@ class WatchColumn(QWidget):
     def _show_world(self) -> None:
         """Show the picture of the world that is open now, if it has one."""
         run = self._run
+        if not self.plays:
+            self.world.hide()
+            self._frames.stop()
+            return
         self.world.load(run.shapes, run.choice.world if run.choice else "")
         self.world.setVisible(self.world.has_picture)
         self._draw()

@@ -107,8 +107,10 @@ class RunFeature(Feature):
         Returns why it does not begin; empty if it does.
         """
         pane = self.pane
-        if pane.run.exists:
-            return "There is a run already. Stop ends it."
+        held = pane.run.blueprint
+        if pane.run.exists and held is not None:
+            file = Path(held.file).name
+            return f"There is a run of {file} already. End it first: End run in the menu Run."
         if pane.next.loaded is None:
             return "The plugins are being loaded. Ask again in a moment."
         pane.next.step = starts, goal

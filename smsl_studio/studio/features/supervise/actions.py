@@ -30,9 +30,6 @@ class Supervising(Protocol):
     def is_stopped(self) -> bool:
         """Whether the run is stopped."""
 
-    def is_held(self) -> bool:
-        """Whether the run is stopped, or holds after a fault or without a route."""
-
     def is_mapped(self) -> bool:
         """Whether the full map of the SB is shown."""
 
@@ -67,7 +64,7 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
         return Action(name, words, there(ask), "Run", one.icon, tuple(one.key.split()), enabled,
                       scope="supervise", section=2, tip=one.tip)  # fmt: skip
 
-    fitting = {"accept": pane.is_located, "reset": pane.is_stopped, "end": pane.is_held}
+    fitting = {"accept": pane.is_located, "reset": pane.is_stopped, "end": pane.run_exists}
     return (
         Action("choose_operation", "Choose an operation", there(pane.choose_first), "Run", "",
                tuple("123456789"), pane.run_exists, scope="supervise", section=2,

@@ -121,7 +121,10 @@ class DecisionFlow(QObject):
     def _do(self, decision: Decision, reason: str) -> None:
         self._let_be = None
         self._asking.show_decision(None)
-        self._run.take(decision.said(reason))
+        if decision.command == "end":
+            self._run.finish()
+        else:
+            self._run.take(decision.said(reason))
         self.picked = None
         self._go_back()
         self.changed.emit()

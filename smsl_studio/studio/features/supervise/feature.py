@@ -64,10 +64,6 @@ class SuperviseFeature(Feature):
         """Whether the run is stopped."""
         return self.part.made is not None and self.part.made.is_stopped()
 
-    def is_held(self) -> bool:
-        """Whether the run is stopped, or holds after a fault or without a route."""
-        return self.part.made is not None and self.part.made.is_held()
-
     def is_mapped(self) -> bool:
         """Whether the full map of the SB is shown."""
         return self.part.made is not None and self.part.made.is_mapped()

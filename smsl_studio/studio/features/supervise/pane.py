@@ -34,7 +34,7 @@ from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.hold_card import HoldCard
 from smsl_studio.studio.running.run_canvas import RunCanvas
-from smsl_studio.studio.running.run_session import RunSession
+from smsl_studio.studio.running.run_session import ENDABLE, RunSession
 
 RIGHT = 396
 NARROW, LOW_PAGE, TWO = 900, 420, 640
@@ -158,7 +158,7 @@ class SupervisePane(QWidget):
 
     def is_held(self) -> bool:
         """Whether the run is stopped, or holds after a fault or without a route."""
-        return self._run.exists and self._run.phase in ("stopped", "fault_hold", "no_route")
+        return self._run.exists and self._run.phase in ENDABLE
 
     def is_mapped(self) -> bool:
         """Whether the full map of the SB is shown."""
@@ -182,7 +182,9 @@ class SupervisePane(QWidget):
         ask = own.get(word)
         if ask is not None:
             ask()
-        elif word in ("reset", "end"):
+        elif word == "end":
+            self.deciding.ask(decisions.end(held=self.is_held()))
+        elif word == "reset":
             self.deciding.ask(decisions.way_out(word))
         elif self._run.exists:
             self.deciding.ask(decisions.decision(word))
