@@ -131,6 +131,8 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
         canvas.delete_wanted.emit()
     elif key == Key.Key_F2 and len(selection) == 1:
         canvas.rename_wanted.emit(selection[0])
+    elif key == Key.Key_F2:
+        canvas.say(f"{len(selection):,} are selected. F2 renames one: select it alone first.")
     elif key == Key.Key_Tab or text == "/":
         canvas.quick_add_wanted.emit()
     elif key == Key.Key_C:

@@ -116,6 +116,7 @@ class DrawFeature(Feature):
         self.using = LibraryVerbs(self.editor)
         self.library.use = self.using.use
         self.facts = Facts(session, tokens)
+        self.drawing.add_fact = self._add_fact
         self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
         self.findings = Findings(session, tokens, parts.inspector.rules)
         self.history, self.table = History(session, tokens), BranchTable(session, tokens)
@@ -348,6 +349,11 @@ class DrawFeature(Feature):
             self.canvas.setFocus()
         else:
             self.notes.add_note(state=address.state)
+
+    def _add_fact(self) -> None:
+        """Show the panel of facts, and tell there what one more fact changes."""
+        self._shell.sides.enter_tab("Facts")
+        self.facts.propose_addition()
 
     def _choose_sub_sb(self) -> None:
         """Open the menu of facts, with the SBs that could expand each of them."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.digits import count_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.graph.arrangement import BEST, DISTANCE, LAYERS
@@ -16,6 +17,7 @@ from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.canvas.note_room import notes_in_room
 from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.document.fact_changes import addition
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.free_places import free_place
@@ -34,6 +36,8 @@ class DrawVerbs:
         self.ways = WaysBetween(session, self.canvas)
         self.values = ValueMenu(session, self.canvas)
         self.beside = TidyBeside(self.canvas)
+        self.add_fact: Callable[[], object] = lambda: None
+        """Asks in the panel of facts whether to add one."""
         self._tidied: tuple[object, ...] = (None,)
         """Blueprint, SB, states and kind of the last tidying. The same states laid out once more
         could stand elsewhere, because they stand around the middle of their former places."""
@@ -109,6 +113,24 @@ class DrawVerbs:
             return editing.attach_sub(blueprint, base, digit, name)
 
         self._edit(f"Attach {name} to digit {digit} of {base}", change)
+
+    def attach_new_fact(self, sub: str | None) -> None:
+        """Add a fact to the SB that is shown and make an SB expand it, as one step.
+
+        States with words for names keep them, and each has the value beside its name.
+        """
+        base, branch = self._session.branch, self._branch
+        name, digit = sub or fresh_branch_name(self._session.blueprint), count_of(branch)
+        added = addition(branch, "")
+
+        def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with the new fact, and the sub-SB attached to it."""
+            blueprint = added.change(blueprint)
+            if sub is None:
+                blueprint = editing.add_branch(blueprint, name)
+            return editing.attach_sub(blueprint, base, digit, name)
+
+        self._edit(f"Add a fact to {base} and attach {name} to it", change)
 
     def rename(self) -> None:
         """Edit the name of the selected element on the canvas."""

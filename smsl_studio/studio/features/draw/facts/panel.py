@@ -115,6 +115,9 @@ class Facts(Panel):
         self.column.addStretch(0)
         for button in (self.add_button, self.first, self.add):
             button.clicked.connect(self.propose_addition)
+        # Enter presses the button with the focus.
+        self.first.setAutoDefault(True)
+        self.add.setAutoDefault(True)
         self.view.typed.connect(self._typed)
         self.view.pressed_cell.connect(self._pressed)
         self.view.moved.connect(self._propose_move)
@@ -197,6 +200,7 @@ class Facts(Panel):
         self.view.show_lines(lines)
         self.words.setVisible(bool(lines))
         self.view.setVisible(bool(lines))
+        self.setFocusProxy(self.view if lines else self.first)
         self._make_room(False)
         for widget in (self.none, self.first):
             widget.setVisible(not lines)
