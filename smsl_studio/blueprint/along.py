@@ -83,7 +83,8 @@ class Along:
                 moving = taken[base]
                 if digit in (moving.rises if crossing > 0 else moving.falls):
                     continue
-                raise Unavailable(f"{moving} is no {kind.value} of digit {digit} for {sub}")
+                fact = self._fact(base, digit)
+                raise Unavailable(f"{moving} is no {kind.value} of {fact} for {sub}")
             reasons: list[str] = []
             for edge in self._singles(kind, base, configuration[base], digit):
                 attempt = {**taken, base: edge}
@@ -99,8 +100,14 @@ class Along:
                 break
             else:
                 here = f"{base}/{configuration[base]}"
-                words = f"{here} has no {kind.value} of digit {digit} for {sub} to take along"
+                fact = self._fact(base, digit)
+                words = f"{here} has no {kind.value} of {fact} for {sub} to take along"
                 raise Unavailable(words, *reasons)
+
+    def _fact(self, base: str, digit: int) -> str:
+        """Return the words for a fact: its name with the digit, or the digit alone."""
+        note = self._hierarchy.blueprint[base].fact_note(digit)
+        return f"{note.name} (digit {digit})" if note and note.name else f"digit {digit}"
 
     def _singles(self, kind: EdgeKind, base: str, state: str, digit: int) -> list[Edge]:
         """Return the pure rises or falls of one digit, cheapest first, without ``load`` edges."""

@@ -112,7 +112,7 @@ def test_clause_4_the_supervisor_is_asked_last_and_may_object() -> None:
 def test_clause_10_a_crossing_without_a_base_edge_is_refused_before_motion() -> None:
     story = by_hand(sample("registration-digitization")).ask("DIGITIZATION/DigitizeAllLandmarks")
     assert story.reasons == [
-        "REGISTRATION/State000 has no rise of digit 1 for DIGITIZATION to take along"
+        "REGISTRATION/State000 has no rise of Landmarks digitized (digit 1) for DIGITIZATION to take along"
     ]
     assert nothing_moved(story)
 
@@ -140,7 +140,7 @@ def test_status_tells_what_is_possible_and_why_the_rest_is_not() -> None:
     assert (planned.permitted, planned.target, planned.cost) == (True, "State100", 1.0)
     digitize = possible["DIGITIZATION/State0/DigitizeAllLandmarks"]
     assert not digitize.permitted
-    assert "no rise of digit 1" in digitize.reasons[0]
+    assert "no rise of Landmarks digitized (digit 1)" in digitize.reasons[0]
     assert story.dispatcher.status is story.dispatcher.status
 
 

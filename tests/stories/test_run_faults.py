@@ -351,3 +351,22 @@ def test_a_choice_without_effect_is_not_injected(sit: Sit, monkeypatch: pytest.M
     _choose(run.person, dialog, fault=right)
     assert not dialog.undone.text(), "now there is something to set right"
     assert not [one for one in run.events if isinstance(one, FaultInjected)]
+
+
+def test_a_new_run_offers_its_next_operation_and_not_the_one_chosen_in_the_run_before(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = _paused(sit, monkeypatch)
+    dialog, person = _dialog(run), run.person
+    first = dialog.operation.itemText(0)
+    dialog.operation.setCurrentIndex(2)
+    assert dialog.operation.currentText() != first
+    dialog.close()
+    person.come_back()
+    run.pane.run.finish()
+    person.until(lambda: not run.pane.run.exists)
+    monkeypatch.setattr(operation_time, "USUAL", 1e6)
+    run.pane.play()
+    run.until_runs()
+    again = _dialog(run)
+    assert again.operation.currentText() == first

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QGridLayout, QMessageBox, QSpacerItem, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.smsl.forms import SUFFIXES
@@ -24,6 +24,8 @@ OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL
 SCRIPTS = "Scripts (*.jsonl)"
 
 FINISH, UNDO, STAY = "Finish the save", "Undo it", "Stay"
+TITLE_BUTTONS = 220
+"""Pixels of a title bar beside the title: icon, buttons, and the name of the program."""
 ROLES = {
     FINISH: QMessageBox.ButtonRole.AcceptRole,
     "Save": QMessageBox.ButtonRole.AcceptRole,
@@ -197,8 +199,17 @@ class Dialogs:
             for one in words
         }
         box.setDefaultButton(buttons[default])
+        _widen(box, title)
         box.setEscapeButton(buttons[words[-1]])
         box.exec()
         clicked = box.clickedButton()
         box.deleteLater()
         return next((one for one, made in buttons.items() if made is clicked), words[-1])
+
+
+def _widen(box: QMessageBox, title: str) -> None:
+    """Make the dialog so wide that its title is whole beside the buttons of the window."""
+    grid = box.layout()
+    if isinstance(grid, QGridLayout):
+        wide = box.fontMetrics().horizontalAdvance(plain_text(title)) + TITLE_BUTTONS
+        grid.addItem(QSpacerItem(wide, 0), grid.rowCount(), 0, 1, grid.columnCount())

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import QMarginsF, QRectF, QSizeF, Signal
 from PySide6.QtGui import QImage, QPageLayout, QPageSize
 from PySide6.QtPrintSupport import QPrintDialog, QPrinter
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from smsl_studio.errors import StudioError, UsageError
 from smsl_studio.picture.paper import size_of
@@ -143,9 +144,21 @@ class PrintDialog(PictureDialog):
         """Ask for the printer, or for a file; False if the person cancels."""
         dialog = QPrintDialog(printer, self)
         dialog.setOption(QPrintDialog.PrintDialogOption.PrintPageRange, False)
+        self._propose_file(dialog)
         agreed = bool(dialog.exec())
         dialog.deleteLater()
         return agreed
+
+    def _propose_file(self, dialog: QPrintDialog) -> None:
+        """Propose a file beside that of the drawing, where Qt's own dialog has a field for it.
+
+        Otherwise Qt would propose the home of the user. The name of a file set in the printer would
+        choose printing into a file also where there are printers.
+        """
+        field = dialog.findChild(QLineEdit, "filename")
+        path = Path(self.subject.blueprint.file)
+        if field is not None and path.exists():
+            field.setText(str(path.resolve().with_suffix(".pdf")))
 
     def _advanced(self, done: int, of: int) -> None:
         self.show_work(f"Printing sheet {min(done + 1, of):,} of {of:,}…", True, done, of)

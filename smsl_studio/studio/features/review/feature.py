@@ -196,9 +196,7 @@ class ReviewFeature(Feature):
         edge = line.about[0] if line.about else None
         branch = self._parts.session.blueprint.branches.get(edge.branch) if edge else None
         if edge is None or branch is None or not edge.operation:
-            column.show_none(
-                line.heading, "This line is no step, so there is nothing to play."
-            )
+            column.show_none(line.heading, "This line is no step, so there is nothing to play.")
             return
         starts = tuple(map(str, line.starts)) or (f"{edge.branch}/{edge.state}",)
         goal = f"{edge.branch}/{branch.table[edge.state][edge.operation]}"

@@ -65,6 +65,7 @@ class FaultDialog(QDialog):
         self.setWindowTitle("Inject a fault")
         self._run = run
         self._offered: tuple[object, ...] = ()
+        self._of: object = None
         self._chosen: set[Combo] = set()
         """The fields in which the person has chosen."""
         self._offering = False
@@ -178,6 +179,7 @@ class FaultDialog(QDialog):
             self._refuse(NO_FAULTS if run.exists and status is not None else NO_RUN)
             self._show_waiting()
             return
+        anew, self._of = self._of is not run.choice, run.choice
         if self._offered != (blueprint, run.faults):
             self._offered = blueprint, run.faults
             self._refuse("")
@@ -192,6 +194,9 @@ class FaultDialog(QDialog):
             self._refuse("")
         if not self.operation.view().isVisible():
             _fill(self.operation, operation_choices(blueprint, status))
+            if anew:
+                # What was chosen in the run before can lie far ahead in this one.
+                self.operation.setCurrentIndex(0)
         self.operation.setEnabled(self.moment.currentData() != NOW)
         self._show_line()
         self._show_waiting()

@@ -163,8 +163,8 @@ class PartialHead(QWidget):
             kind = Type(text_font(12))
             painter.setFont(kind.font)
             painter.setPen(self._tokens.tx2)
-            long = "Permitted operations: risk, cost, who acts, needs"
-            cards = long if kind.width(long) < found.cards[1] + 60 else "Permitted operations"
+            long = "Operations from here: risk, cost, who acts, needs"
+            cards = long if kind.width(long) < found.cards[1] + 60 else "Operations from here"
             for (x, wide), words in (
                 (found.previous, "Previous" if self._previous else ""),
                 (found.current, "Current"),

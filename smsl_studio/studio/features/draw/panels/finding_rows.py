@@ -34,6 +34,8 @@ from smsl_studio.studio.features.draw.panels.unfinished import to_finish
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
 MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 216
+LEAST = 110
+"""Least width of the button of a fix whose words are longer (pixels); the tip has the words."""
 RIGHT = Qt.TextElideMode.ElideRight
 WORDS = {"E": "Error", "W": "Warning", "I": "Note"}
 NAMED = 6
@@ -129,7 +131,8 @@ class FindingDelegate(QStyledItemDelegate):
         if finding.fix is None:
             return QRect()
         wide = QFontMetricsF(text_font(12, 500)).horizontalAdvance(finding.fix.words) + 22
-        wide = min(wide, rect.width() / 2)
+        room = rect.width() - TEXT_X - 24 - _text_width(finding)
+        wide = min(wide, rect.width() / 2, max(room, LEAST))
         return QRectF(
             rect.right() - 12 - wide, rect.center().y() - BUTTON / 2, wide, BUTTON
         ).toRect()
@@ -194,6 +197,9 @@ class FindingDelegate(QStyledItemDelegate):
     def _low(self, painter: QPainter, rect: QRectF, finding: Finding, right: float) -> None:
         tokens = self.tokens
         wide = ADDRESS if rect.width() > 800 else ADDRESS * 0.7
+        if right - rect.left() - TEXT_X - wide < _words_width(_low_words(finding)):
+            # A short address leaves its room to the sentence.
+            wide = min(wide, _address_width(finding))
         address = QRectF(rect.left() + TEXT_X, rect.top(), wide - 12, rect.height())
         paint_text(painter, address, _path(finding, " / ", False), TextInk(tokens.tx2))
         text = QRectF(
@@ -202,10 +208,7 @@ class FindingDelegate(QStyledItemDelegate):
             right - rect.left() - TEXT_X - wide,
             rect.height(),
         )
-        said = capital(finding.message)
-        if to_finish(finding):
-            said = f"To finish: {said[:1].lower()}{said[1:]}"
-        paint_text(painter, text, said, TextInk(tokens.tx), elide=RIGHT)
+        paint_text(painter, text, _low_words(finding), TextInk(tokens.tx), elide=RIGHT)
 
     def _button(self, painter: QPainter, box: QRectF, words: str, primary: bool) -> None:
         tokens = self.tokens
@@ -214,7 +217,8 @@ class FindingDelegate(QStyledItemDelegate):
         painter.setBrush(tokens.acc if primary else tokens.accs)
         painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
         ink = tokens.onacc if primary else tokens.acc
-        paint_text(painter, box.adjusted(11, 0, -6, 0), words, TextInk(ink, 12, 500))
+        inner = box.adjusted(11, 0, -6, 0)
+        paint_text(painter, inner, words, TextInk(ink, 12, 500), elide=RIGHT)
 
 
 def sentence(finding: Finding) -> str:
@@ -253,6 +257,28 @@ def place_of(finding: Finding) -> str:
     """``hanoi.json:73:13``: file name without folder, line and column."""
     place = finding.place
     return f"{PurePath(place.file).name}:{place.line}:{place.column}"
+
+
+def _low_words(finding: Finding) -> str:
+    """The sentence of a row of one line."""
+    said = capital(finding.message)
+    return f"To finish: {said[:1].lower()}{said[1:]}" if to_finish(finding) else said
+
+
+def _words_width(words: str) -> float:
+    return QFontMetricsF(text_font(13)).horizontalAdvance(words) + 2
+
+
+def _address_width(finding: Finding) -> float:
+    return _words_width(_path(finding, " / ", False)) + 24
+
+
+def _text_width(finding: Finding) -> float:
+    """The width that the text of a row needs to be whole (pixels)."""
+    if finding.severity is not Severity.ERROR:
+        return _address_width(finding) + _words_width(_low_words(finding))
+    about = QFontMetricsF(text_font(13, 600)).horizontalAdvance(f"{subject(finding)} ")
+    return about + _words_width(sentence(finding)) + 8
 
 
 def _path(finding: Finding, between: str, whole: bool) -> str:
