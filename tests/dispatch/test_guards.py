@@ -112,7 +112,8 @@ def test_clause_4_the_supervisor_is_asked_last_and_may_object() -> None:
 def test_clause_10_a_crossing_without_a_base_edge_is_refused_before_motion() -> None:
     story = by_hand(sample("registration-digitization")).ask("DIGITIZATION/DigitizeAllLandmarks")
     assert story.reasons == [
-        "REGISTRATION/State000 has no rise of Landmarks digitized (digit 1) for DIGITIZATION to take along"
+        "REGISTRATION/State000 has no rise of Landmarks digitized (digit 1) for DIGITIZATION "
+        "to take along"
     ]
     assert nothing_moved(story)
 
