@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QCoreApplication, QEvent, QSize, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QSize
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.studio.base.feature import Page
@@ -58,7 +58,6 @@ class Modes:
     def show(self, name: str, size: QSize) -> None:
         """Show another mode; ``size`` is the size of the window (pixels)."""
         self.keep()
-        self._paint_later()
         page, self.shown = self._page(name), name
         self._body.show_page(page.body)
         self._bar.show_mode(name)
@@ -68,24 +67,11 @@ class Modes:
             self.restore()
         self.fit(size)
         self._bar.show()
+        # Layouts follow a moment later by themselves. Until then the new page would be painted in
+        # the room of the drawing.
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
         # The widget with the focus may be hidden now, and Qt would give the focus to any other.
         self.take_focus()
-
-    def _paint_later(self) -> None:
-        """Paint nothing of the window before all parts have their new places.
-
-        The layouts follow a moment later. Until then the new page would be seen in the room of the
-        drawing, and words of the bars above each other.
-        """
-        window = self._body.window()
-
-        def paint() -> None:
-            """Place what still waits for its place, then paint."""
-            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
-            window.setUpdatesEnabled(True)
-
-        window.setUpdatesEnabled(False)
-        QTimer.singleShot(0, window, paint)
 
     @property
     def home(self) -> QWidget:
