@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
@@ -117,6 +118,8 @@ class MonitorPage(QDialog):
         if not self.isVisible():
             return
         run = self._run
+        file = Path(run.blueprint.file).name if run.foreign and run.blueprint is not None else ""
+        self.phase.show_file(file)
         self.phase.show_phase(*phase_words(run.phase), run.sentence)
         for part in (self.phase, self.stop):
             part.setVisible(run.exists)
