@@ -23,7 +23,7 @@ from smsl_studio.studio.features.review.feature import ReviewFeature
 from smsl_studio.studio.features.review.page import ReviewPage
 from smsl_studio.studio.running.persons import Person as Somebody
 from tests.stories.conftest import Sit
-from tests.stories.person import Person
+from tests.stories.person import SAMPLES, Person
 
 DOOR: dict[str, Any] = {
     "_hazards": [{"name": "Open at the end", "facts": {"DOOR/0": "1", "DOOR/1": "1"}}],
@@ -343,3 +343,19 @@ def test_the_contents_of_a_narrow_window_are_a_drawer(sit: Sit, tmp_path: Path) 
     person.window.resize(1280, 800)
     person.qtbot.waitUntil(page.contents.isVisible)
     assert not page.bar.contents.isVisible()
+
+
+def test_the_drawing_beside_the_text_is_that_of_the_step(sit: Sit) -> None:
+    person = sit(SAMPLES / "femoroplasty.json")
+    reader = Reader(person)
+    reader.enter()
+    reader.go_to("Approve the plan")
+    line = reader.page.line
+    assert line is not None
+    branch = line.line.about[0].branch
+    assert branch != next(iter(person.blueprint.branches))
+    person.press(Qt.Key.Key_W)
+    column = reader.feature.watching()
+    person.until(lambda: column.plays)
+    assert column.canvas.branch == branch
+    person.press(Qt.Key.Key_F8)

@@ -204,7 +204,7 @@ class ReviewFeature(Feature):
         if why:
             column.show_none(line.heading, why)
         else:
-            column.show_step(line.heading)
+            column.show_step(line.heading, edge.branch)
 
     # What the shell needs.
 

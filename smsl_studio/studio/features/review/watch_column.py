@@ -83,10 +83,11 @@ class WatchColumn(QWidget):
         self._frames.stop()
         self.world.close_graphics()
 
-    def show_step(self, words: str) -> None:
-        """Say which step is played, after its run has begun."""
+    def show_step(self, words: str, branch: str) -> None:
+        """Say which step is played, after its run has begun, and show its SB."""
         self.title.setText(words)
         self._played = self._run.choice
+        self.canvas.show_branch(branch)
         self._show_world()
         self.refresh()
 
