@@ -55,7 +55,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     explore.add_argument("--against", metavar="FILE", help="compare the edges with a blueprint")
     code = parser.add_argument_group("code")
-    code.add_argument("--target", choices=("python",), default="python", help="the language")
+    code.add_argument("--target", choices=("python", "cpp"), default="python", help="the language")
     code.add_argument("--bindings", metavar="FILE", help="a bindings file: which function is which")
     code.add_argument("--name", metavar="NAME", help="the name of the package")
     code.add_argument("--record", metavar="RECORD", help="the record whose digest stands in it")
@@ -129,6 +129,7 @@ def _code(options: argparse.Namespace, out: Output) -> int:
     made = generate_code(
         read_argument(options.files[0]),
         options.output,
+        target=options.target,
         name=options.name or "",
         bindings=options.bindings,
         record=options.record,

@@ -14,18 +14,20 @@ from smsl_studio.front.acceptance import CLEAN, left_out, to_accept
 from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.version import version
 from smsl_studio.generate.code.blueprint_parts import CodeRequest, refuse_what_is_not_generated
+from smsl_studio.generate.code.cpp_package import CppPackage
 from smsl_studio.generate.code.identifiers import is_package_name, package_name
 from smsl_studio.generate.code.kept_parts import parts_of, refuse_lost, with_parts
-from smsl_studio.generate.code.python_package import BY, PythonPackage
+from smsl_studio.generate.code.python_package import PythonPackage
+from smsl_studio.generate.code.templates import BY
 from smsl_studio.library.bindings_file import read_bindings
 from smsl_studio.smsl.inputs import read_ordinary
 from smsl_studio.smsl.outputs import replace_file
 
 Name = str | os.PathLike[str]
+Package = CppPackage | PythonPackage
+TARGETS: dict[str, type[Package]] = {"python": PythonPackage, "cpp": CppPackage}
 LARGEST = 1 << 24
 """The largest size of a licence, a record, or a generated file that is read again, in bytes."""
-HEAD = 4096
-"""So many bytes of a file are searched for the words that say who has made it."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,7 @@ def generate_code(
     blueprint: Blueprint,
     folder: Name,
     *,
+    target: str = "python",
     name: str = "",
     bindings: Name | None = None,
     record: Name | None = None,
@@ -59,10 +62,11 @@ def generate_code(
 ) -> GeneratedCode:
     """Write the package of a blueprint into a folder. With ``check`` write nothing.
 
-    ``name`` is the name of the package, by default that of the file. ``bindings`` is a bindings
-    file, ``record`` an inspection record, ``licence`` a text for the top of every file. Parts
-    between marks stay. RunRefused for what is not generated. UsageError, with file and line, for a
-    part that has no place any more, and for a file that somebody else has written.
+    ``target`` is the language, ``name`` the name of the package, by default that of the file.
+    ``bindings`` is a bindings file, ``record`` an inspection record, ``licence`` a text for the top
+    of every file. Parts between marks stay. RunRefused for what is not generated. UsageError, with
+    file and line, for a part that has no place any more, and for a file that somebody else has
+    written.
 
     >>> made = generate_code(read("hanoi-2.json"), "made")
     >>> generate_code(read("hanoi-2.json"), "made", check=True).agrees
@@ -71,6 +75,10 @@ def generate_code(
     package = name or package_name(Path(blueprint.file).stem)
     if not is_package_name(package):
         raise UsageError(f"{package!r} is no name of a package", advice="Use letters, digits, _.")
+    if target not in TARGETS:
+        raise UsageError(
+            f"there is no target {target!r}", advice=f"Choose one of {', '.join(TARGETS)}."
+        )
     refuse_nonsense(blueprint, "Mend what this finding says, then generate it again.")
     refuse_what_is_not_generated(blueprint)
     found = to_accept(blueprint, Levels(blueprint, {"inspection": "human"}))
@@ -84,11 +92,12 @@ def generate_code(
         left_out=left_out(blueprint),
     )
     file = None if bindings is None else read_bindings(Path(bindings))
-    return _written(Path(folder), package, PythonPackage(request, file).files, check)
+    return _written(Path(folder), package, TARGETS[target](request, file), check)
 
 
-def _written(folder: Path, package: str, files: Mapping[str, str], check: bool) -> GeneratedCode:
+def _written(folder: Path, package: str, made: Package, check: bool) -> GeneratedCode:
     """Weave in what people have written, and write the files that differ."""
+    files = made.files
     woven: dict[str, str] = {}
     changed: list[str] = []
     kept: list[str] = []
@@ -105,7 +114,7 @@ def _written(folder: Path, package: str, files: Mapping[str, str], check: bool) 
             woven[path] = with_parts(text, own)
         if old != woven[path]:
             changed.append(path)
-    gone = list(_gone(folder, package, files))
+    gone = list(_gone(folder, package, files, made.suffixes))
     if not check:
         _save(folder, {path: woven[path] for path in changed}, gone)
     return GeneratedCode(folder, tuple(files), tuple(changed), tuple(gone), tuple(kept))
@@ -118,7 +127,7 @@ def _old(path: Path) -> str | None:
     if not os.path.lexists(path):
         return None
     text = _text(path)
-    if text and BY not in text[:HEAD]:
+    if text and BY not in text:
         raise UsageError(
             f"{Place(str(path), 1, 1)}: this file was not generated, and would be replaced",
             advice="Move it, or choose another folder.",
@@ -126,12 +135,14 @@ def _old(path: Path) -> str | None:
     return text
 
 
-def _gone(folder: Path, package: str, files: Mapping[str, str]) -> Iterator[str]:
+def _gone(
+    folder: Path, package: str, files: Mapping[str, str], suffixes: tuple[str, ...]
+) -> Iterator[str]:
     """Yield the generated files of State Branches and of the engine that are no more."""
     for below in ("branches", "dsfo"):
-        for one in sorted((folder / package / below).glob("*.py")):
+        for one in sorted((folder / package / below).glob("*.*")):
             path = one.relative_to(folder).as_posix()
-            if path not in files and _old(one) is not None:
+            if path not in files and one.suffix in suffixes and _old(one) is not None:
                 yield path
 
 

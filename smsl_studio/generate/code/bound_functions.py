@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -34,7 +34,9 @@ class BoundFunctions:
     UsageError if a bindings file names what the blueprint does not have.
     """
 
-    def __init__(self, blueprint: Blueprint, file: BindingsFile | None, taken: set[str]) -> None:
+    def __init__(
+        self, blueprint: Blueprint, file: BindingsFile | None, taken: Iterable[str]
+    ) -> None:
         self.functions: list[Function] = []
         self._blueprint = blueprint
         self._table = _table_of(file)
@@ -62,6 +64,17 @@ class BoundFunctions:
         """Return whether a bindings file has a function for exactly this edge."""
         keys = (note_key(operation, state), str(Address(branch.name, state, operation)))
         return any(key in self._table.operations for key in keys)
+
+    def by_edge(self) -> dict[Address, str]:
+        """Return the name of the function that each edge runs."""
+        found: dict[Address, str] = {}
+        for branch in self._blueprint:
+            for edge in branch.edges():
+                single = note_key(edge.name, edge.source) in branch.notes.operations
+                exact = single or self.differs(branch, edge.name, edge.source)
+                function, _ = self.of(branch, edge.name, edge.source if exact else "")
+                found[edge.address] = function.name
+        return found
 
     def _bound(self, branch: StateBranch, operation: str, state: str) -> BoundFunction | None:
         known = self._table.operations

@@ -9,14 +9,24 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.errors import Place, UsageError
 
+LONGEST_KEY = 120
 _BEGIN = re.compile(r"\s*(?:#|//) <yours: (.*)>\s*")
 _END = re.compile(r"\s*(?:#|//) </yours>\s*")
+
+
+def mark_key(text: str) -> str:
+    """Return the key of a mark: one line of ASCII. A very long one is cut, with its digest."""
+    shown = text.encode("unicode_escape").decode("ascii")
+    if len(shown) <= LONGEST_KEY:
+        return shown
+    return f"{shown[:LONGEST_KEY]}~{hashlib.sha256(shown.encode()).hexdigest()[:12]}"
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,210 @@
+#include "command_line.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+#include "addresses.hpp"
+#include "dispatcher.hpp"
+
+namespace dsfo {
+
+namespace {
+
+const char* const usage =
+    "usage: run [--goal SB/State]... [--start SB/State]... [--avoid ADDRESS]... [--log LOG]\n"
+    "           [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json] [--world table]\n";
+
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+void ask_to_stop(int) { asked_to_stop = 1; }
+
+struct Options {
+    std::vector<std::string> goals;
+    std::vector<std::string> starts;
+    std::vector<std::string> avoids;
+    std::string log;
+    std::string seed = "0";
+    std::string mismatch = "hold";
+    std::string format = "text";
+    std::string world = "table";
+    bool help = false;
+    std::string wrong;
+};
+
+bool is_number(const std::string& text, long& number) {
+    const char* last = text.data() + text.size();
+    const auto end = std::from_chars(text.data(), last, number);
+    return end.ec == std::errc() && end.ptr == last;
+}
+
+Options options_of(const std::vector<std::string>& words) {
+    Options found;
+    const std::map<std::string, std::vector<std::string>*> lists{
+        {"--goal", &found.goals}, {"--start", &found.starts}, {"--avoid", &found.avoids}};
+    const std::map<std::string, std::string*> single{
+        {"--log", &found.log}, {"--seed", &found.seed}, {"--on-mismatch", &found.mismatch},
+        {"--format", &found.format}, {"--world", &found.world}};
+    if (words.empty() || words.front() != "run") {
+        found.help = !words.empty() && (words.front() == "--help" || words.front() == "-h");
+        found.wrong = found.help ? "" : "say what to do: run";
+        return found;
+    }
+    for (std::size_t at = 1; at < words.size(); ++at) {
+        const std::size_t equals = words[at].find('=');
+        const std::string name = words[at].substr(0, equals);
+        const bool list = lists.count(name) > 0;
+        if (name == "--help" || name == "-h") {
+            found.help = true;
+            return found;
+        }
+        if (name == "--script" || name == "--policy" || name == "--record") {
+            found.wrong = name + " is not for C++: people and records are in generated Python";
+            return found;
+        }
+        if (!list && !single.count(name)) {
+            found.wrong = "there is no " + name;
+            return found;
+        }
+        if (equals == std::string::npos && at + 1 == words.size()) {
+            found.wrong = name + " needs a value";
+            return found;
+        }
+        const std::string value =
+            equals == std::string::npos ? words[++at] : words[at].substr(equals + 1);
+        if (list) {
+            lists.at(name)->push_back(value);
+        } else {
+            *single.at(name) = value;
+        }
+    }
+    long number = 0;
+    if (!is_number(found.seed, number)) {
+        found.wrong = "--seed is a whole number";
+    } else if (found.mismatch != "hold" && found.mismatch != "adopt") {
+        found.wrong = "--on-mismatch is hold or adopt";
+    } else if (found.format != "text" && found.format != "json") {
+        found.wrong = "--format is text or json";
+    } else if (found.world != "table") {
+        found.wrong = "--world is table";
+    }
+    return found;
+}
+
+std::vector<std::string> texts(const Hierarchy& hierarchy, const std::map<int, int>& states) {
+    std::vector<std::string> found;
+    for (const auto& [branch, state] : states) {
+        const Branch& own = hierarchy.of(branch);
+        found.push_back(address({own.name, own.states[static_cast<std::size_t>(state)].name}));
+    }
+    return found;
+}
+
+std::string header_of(const Hierarchy& hierarchy, const World& world, const Terms& terms) {
+    std::array<char, 256> node{};
+    gethostname(node.data(), node.size() - 1);
+    Object said;
+    said.text("log", "smsl-run").count("version", 3).text("wall_time", now());
+    said.text("node", node.data()).count("process", static_cast<long>(getpid()));
+    said.text("world", world.name()).count("seed", terms.seed).text("host", "local");
+    said.raw("start", json_list(texts(hierarchy, terms.start)));
+    said.raw("goals", json_list(texts(hierarchy, terms.goals)));
+    said.raw("avoid", json_list(terms.avoid));
+    said.text("on_mismatch", terms.adopts ? "adopt" : "hold");
+    said.raw("by_hand", "false").raw("attended", "false").raw("levels", "{}");
+    said.raw("script", "null").text("supervisor", "").raw("policy", "null").raw("mqtt", "null");
+    const std::string own = said.str();
+    return own.substr(0, own.size() - 1) + "," + hierarchy.blueprint.identity + "}";
+}
+
+int wrong_usage(const std::string& sentence) {
+    std::cerr << sentence << "\n" << usage;
+    return 2;
+}
+
+// The events of a run: to the log first, then to people. Without a log that can be written nothing
+// goes on.
+class Teller {
+public:
+    explicit Teller(RunLog* log) : log_(log) {}
+
+    bool tell(const std::vector<std::string>& events, bool last) {
+        for (std::size_t at = 0; at < events.size(); ++at) {
+            if (log_ != nullptr) {
+                log_->write(events[at]);
+                if (last && at + 1 == events.size()) {
+                    log_->finish();
+                }
+            }
+            std::cout << events[at] << "\n" << std::flush;
+        }
+        return log_ == nullptr || log_->good();
+    }
+
+    static void refuse(const std::string& sentence) { std::cerr << sentence << "\n"; }
+
+private:
+    RunLog* log_;
+};
+
+int carried_out(
+    const Hierarchy& hierarchy, World& world, const Terms& terms, const Options& options) {
+    std::string failed;
+    std::unique_ptr<RunLog> log;
+    if (!options.log.empty()) {
+        log = std::make_unique<RunLog>(options.log, header_of(hierarchy, world, terms), failed);
+    }
+    Teller teller(log.get());
+    if (!failed.empty()) {
+        teller.refuse(failed);
+        return failed.rfind("the run log", 0) == 0 ? 1 : 2;
+    }
+    Dispatcher dispatcher(hierarchy, world, terms);
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    const std::vector<std::string> first = dispatcher.open();
+    bool told = teller.tell(first, dispatcher.finished());
+    while (told && !dispatcher.finished()) {
+        if (asked_to_stop) {
+            asked_to_stop = 0;
+            dispatcher.stop();
+        }
+        const std::vector<std::string> events = dispatcher.tick();
+        told = teller.tell(events, dispatcher.finished());
+    }
+    if (!told) {
+        world.brake();
+        teller.refuse("the run log cannot be written");
+        return 1;
+    }
+    return dispatcher.reason() == "goal_reached" ? 0 : 1;
+}
+
+}  // namespace
+
+int command_line(
+    const Hierarchy& hierarchy, World& world, const std::vector<std::string>& words) {
+    Options options = options_of(words);
+    if (options.help) {
+        std::cout << usage;
+        return 0;
+    }
+    Terms terms;
+    if (options.wrong.empty()) {
+        terms.start = states_at(hierarchy, options.starts, "start", options.wrong);
+        terms.goals = states_at(hierarchy, options.goals, "goal", options.wrong);
+        terms.avoid = operations_at(hierarchy, options.avoids, options.wrong);
+        terms.adopts = options.mismatch == "adopt";
+    }
+    if (!options.wrong.empty()) {
+        return wrong_usage(options.wrong);
+    }
+    is_number(options.seed, terms.seed);
+    return carried_out(hierarchy, world, terms, options);
+}
+
+}  // namespace dsfo

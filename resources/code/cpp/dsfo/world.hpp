@@ -1,0 +1,42 @@
+// Worlds: what moves and is sensed, in ticks. The table world keeps facts and has no physics.
+#pragma once
+
+#include "hierarchy.hpp"
+
+namespace dsfo {
+
+// A world of your own overrides these. Times are seconds.
+class World {
+public:
+    virtual ~World() = default;
+
+    virtual std::string name() const = 0;
+    virtual double tick() const { return 0.05; }
+    virtual double settle() const { return 0.0; }  // until a state check decides
+    virtual void begin(const Configuration& start) = 0;  // take the world to the start
+    virtual void step() {}  // let one tick pass
+    virtual void brake() {}  // stop all that moves
+    virtual std::optional<std::string> sense(Fact fact) const = 0;
+
+    // What an operation does where nobody has written anything else.
+    virtual Outcome carry_out(const Edge& edge) = 0;
+};
+
+// A table of facts: an operation writes the facts of its target (clause 14).
+class TableWorld : public World {
+public:
+    explicit TableWorld(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
+
+    std::string name() const override { return "table"; }
+    void begin(const Configuration& start) override;
+    std::optional<std::string> sense(Fact fact) const override;
+    Outcome carry_out(const Edge& edge) override;
+
+private:
+    void write(int branch, int state);
+
+    const Hierarchy& hierarchy_;
+    std::map<Fact, std::string> facts_;
+};
+
+}  // namespace dsfo

@@ -1,0 +1,104 @@
+"""Generated C++ builds without warnings, commits what Studio commits; its logs are believed."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import smsl_studio as smsl
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import RunRefused
+from smsl_studio.front.generated_code import generate_code
+from smsl_studio.shipped import resources_dir, samples_dir
+from smsl_studio.smsl.forms import form_named
+from tests.dispatch.generated import blueprint_values
+from tests.generate.generated_runs import studio
+from tests.generate.spiced import asked_of
+
+Json = Any
+COMPILER = shutil.which("g++")
+FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O0")
+RANDOM = (11, 20)
+"""A few of those that ``benches/code.py`` leaves to Python: a compiler takes seconds for each."""
+SAMPLES = ("three-levels",)
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="needs g++")
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """The dispatcher, which is the same for every blueprint, as object files."""
+    folder = tmp_path_factory.mktemp("engine")
+    sources = sorted((resources_dir() / "code" / "cpp" / "dsfo").glob("*.cpp"))
+    objects = [folder / f"{one.stem}.o" for one in sources]
+    running = [
+        subprocess.Popen([str(COMPILER), *FLAGS, "-c", str(one), "-o", str(made)])
+        for one, made in zip(sources, objects, strict=True)
+    ]
+    assert not any([one.wait() for one in running])  # noqa: C419 (wait for all of them)
+    return objects
+
+
+def _built(blueprint: Blueprint, folder: Path, engine: list[Path]) -> Path:
+    generate_code(blueprint, folder, target="cpp", name="made")
+    sources = [*(folder / "made").glob("*.cpp"), *(folder / "made" / "branches").glob("*.cpp")]
+    program = folder / "program"
+    words = [str(COMPILER), *FLAGS, f"-I{folder / 'made'}", *map(str, [*sources, *engine])]
+    subprocess.run([*words, "-o", str(program)], check=True)
+    return program
+
+
+def _compared(blueprint: Blueprint, folder: Path, engine: list[Path], **asked: Json) -> None:
+    log = folder / "run.jsonl"
+    words = [str(_built(blueprint, folder, engine)), "run", "--log", str(log)]
+    for key, value in asked.items():
+        for one in value if isinstance(value, list) else [value]:
+            words += [f"--{key.replace('_', '-')}", str(one)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    ours, theirs = list(map(json.loads, done.stdout.splitlines())), studio(blueprint, **asked)
+    assert _committed(ours) == _committed(theirs)
+    assert ours[-1]["reason"] == theirs[-1]["reason"]
+    assert ours[-1]["configuration"] == theirs[-1]["configuration"]
+    assert done.returncode == (0 if ours[-1]["reason"] == "goal_reached" else 1)
+    assert smsl.verify(log, blueprint).doubt is None
+
+
+def _committed(events: list[Json]) -> list[Json]:
+    return [one["operations"] for one in events if one["event"] == "committed"]
+
+
+@needs_compiler
+@pytest.mark.parametrize("number", RANDOM)
+def test_any_blueprint(number: int, tmp_path: Path, engine: list[Path]) -> None:
+    text = json.dumps(blueprint_values(number), indent=1)
+    blueprint = read_blueprint(form_named("json").parse(text, f"random-{number}.json"))
+    _compared(blueprint, tmp_path, engine, **asked_of(number, blueprint))
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_samples(name: str, tmp_path: Path, engine: list[Path]) -> None:
+    _compared(smsl.read(samples_dir() / f"{name}.json"), tmp_path, engine)
+
+
+def test_what_asks_people_is_refused_with_its_address(tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "registration-people.json")
+    with pytest.raises(RunRefused, match="C\\+\\+ code for that is not generated"):
+        generate_code(blueprint, tmp_path, target="cpp")
+
+
+def test_generating_again_writes_nothing_and_keeps_what_people_wrote(tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "registration.json")
+    generate_code(blueprint, tmp_path, target="cpp")
+    assert generate_code(blueprint, tmp_path, target="cpp", check=True).agrees
+    path = tmp_path / "registration" / "operations.cpp"
+    text = path.read_text("utf-8")
+    written = text.replace("return world.carry_out(edge);", "return mine(world);", 1)
+    path.write_text(written, "utf-8")
+    assert generate_code(blueprint, tmp_path, target="cpp").agrees
+    assert "return mine(world);" in path.read_text("utf-8")
