@@ -26,7 +26,7 @@ def as_behaviortree(blueprint: Blueprint, findings: ExchangeFindings) -> str:
     A tree is a reactive fallback: it succeeds in ACTIVATING, else the sequence of the active state
     tries the operations out of it, those first that lead nearest to ACTIVATING.
     """
-    told_of_left_out(blueprint, findings, ("SUB_SBS",))
+    told_of_left_out(blueprint, findings, ("SUB_SBS",), "what is required")
     return _TreeWriter(blueprint, findings).text()
 
 

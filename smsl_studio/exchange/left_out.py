@@ -29,11 +29,15 @@ _BRANCH_WORDS = {
 
 
 def told_of_left_out(
-    blueprint: Blueprint, findings: ExchangeFindings, held: Collection[str] = ()
+    blueprint: Blueprint,
+    findings: ExchangeFindings,
+    held: Collection[str] = (),
+    operations: str = "",
 ) -> None:
     """Add a finding for everything of a blueprint that a form of states and operations leaves out.
 
     ``held`` are the keys that the form holds after all: ``_`` fields, or ``SUB_SBS``.
+    ``operations`` says what of ``_operations`` it holds, empty for nothing.
     """
     told_of_imports(blueprint, findings)
     for key in blueprint.fields:
@@ -41,7 +45,10 @@ def told_of_left_out(
             words = _FILE_WORDS.get(key, f"The field {key} is")
             findings.add(key.strip("_"), key, f"{words} left out.")
     for branch in blueprint:
-        _of_branch(branch, findings, held)
+        _of_branch(branch, findings, (*held, "_operations") if operations else held)
+        if operations and "_operations" in branch.fields:
+            words = f"Of _operations it has {operations}. The rest is left out."
+            findings.add("operations", branch.name, words)
 
 
 def _of_branch(branch: StateBranch, findings: ExchangeFindings, held: Collection[str]) -> None:

@@ -11,7 +11,7 @@ from smsl_studio.exchange.identifiers import Identifiers
 from smsl_studio.exchange.left_out import told_of_left_out
 from smsl_studio.legible import one_line
 
-_HELD = ("SUB_SBS", "_hazards", "_properties", "_operations", "_layout", "_notes")
+_HELD = ("SUB_SBS", "_hazards", "_properties")
 
 
 class ModelNames:
@@ -40,10 +40,6 @@ class ModelNames:
             yield f"{number} {one_line(state)}"
 
 
-def told_of_models(blueprint: Blueprint, findings: ExchangeFindings) -> None:
-    """Add what a model of commands leaves out: all that changes no step."""
-    told_of_left_out(blueprint, findings, _HELD)
-    for branch in blueprint:
-        if "_operations" in branch.fields:
-            words = "Of _operations only requires and subs are in it, in the guards."
-            findings.add("operations", branch.name, words)
+def told_of_models(blueprint: Blueprint, findings: ExchangeFindings, more: str = "") -> None:
+    """Add what a model of commands leaves out: all that changes no step. ``more`` is held too."""
+    told_of_left_out(blueprint, findings, _HELD, f"what is required and loaded{more}")

@@ -20,7 +20,7 @@ def as_prism(blueprint: Blueprint, findings: ExchangeFindings) -> str:
     is asked about. The reward ``cost`` is what an operation itself costs.
     """
     model = command_model(blueprint, findings)
-    told_of_models(blueprint, findings)
+    told_of_models(blueprint, findings, ", and costs")
     names = ModelNames(model)
     lines = [
         '// No trap: A [ G (E [ F "goal" ]) ]. No deadlock: A [ G (!"deadlock" | "goal") ].',

@@ -16,9 +16,10 @@ from defusedxml.ElementTree import fromstring
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.exchange.table import WRITTEN
 from smsl_studio.shipped import samples_dir
 from tests.blueprint.values import read
-from tests.exchange.again import random_blueprint, text_of
+from tests.exchange.again import WHOLE, random_blueprint, text_of
 from tests.hostile_names import BLUEPRINT
 
 SCHEMA = Path(__file__).parent / "scxml-written.xsd"
@@ -145,3 +146,13 @@ def test_everything_that_is_left_out_is_told() -> None:
     for branch in blueprint:
         for key in branch.fields:
             assert (key.strip("_"), branch.name) in told
+
+
+@pytest.mark.parametrize("suffix", [one for one in WRITTEN if one not in WHOLE])
+def test_every_field_is_in_a_form_or_told(suffix: str) -> None:
+    names = {"_facts", "_states", "_operations", "_layout", "_notes", "_other"}
+    fields: dict[str, dict[str, str]] = {name: {} for name in names}
+    blueprint = read({"_levels": {}, "A": {**fields, "State0": {"_x": 1, "a": "State0"}}})
+    told = {(one.kind, one.address) for one in smsl.exported(blueprint, f"x{suffix}").findings}
+    assert told >= {(name.strip("_"), "A") for name in names}
+    assert told >= {("levels", "_levels"), ("field", "A/State0")}

@@ -14,6 +14,7 @@ from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.approval.feature import ApprovalFeature
 from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
+from smsl_studio.studio.features.exchange.feature import ExchangeFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
 from smsl_studio.studio.features.help.feature import HelpFeature
 from smsl_studio.studio.features.inspection.feature import InspectionFeature
@@ -68,6 +69,7 @@ class Features(QObject):
         self.draw.going.show_claim = self.inspection.show_claim
         self.draw.properties.claims.wanted.connect(self.inspection.show_page)
         self.export = ExportFeature(parts, shell, self.draw.canvas)
+        self.exchange = ExchangeFeature(parts, shell)
         self.branch_map = BranchMapFeature(parts, shell)
         self.approval = ApprovalFeature(parts)
         self.export.trust = lambda: self.approval.badge.said
@@ -98,7 +100,8 @@ class Features(QObject):
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
         yield from (self.start,)
-        yield from (self.export, self.run, self.supervise, self.review, self.people, self.monitor)
+        yield from (self.exchange, self.export, self.run, self.supervise, self.review)
+        yield from (self.people, self.monitor)
         yield from (self.replay, self.tour, self.help, self.settings)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
@@ -231,8 +234,8 @@ class Features(QObject):
         """End all work, because the window closes. The run ends first."""
         self.end_run()
         for feature in (
-            self.replay, self.export, self.approval, self.review, self.merge, self.inspection,
-            self.draw, self.start,
+            self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
+            self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()
 

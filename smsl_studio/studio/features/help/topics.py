@@ -68,6 +68,7 @@ PARTS = {
     "StatePick": _window("walking-through-configurations"),
     "RefusedShape": _window("changing-the-shape"),
     "IdentifyDialog": _window("changing-the-shape"),
+    "FindingsDialog": _window("other-programs"),
     "MapWindow": _window("map-of-branches"),
     "PictureDialog": _window("pictures-diagrams-paper"),
     "MonitorPage": HelpPlace("monitoring.md", "the-monitor-page"),

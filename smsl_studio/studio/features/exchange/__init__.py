@@ -1,0 +1,1 @@
+"""Files of other programs: import them, and export for them."""
