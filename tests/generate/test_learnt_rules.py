@@ -182,3 +182,6 @@ def test_a_file_without_any_order_ends_with_a_sentence() -> None:
     table = {s: {f"Op_{n}": rng.choice(states) for n in range(8)} for s in states}
     with pytest.raises(PlanningError, match="no rule was found"):
         smsl.learn(built({"SB1": {"HEADER": {"NUM_FACTS": 3}, **table}}))
+    many = {s: {f"Op_{s}_{n}": states[0] for n in range(2)} for s in states}
+    with pytest.raises(PlanningError, match="more than 500 names"):
+        smsl.learn(built({"SB1": {"HEADER": {"NUM_FACTS": 3}, **many}}))

@@ -108,12 +108,12 @@ def _covering(clauses: Sequence[Clause], other: int, full: int) -> tuple[list[Cl
         return few, left
     chosen: list[int] = []
     rest = reach
-    while rest:
+    while rest and len(chosen) < _MOST_TERMS:
         heed()
         best = max(cuts, key=lambda cut: ((cut & rest).bit_count() / cuts[cut].cost, -cut))
         chosen.append(best)
         rest &= ~best
-    return [cuts[cut] for cut in _needed(chosen, cuts)], left
+    return [cuts[cut] for cut in _needed(chosen, cuts)], left | rest
 
 
 def _fewest(cuts: dict[int, Clause], reach: int) -> list[Clause] | None:

@@ -14,6 +14,7 @@ from smsl_studio.stop import heed
 MOST_GROUPS = 90
 """The most groups that are looked for."""
 _MOST_WAYS = 64
+_MOST_COMPARED = 2_000_000
 Assignment = tuple[str, str]
 """A fact and its new value, as a rule writes them."""
 _Signature = tuple[int, frozenset[int], frozenset[Assignment]]
@@ -45,6 +46,8 @@ class EdgeGroups:
         for number, moved, true in (signature for signature, _ in self._signatures):
             for way in self._ways(number, moved, true):
                 ways[way] = None
+            if len(ways) * len(self._signatures) > _MOST_COMPARED:
+                return None
         facts = self._atoms.terms.facts
         reach: dict[frozenset[Assignment], list[int]] = {}
         for way in ways:

@@ -13,6 +13,8 @@ from smsl_studio.stop import heed
 
 MOST_EDGES = 50_000
 """More examples than this are refused."""
+MOST_NAMES = 500
+"""More names of operations are refused."""
 _BRACES = frozenset("{}")
 Values = tuple[str, ...]
 Edges = Mapping[str, Mapping[Values, Values]]
@@ -85,6 +87,8 @@ def examples_of(blueprint: Blueprint) -> ExampleTable:
 def _branch_examples(branch: StateBranch) -> ExampleTable:
     if sum(map(len, branch.table.values())) > MOST_EDGES:
         raise _untold(f"there are more than {MOST_EDGES:,} operations in it")
+    if len(branch.operation_names) > MOST_NAMES:
+        raise _untold(f"there are more than {MOST_NAMES:,} names of operations in it")
     names: dict[Values, str] = {}
     values_of: dict[str, Values] = {}
     for name in branch.table:
