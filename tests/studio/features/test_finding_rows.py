@@ -16,7 +16,7 @@ from smsl_studio.studio.features.draw.panels.finding_rows import FindingDelegate
 SAID = "The names of the states have no facts that the sub-SB of this one could expand"
 
 
-@pytest.mark.parametrize("width", [800.0, 1000.0, 1400.0])
+@pytest.mark.parametrize("width", [900.0, 1000.0, 1400.0])
 def test_a_wide_fix_leaves_the_sentence_of_its_finding_whole(
     qapp: QApplication, width: float
 ) -> None:

@@ -34,8 +34,9 @@ from smsl_studio.studio.features.draw.panels.unfinished import to_finish
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
 MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 216
-LEAST = 110
-"""Least width of the button of a fix whose words are longer (pixels); the tip has the words."""
+LEAST = 0.28
+"""The share of a row that a wide button of a fix keeps beside a long sentence; the tip has the
+words of both."""
 RIGHT = Qt.TextElideMode.ElideRight
 WORDS = {"E": "Error", "W": "Warning", "I": "Note"}
 NAMED = 6
@@ -132,7 +133,7 @@ class FindingDelegate(QStyledItemDelegate):
             return QRect()
         wide = QFontMetricsF(text_font(12, 500)).horizontalAdvance(finding.fix.words) + 22
         room = rect.width() - TEXT_X - 24 - _text_width(finding)
-        wide = min(wide, rect.width() / 2, max(room, LEAST))
+        wide = min(wide, rect.width() / 2, max(room, rect.width() * LEAST))
         return QRectF(
             rect.right() - 12 - wide, rect.center().y() - BUTTON / 2, wide, BUTTON
         ).toRect()
