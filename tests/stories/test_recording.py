@@ -19,6 +19,7 @@ from smsl_studio.front import read
 from smsl_studio.front.verifier import told_again
 from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.grammar.log_reader import read_log
+from smsl_studio.studio.running import operation_time
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -69,7 +70,10 @@ def test_a_run_that_ends_with_its_window_has_a_complete_log(sit: Sit, home: Path
     assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", LET_GO)
 
 
-def test_a_run_that_a_person_stopped_ends_so_when_its_window_goes(sit: Sit, home: Path) -> None:
+def test_a_run_that_a_person_stopped_ends_so_when_its_window_goes(
+    sit: Sit, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(operation_time, "USUAL", 1e6)
     run = AtRun(sit(HANOI))
     run.choose(world="table")
     run.person.press(Key.Key_F5)
