@@ -120,7 +120,7 @@ def test_a_disk_that_fills_holds_the_run_and_ends_it(
     run.person.windows.settings.sync()
     with _small_files(header + room):
         run.person.press(Key.Key_F5)
-        run.until_phase("Ended: fault hold")
+        run.until_phase("Ended: failed")
     assert [event.event for event in run.events][-2:] == ["held", "run_finished"]
     assert "the run log cannot be written" in run.pane.canvas.banner
     (path,) = _recorded(home)
