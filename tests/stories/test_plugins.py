@@ -167,7 +167,7 @@ def test_an_operation_that_crashes_its_process_costs_the_run_and_the_work_goes_o
     run = AtRun(person)
     run.choose(world="lamp")
     person.press(Key.Key_F5)
-    run.until_phase("Fault hold")
+    run.until_phase("Ended: failed")
     assert "SIGSEGV" in run.pane.canvas.banner
     assert "in the middle of SB1/State_aaa/Op_1c" in run.pane.canvas.banner
     person.ctrl(Key.Key_1)
