@@ -31,7 +31,8 @@ _BRACES = re.compile(r"[{}]")
 _LONGEST = 10_000
 """The most letters of a text, also after values of ``for`` stand in it."""
 _LARGE = 10**18
-"""A whole number of this size or more is no name and no value. Python writes no very long ones."""
+"""A whole number must be smaller than this to stand for a name or a value. Python refuses to write
+very long numbers."""
 _SHOWN = 200
 
 

@@ -45,7 +45,7 @@ def learnt_rules(table: ExampleTable) -> LearntRules:
 
 
 class RuleSearch:
-    """Finds families and their rules. ``left_out`` permits conditions of 'never'."""
+    """Finds families and their rules. With ``left_out`` they may use 'never', too."""
 
     def __init__(self, table: ExampleTable, *, left_out: bool) -> None:
         self._table, self._left_out = table, left_out
