@@ -6,7 +6,7 @@ from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import sub_below
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.predicates import FactSense
-from smsl_studio.blueprint.predicates.reading import written_source
+from smsl_studio.blueprint.predicates.predicate_text import written_source
 from smsl_studio.errors import AddressError
 
 

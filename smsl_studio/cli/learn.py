@@ -26,7 +26,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Write the rules, and print the exceptions as JSON. 0: the rules are written."""
-    from smsl_studio.front.learning import learn, learn_from_logs
+    from smsl_studio.front.examples import learn, learn_from_logs
 
     logs = [one for one in options.files if one.lower().endswith(".jsonl")]
     if (logs and len(logs) < len(options.files)) or (not logs and len(options.files) > 1):

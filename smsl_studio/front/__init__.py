@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from smsl_studio.front.bundles import bundle
     from smsl_studio.front.campaigns import CampaignRequest, campaign
+    from smsl_studio.front.examples import learn, learn_from_logs
     from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.generated import generate_pddl, generate_rules
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
         revoke_key,
         sign_register,
     )
-    from smsl_studio.front.learning import learn, learn_from_logs
     from smsl_studio.front.logs import account, replay, verify
     from smsl_studio.front.outputs import (
         convert,

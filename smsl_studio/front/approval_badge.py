@@ -10,7 +10,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.front.former_record import has_record_beside
 from smsl_studio.inspection.approval.refusal import Refusal
-from smsl_studio.inspection.reading.reading import NOTICE
+from smsl_studio.inspection.reading.sections import NOTICE
 
 LONGEST = 6
 """The largest number of reasons that the badge lists."""

@@ -70,10 +70,10 @@ def generate_pddl(domain: Name, problem: Name) -> Generated:
     >>> made.states, made.operations, made.goal_reached
     (2, 1, True)
     """
-    from smsl_studio.generate.planning.domain import read_domain
-    from smsl_studio.generate.planning.expressions import read_expression
-    from smsl_studio.generate.planning.plan_states import planned_branch
-    from smsl_studio.generate.planning.problem import read_problem
+    from smsl_studio.generate.pddl.domain import read_domain
+    from smsl_studio.generate.pddl.expressions import read_expression
+    from smsl_studio.generate.pddl.plan_states import planned_branch
+    from smsl_studio.generate.pddl.problem import read_problem
 
     texts = [read_content(file).raw for file in (domain, problem)]
     told = read_domain(read_expression(texts[0], os.fspath(domain)))

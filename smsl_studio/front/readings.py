@@ -21,7 +21,7 @@ from smsl_studio.inspection.proof.recovery import WayOut, ways_out
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
 
 if TYPE_CHECKING:
-    from smsl_studio.inspection.reading.reading import BlueprintReading
+    from smsl_studio.inspection.reading.sections import BlueprintReading
 
 CLINICIAN, ENGINEER = READERS = ("clinician", "engineer")
 

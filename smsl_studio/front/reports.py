@@ -18,8 +18,8 @@ from smsl_studio.front.readings import CLINICIAN, reading
 from smsl_studio.smsl.files import save_document
 
 if TYPE_CHECKING:
-    from smsl_studio.inspection.reading.reading import BlueprintReading
     from smsl_studio.inspection.reading.reading_page import Illustration
+    from smsl_studio.inspection.reading.sections import BlueprintReading
 
 Name = str | os.PathLike[str]
 REPORTS = (".html", ".pdf")

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.recorded import blueprint_of_content
 from smsl_studio.errors import StudioError
 from smsl_studio.front.former_record import may_have_record, newest_content
 from smsl_studio.front.readings import reading
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine
 from smsl_studio.inspection.review.reviewed import SINCE
 
 

@@ -13,7 +13,7 @@ from smsl_studio.blueprint.properties.formula import (
     Negation,
     StateTerm,
 )
-from smsl_studio.blueprint.properties.reading import read_formula
+from smsl_studio.blueprint.properties.formula_text import read_formula
 from smsl_studio.errors import FormulaError, did_you_mean
 from smsl_studio.generate.rule_counts import Count, without_counts
 

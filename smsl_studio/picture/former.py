@@ -13,7 +13,7 @@ import numpy as np
 
 from smsl_studio.picture.curves import Between, breadth
 from smsl_studio.picture.detours import GAP, most_passed
-from smsl_studio.picture.kept_routing import HeldPair, Routing
+from smsl_studio.picture.held_routes import HeldPair, Routing
 from smsl_studio.picture.label_candidates import FARTHEST
 from smsl_studio.picture.label_rooms import LabelRooms, meeting
 from smsl_studio.picture.labels import AsideRect, Rect, meet

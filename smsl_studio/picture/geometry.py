@@ -14,7 +14,7 @@ from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture import labels
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.edge_lines import EdgeLines
-from smsl_studio.picture.kept_routing import Routing
+from smsl_studio.picture.held_routes import Routing
 from smsl_studio.picture.label_seats import LabelSeats, LabelSize
 from smsl_studio.picture.line_pieces import LinePieces
 from smsl_studio.picture.picture import Picture

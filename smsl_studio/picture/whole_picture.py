@@ -10,7 +10,7 @@ from smsl_studio.picture import initial_mark, labels
 from smsl_studio.picture.curves import in_row
 from smsl_studio.picture.edge_lines import EdgeLines
 from smsl_studio.picture.former import FormerLines
-from smsl_studio.picture.kept_routing import Routing
+from smsl_studio.picture.held_routes import Routing
 from smsl_studio.picture.label_seats import LabelSeats
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.line_pieces import LinePieces

@@ -237,7 +237,7 @@ AT_PLAY = {
     "file_changed",
 }  # fmt: skip
 """Those that the window has when a run begins: the badge asks about no world, and nothing runs
-yet. tests/studio/running/test_run_opening.py has their ways."""
+yet. tests/studio/running/test_run_opener.py has their ways."""
 NOT_IN_WINDOW = {"supervisor_missing"}
 """The person at the window supervises each of its runs."""
 

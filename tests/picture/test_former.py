@@ -17,7 +17,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.detours import FEW, MOST_PASSED_OF_MANY
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.kept_routing import Routing
+from smsl_studio.picture.held_routes import Routing
 from smsl_studio.picture.picture import Picture
 from smsl_studio.smsl.json_form import parse_json, write_json
 from tests.stories.at_canvas import sample

@@ -30,7 +30,7 @@ from smsl_studio.studio.features.draw.canvas.copy_card import CopyCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from smsl_studio.studio.features.draw.canvas.rename_field import RenameField
 from smsl_studio.studio.features.draw.drawn.note_field import NoteField
-from smsl_studio.studio.running import run_opening
+from smsl_studio.studio.running import run_opener
 from smsl_studio.studio.running.runner import FASTEST
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window
@@ -198,7 +198,7 @@ class Seat:
     def step(self) -> None:
         """One operation of a run, which begins where there is none."""
         run = self.window.features.run.pane.run
-        with patch.object(run_opening, "open_request", _in_this_process):
+        with patch.object(run_opener, "open_request", _in_this_process):
             self.act("run_step")
             self._until(lambda: not run.exists or run.phase != "opening")
         self._until(lambda: not run.exists or (run.phase in STANDING and not run.pausing))

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from smsl_studio.blueprint.predicates.fact_sense import FactSense, SenseFault, sense_of
 from smsl_studio.blueprint.predicates.predicate import ValuePredicate
-from smsl_studio.blueprint.predicates.reading import read_predicate
+from smsl_studio.blueprint.predicates.predicate_text import read_predicate
 from smsl_studio.blueprint.predicates.units import Unit, read_unit
 
 __all__ = [

@@ -15,7 +15,7 @@ from smsl_studio.blueprint.predicates.predicate import (
     positions_of,
     thresholds_of,
 )
-from smsl_studio.blueprint.predicates.reading import read_predicate
+from smsl_studio.blueprint.predicates.predicate_text import read_predicate
 from smsl_studio.blueprint.predicates.terms import AgeTerm
 from smsl_studio.blueprint.predicates.units import Unit, read_unit
 from smsl_studio.errors import FormulaError

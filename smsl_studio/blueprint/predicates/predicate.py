@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from smsl_studio.blueprint.predicates.reading import written_source
+from smsl_studio.blueprint.predicates.predicate_text import written_source
 from smsl_studio.blueprint.predicates.terms import (
     AbsTerm,
     AgeTerm,

@@ -19,8 +19,8 @@ from smsl_studio.blueprint.properties.formula import (
     StateTerm,
     Term,
 )
+from smsl_studio.blueprint.properties.formula_text import read_formula
 from smsl_studio.blueprint.properties.meaning import Meaning, meaning_of
-from smsl_studio.blueprint.properties.reading import read_formula
 
 __all__ = [
     "AllOf",

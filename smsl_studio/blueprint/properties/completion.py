@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.formula import FactTerm
+from smsl_studio.blueprint.properties.formula_text import read_formula, written_name, written_plain
 from smsl_studio.blueprint.properties.meaning import fact_of, values_of
-from smsl_studio.blueprint.properties.reading import read_formula, written_name, written_plain
 from smsl_studio.errors import FormulaError
 
 MOST, LOOKED_AT, LOOKED_THROUGH = 200, 400, 4096

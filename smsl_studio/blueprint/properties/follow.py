@@ -16,7 +16,7 @@ from smsl_studio.blueprint.properties.formula import (
     StateTerm,
     Term,
 )
-from smsl_studio.blueprint.properties.reading import read_formula, written_name, written_plain
+from smsl_studio.blueprint.properties.formula_text import read_formula, written_name, written_plain
 from smsl_studio.errors import FormulaError
 from smsl_studio.stop import heed
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.formula import Formula
-from smsl_studio.blueprint.properties.reading import read_formula
+from smsl_studio.blueprint.properties.formula_text import read_formula
 from smsl_studio.errors import FormulaError, did_you_mean
 
 Json = Any

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from smsl_studio.blueprint.properties.reading import written_name, written_plain
+from smsl_studio.blueprint.properties.formula_text import written_name, written_plain
 from smsl_studio.generate.examples.family import Family
 from smsl_studio.generate.examples.table import Values
 from smsl_studio.stop import heed

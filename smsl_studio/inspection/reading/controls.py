@@ -9,13 +9,13 @@ from smsl_studio.blueprint.properties.words import hazard_words, property_words
 from smsl_studio.inspection.proof.claims import HAZARDS, Claim, claims_of
 from smsl_studio.inspection.proof.verdict import FAILS, HAZARD, HOLDS, PropertyVerdict
 from smsl_studio.inspection.reading.plain_names import counted
-from smsl_studio.inspection.reading.reading import (
+from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.sections import (
     PROVISO,
     ReadingLine,
     ReadingSection,
     bounded,
 )
-from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
 from smsl_studio.inspection.reading.step_words import StepWords
 
 

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.inspection.reading.plain_names import duration, listed, opened, people
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection, bounded
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection, bounded
 from smsl_studio.inspection.reading.step_words import SYSTEM, StepWords, answer_time
 
 _SUPERVISION = {

@@ -17,7 +17,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import OperationNote, StateNote
 from smsl_studio.blueprint.meaning import note_meaning
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection
 from smsl_studio.stop import heed
 
 Json = Any

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.inspection.reading.reading import Untitled
+from smsl_studio.inspection.reading.sections import Untitled
 
 UNTITLED = "A step without a title"
 NOBODY = ("",)

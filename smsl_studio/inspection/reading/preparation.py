@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.inspection.reading.plain_names import counted, listed, opened, people
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection, Untitled
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection, Untitled
 from smsl_studio.inspection.reading.step_words import StepWords
 
 

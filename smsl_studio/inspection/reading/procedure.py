@@ -14,8 +14,8 @@ from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.inspection.reading.plain_names import counted
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection, bounded
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection, bounded
 from smsl_studio.inspection.reading.step_words import StepWords
 from smsl_studio.stop import heed
 

@@ -12,8 +12,8 @@ from smsl_studio.inspection.reading.line_keys import keyed
 from smsl_studio.inspection.reading.plain_names import PlainNames, untitled
 from smsl_studio.inspection.reading.preparation import preparation
 from smsl_studio.inspection.reading.procedure import Procedure
-from smsl_studio.inspection.reading.reading import BlueprintReading
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.sections import BlueprintReading
 from smsl_studio.inspection.reading.since import since
 from smsl_studio.inspection.reading.step_words import StepWords
 from smsl_studio.inspection.reading.troubles import troubles

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from smsl_studio.inspection.reading.reading import (
+from smsl_studio.inspection.reading.sections import (
     NOTICE,
     BlueprintReading,
     ReadingLine,

@@ -9,8 +9,8 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from smsl_studio.inspection.reading.reading import NOTICE, BlueprintReading, ReadingLine
 from smsl_studio.inspection.reading.reading_page import Illustration
+from smsl_studio.inspection.reading.sections import NOTICE, BlueprintReading, ReadingLine
 from smsl_studio.legible import whole_text
 from smsl_studio.picture.document import as_document
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Difference
 from smsl_studio.inspection.reading.plain_names import PlainNames
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection
 
 _ORDER = (
     ChangeKind.REMOVED,

@@ -10,8 +10,8 @@ from smsl_studio.blueprint.failure_states import failures
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.inspection.proof.recovery import WayOut
 from smsl_studio.inspection.reading.plain_names import counted, listed, opened
-from smsl_studio.inspection.reading.reading import ReadingLine, ReadingSection
 from smsl_studio.inspection.reading.reading_grounds import ReadingGrounds
+from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection
 from smsl_studio.inspection.reading.step_words import StepWords
 
 MOST_SITUATIONS = 5

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Protocol
 
 from smsl_studio.inspection.reading.plain_names import counted
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine, ReadingSection
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine, ReadingSection
 from smsl_studio.inspection.review.entry import APPROVED, ReviewEntry
 from smsl_studio.inspection.review.review import Review, ReviewComment
 

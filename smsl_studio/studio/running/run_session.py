@@ -34,7 +34,7 @@ from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.playback import RunObserver
 from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
 from smsl_studio.studio.running.run_choice import RunChoice
-from smsl_studio.studio.running.run_opening import RunOpening
+from smsl_studio.studio.running.run_opener import RunOpener
 from smsl_studio.studio.running.runner import Runner
 from smsl_studio.world.protocol import Shape
 
@@ -95,7 +95,7 @@ class RunSession(QObject, Commands):
         self._goes_on = self._ends = False
         self.recordings: Path | None = None
         """The folder for the log of the next run; None if it is not recorded."""
-        self._opening: RunOpening | None = None
+        self._opening: RunOpener | None = None
         self.spare: Spare | None = None
         """A child process kept ready for the next run; None if each run starts its own."""
         self._clock = QTimer(self)
@@ -220,7 +220,7 @@ class RunSession(QObject, Commands):
         self.status, self.shapes, self.sensors = None, (), ()
         self._told = RunObserver()
         request = self._asked = choice.request(blueprint)
-        opening = RunOpening(request, loaded, self.recordings, self.who(), self.spare)
+        opening = RunOpener(request, loaded, self.recordings, self.who(), self.spare)
         self._opening = opening
         runner = Runner(
             opening.dispatcher,

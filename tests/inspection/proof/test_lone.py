@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.blueprint.properties.formula_text import read_formula
 from smsl_studio.blueprint.properties.meaning import meaning_of
-from smsl_studio.blueprint.properties.reading import read_formula
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
 from smsl_studio.inspection.proof.exploration import Exploration

@@ -19,7 +19,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.readings import reading
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine
 from smsl_studio.smsl.json_form import parse_json
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.naive import Config

@@ -16,9 +16,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.readings import reading
 from smsl_studio.front.reports import report
-from smsl_studio.inspection.reading.reading import BlueprintReading
 from smsl_studio.inspection.reading.reading_page import Illustration, reading_page
 from smsl_studio.inspection.reading.reading_sheet import reading_sheet
+from smsl_studio.inspection.reading.sections import BlueprintReading
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine
 
 _STEPS = re.compile(r"steps? (\d+)(?: to (\d+))?")
 

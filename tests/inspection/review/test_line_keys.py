@@ -11,7 +11,7 @@ from typing import Any
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.readings import reading
 from smsl_studio.inspection.reading.line_keys import keyed
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine, ReadingSection
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine, ReadingSection
 from smsl_studio.smsl.json_form import parse_json
 from tests.inspection.reading.judged_reading import values_of
 from tests.inspection.review.plain_meaning import plain_meanings

@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import UsageError
-from smsl_studio.inspection.reading.reading import BlueprintReading, ReadingLine, ReadingSection
+from smsl_studio.inspection.reading.sections import BlueprintReading, ReadingLine, ReadingSection
 from smsl_studio.inspection.review.review import Review
 from smsl_studio.inspection.review.review_author import ReviewAuthor
 from smsl_studio.inspection.review.reviewed import ReviewedReading

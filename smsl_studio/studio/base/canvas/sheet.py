@@ -16,7 +16,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.kept_routing import Routing
+from smsl_studio.picture.held_routes import Routing
 from smsl_studio.picture.labels import meet
 from smsl_studio.picture.levels import (
     BOX_SIZE,

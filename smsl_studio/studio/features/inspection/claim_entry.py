@@ -12,9 +12,9 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.properties.formula import AllOf, FactTerm, Formula
+from smsl_studio.blueprint.properties.formula_text import read_formula, written_name, written_plain
 from smsl_studio.blueprint.properties.meaning import fact_of, meaning_of
 from smsl_studio.blueprint.properties.property import read_properties
-from smsl_studio.blueprint.properties.reading import read_formula, written_name, written_plain
 from smsl_studio.blueprint.properties.words import hazard_words, property_words
 from smsl_studio.errors import EditRefused, FormulaError, StudioError
 from smsl_studio.inspection.proof.verdict import HAZARD

@@ -14,10 +14,10 @@ from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.inspection.claim_edits import ClaimEdits
 from smsl_studio.studio.features.inspection.claim_form import ClaimForm
 from smsl_studio.studio.features.inspection.claim_model import CHANGED, NEW, STOPPED
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
-from smsl_studio.studio.features.inspection.claim_writing import ClaimWriting
 from smsl_studio.studio.features.inspection.configuration_page import HEAD, ConfigurationPage
 from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, recovery_of
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
@@ -93,7 +93,7 @@ class InspectionPanel(QWidget):
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.said.setContentsMargins(14, 10, 14, 10)
         self.form = ClaimForm(tokens)
-        self.writing = ClaimWriting(session, self.form)
+        self.writing = ClaimEdits(session, self.form)
         self.below = QStackedWidget()
         for page in (self.said, self.run, self.form):
             self.below.addWidget(page)

@@ -24,7 +24,7 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.merge.conflict_card import ConflictCard
 from smsl_studio.studio.features.merge.merged_rows import merged_rows
 from smsl_studio.studio.features.merge.open_merge import OpenMerge
-from smsl_studio.studio.features.merge.preview_drawing import PreviewDrawing
+from smsl_studio.studio.features.merge.preview_sketch import PreviewSketch
 
 WIDTH = 396
 PREVIEW = 106
@@ -109,7 +109,7 @@ class ConflictList(QWidget):
         self.preview.setWordWrap(True)
         self.preview.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.preview.setContentsMargins(14, 8, 4, 8)
-        self.drawing = PreviewDrawing(self._tokens)
+        self.drawing = PreviewSketch(self._tokens)
         shown = row(self.preview, self.drawing, spacing=0)
         shown.setContentsMargins(0, 0, 8, 0)
         shown.setStretch(0, 1)

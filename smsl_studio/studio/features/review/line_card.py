@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QIcon, QMouseEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QVBoxLayout
 
-from smsl_studio.inspection.reading.reading import ReadingLine
+from smsl_studio.inspection.reading.sections import ReadingLine
 from smsl_studio.inspection.review.review import ReviewComment
 from smsl_studio.inspection.review.reviewed import ReviewedLine
 from smsl_studio.legible import plain_text

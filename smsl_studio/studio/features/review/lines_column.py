@@ -9,7 +9,7 @@ from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.front.review_matter import ReviewMatter
-from smsl_studio.inspection.reading.reading import ReadingSection
+from smsl_studio.inspection.reading.sections import ReadingSection
 from smsl_studio.inspection.review.review import ReviewComment
 from smsl_studio.inspection.review.reviewed import ReviewedLine, ReviewedReading
 from smsl_studio.studio.base.controls import Label, label, row

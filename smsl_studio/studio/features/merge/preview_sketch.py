@@ -18,7 +18,7 @@ BOX, ROW = 52.0, 22.0
 SHORT, PREFIX = "State_", "Op_"
 
 
-class PreviewDrawing(QWidget):
+class PreviewSketch(QWidget):
     """Draws the element as one version has it: a target with its arrow, else the element with its
     value. What the other versions have and this one has not is dotted."""
 

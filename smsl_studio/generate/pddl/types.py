@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from smsl_studio.errors import did_you_mean
-from smsl_studio.generate.planning.expressions import Expression
+from smsl_studio.generate.pddl.expressions import Expression
 from smsl_studio.stop import heed
 
 OBJECT = "object"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from smsl_studio.generate.planning.domain import (
+from smsl_studio.generate.pddl.domain import (
     TOTAL,
     Domain,
     check_requirements,
@@ -12,9 +12,9 @@ from smsl_studio.generate.planning.domain import (
     sections_of,
     unsupported,
 )
-from smsl_studio.generate.planning.expressions import Expression
-from smsl_studio.generate.planning.formulas import Atom, atom_of, number_of
-from smsl_studio.generate.planning.types import name_of
+from smsl_studio.generate.pddl.expressions import Expression
+from smsl_studio.generate.pddl.formulas import Atom, atom_of, number_of
+from smsl_studio.generate.pddl.types import name_of
 from smsl_studio.stop import heed
 
 _SECTIONS = (":domain", ":requirements", ":objects", ":init", ":goal", ":metric")

@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.generate.planning.domain import TOTAL, Domain, unsupported
-from smsl_studio.generate.planning.expressions import Expression
-from smsl_studio.generate.planning.types import TypedName, typed_names
+from smsl_studio.generate.pddl.domain import TOTAL, Domain, unsupported
+from smsl_studio.generate.pddl.expressions import Expression
+from smsl_studio.generate.pddl.types import TypedName, typed_names
 from smsl_studio.stop import heed
 
 Atom = tuple[str, ...]

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.planning.domain import ActionSchema
-from smsl_studio.generate.planning.expressions import Expression
-from smsl_studio.generate.planning.formulas import Compiler, Condition, Effect, Given
+from smsl_studio.generate.pddl.domain import ActionSchema
+from smsl_studio.generate.pddl.expressions import Expression
+from smsl_studio.generate.pddl.formulas import Compiler, Condition, Effect, Given
 from smsl_studio.stop import heed
 
 MOST_ACTIONS = 50_000

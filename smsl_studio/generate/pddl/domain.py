@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from smsl_studio.errors import ReadError, did_you_mean
-from smsl_studio.generate.planning.expressions import Expression
-from smsl_studio.generate.planning.types import TypedName, TypeTree, name_of, typed_names
+from smsl_studio.generate.pddl.expressions import Expression
+from smsl_studio.generate.pddl.types import TypedName, TypeTree, name_of, typed_names
 from smsl_studio.stop import heed
 
 KNOWN = frozenset(

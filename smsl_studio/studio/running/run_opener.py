@@ -16,7 +16,7 @@ from smsl_studio.runlog.log import RunLog
 from smsl_studio.studio.running.run_choice import log_of
 
 
-class RunOpening:
+class RunOpener:
     """What the thread of a run calls to open it.
 
     ``folder`` is that of the recordings (None: no log), and ``who`` the person at the window.

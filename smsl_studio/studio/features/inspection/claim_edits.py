@@ -1,4 +1,4 @@
-"""ClaimWriting: what is written with the form. Every change is one step of the history."""
+"""ClaimEdits: what is written with the form. Every change is one step of the history."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LONGEST = 10_000
 """A condition with more characters is not shown in the form."""
 
 
-class ClaimWriting(QObject):
+class ClaimEdits(QObject):
     """Fills the form, and carries out what the person wants."""
 
     ended = Signal(object)

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.planning.domain import Domain
-from smsl_studio.generate.planning.formulas import Atom, Bits, Compiler, Condition, Effect
-from smsl_studio.generate.planning.grounding import GroundAction, ground_actions
-from smsl_studio.generate.planning.problem import Problem
+from smsl_studio.generate.pddl.domain import Domain
+from smsl_studio.generate.pddl.formulas import Atom, Bits, Compiler, Condition, Effect
+from smsl_studio.generate.pddl.ground_action import GroundAction, ground_actions
+from smsl_studio.generate.pddl.problem import Problem
 from smsl_studio.stop import heed
 
 Json = Any
