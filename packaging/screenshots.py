@@ -13,7 +13,8 @@ file that does not read, of the offer to recover, and of a file that another pro
 ``panels`` are all panels beside the drawing, each brought to the front; ``--sample`` says of which
 sample.
 ``replay`` is a recorded run at the moment in which an operation was shut out. ``dense`` is a
-procedure of 129 operations whose drawing is collapsed, with a state selected.
+procedure of 129 operations whose drawing is collapsed, with a state selected; and a smaller one
+with a group, a note, a bent line and a search.
 """
 
 from __future__ import annotations
@@ -42,6 +43,7 @@ from PySide6.QtGui import QImage, QPainter  # noqa: E402
 from PySide6.QtWidgets import QApplication, QWidget  # noqa: E402
 
 import smsl_studio as smsl  # noqa: E402
+from benches.layouts.bedside import bedside  # noqa: E402
 from benches.layouts.procedures import rotms  # noqa: E402
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
@@ -114,6 +116,7 @@ def main() -> int:
             studio.take_panels(asked.sample or "hanoi")
         if asked.mode in (None, "dense"):
             studio.take_dense(Path(folder))
+            studio.take_bedside(Path(folder))
         studio.finish()
     return 0
 
@@ -200,6 +203,23 @@ class Studio:
         window.session.history.setClean()
         window.close()
 
+    def take_bedside(self, folder: Path) -> None:
+        """A procedure with a group, a note and a bent line; a search has found its third state."""
+        path = folder / "bedside.json"
+        path.write_text(json.dumps(bedside(), indent=4))
+        window = make_window(self._windows, str(path))
+        self._until(lambda: window.inspector.current)
+        window.show_tab("Facts")
+        window.actions_table["find"].trigger()
+        bar = window.features.draw.search.bar
+        bar.field.setText("tool")
+        self._until(lambda: bool(window.session.selection))
+        window.canvas.fit()
+        window.session.select((Address("BEDSIDE", "State_0110", "Op_LoadPreset"),))
+        self._take_dressed(window, "bedside")
+        window.session.history.setClean()
+        window.close()
+
     def take_supervise(self) -> None:
         """Supervise, with a run of Hanoi: an operation under way, every way cut, the full map."""
         for name, world, come_to in (
@@ -267,10 +287,9 @@ class Studio:
                 ("0" if len(said) <= 2 else "1") if task.kind == "fact" else task.options[0].value
             )
             role = task.roles[0]
-            pane.run.answer(
-                task.name, value, "A. Okafor" if role == "surgeon" else "L. Brandt", role
-            )
-        pane.run.answer(task.name, task.options[0].value, "A. Okafor", "surgeon")
+            person = "A. Okafor" if role == "surgeon" else "L. Brandt"
+            pane.run.answer(task.name, value, role, by=person)
+        pane.run.answer(task.name, task.options[0].value, "surgeon", by="A. Okafor")
         self._until(lambda: bool(card.tasks and card.tasks[0].answered))
         pane.run.set_speed(0.01)
         self._take_dressed(window, "task")
@@ -335,7 +354,7 @@ class Studio:
         self._until(lambda: window.features.replay.verbs.is_open)
         replay = window.features.replay.verbs.replay
         assert replay.recording is not None
-        events = replay.recording.retelling.events
+        events = replay.recording.run.events
         shut = next(at for at, event in enumerate(events, 1) if event.event == "operation_pruned")
         replay.to_index(shut)
         for theme, size in self._dressed(window):

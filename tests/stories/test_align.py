@@ -145,7 +145,9 @@ def test_menu_palette_and_pointer_offer_the_same(sit: Sit) -> None:
     window = person.window
     blueprint = next(m for m in window.findChildren(QMenu) if m.title() == "&Blueprint")
     blueprint.aboutToShow.emit()
-    (offered,) = (one for one in blueprint.actions() if one.text() == "Align…")
+    arrange = next(one for one in window.findChildren(QMenu) if one.title() == "Arrange")
+    assert arrange.menuAction() in blueprint.actions()
+    (offered,) = (one for one in arrange.actions() if one.text() == "Align…")
     assert not offered.isEnabled()
     chosen = select(person, 2)
     blueprint.aboutToShow.emit()
