@@ -195,7 +195,7 @@ class Runner(QThread):
             if self._dispatcher is None or not recording.told:
                 raise
             recording.end("failed", str(error), self._dispatcher)
-            status = self._dispatcher.status
+            status = self._seen(self._dispatcher, still=True)
             self._report(heard, replace(status, phase="fault_hold", running=None, carrying=None))
         finally:
             if self._dispatcher is not None:
@@ -241,7 +241,7 @@ class Runner(QThread):
         if not isinstance(recording.last, RunFinished):
             # A run that a person has stopped goes on no more: it ends as they ended it.
             stopped = dispatcher.phase == "stopped"
-            words = dispatcher.status.sentence if stopped else LET_GO
+            words = dispatcher.standing.sentence if stopped else LET_GO
             recording.end("stopped", words, dispatcher)
 
     def _seen(self, dispatcher: Dispatcher, still: bool) -> DispatchStatus:
