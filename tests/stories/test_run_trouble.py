@@ -34,7 +34,7 @@ def test_a_killed_world_holds_the_run_and_loses_nothing(sit: Sit) -> None:
     person.press(Key.Key_F5)
     run.until_runs()
     os.kill(_pid(run), signal.SIGKILL)
-    run.until_phase("Fault hold")
+    run.until_phase("Ended: failed")
     assert (
         "killed by signal 9 (SIGKILL) in the middle of SB1/State_aaa/Op_1c"
         in run.pane.canvas.banner
@@ -58,7 +58,7 @@ def test_a_world_that_dies_while_the_run_is_paused_is_noticed_at_once(sit: Sit) 
     person.press(Key.Key_F6)
     run.until_phase("Paused")
     os.kill(_pid(run), signal.SIGKILL)
-    run.until_phase("Fault hold")
+    run.until_phase("Ended: failed")
     assert "killed by signal 9 (SIGKILL)" in run.pane.canvas.banner
 
 
