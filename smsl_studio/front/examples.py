@@ -32,7 +32,7 @@ def learn(blueprint: Blueprint) -> Learnt:
 def learn_from_logs(logs: Sequence[Name]) -> Learnt:
     """Return rules for what was committed in some runs. ReadError if a file is no log.
 
-    >>> words = {"world": "table", "goal": "State_ccc", "log": "solved.jsonl"}
+    >>> words = {"goal": "State_ccc", "log": "solved.jsonl"}
     >>> _ = run(read("hanoi-corrected.json"), **words)
     >>> learn_from_logs(["solved.jsonl"]).cases
     2

@@ -72,7 +72,8 @@ def generate_explore(
     UsageError for a world without operations of its own. PlanningError for several SBs. WorldError
     for a world that does not exist or does not suit.
 
-    >>> generate_explore(read("hanoi.json"), "table")
+    >>> from smsl_studio.world.engines import TABLE
+    >>> generate_explore(read("hanoi.json"), TABLE)
     Traceback (most recent call last):
     ...
     smsl_studio.errors.UsageError: the world table has no operations of its own
