@@ -1,5 +1,5 @@
-"""``generate``: a blueprint made of rules, of a planning problem or of physics, or code made of a
-blueprint."""
+"""``generate``: a blueprint made of rules, of a planning problem, of physics or of text, or code
+made of a blueprint."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
+from smsl_studio.cli.generate_text import OPTIONS as TEXT_OPTIONS
+from smsl_studio.cli.generate_text import add_text_arguments, generate_of_text
 from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import UsageError
 from smsl_studio.legible import one_line
@@ -19,11 +21,13 @@ if TYPE_CHECKING:
     from smsl_studio.front.generated import Generated
     from smsl_studio.front.physics import PhysicsDifference
 
-_FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": (), "code": ("FILE",)}
+_FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": (), "code": ("FILE",),
+          "text": ("FILE...",)}  # fmt: skip
 """What stands behind each word."""
 _OPTIONS = {
     "explore": ("world", "start", "repeats", "limit", "against"),
     "code": ("bindings", "name", "record", "licence", "check"),
+    "text": TEXT_OPTIONS,
 }
 """The options that belong to one word alone."""
 
@@ -35,7 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         "files",
         nargs="*",
         metavar="FILE",
-        help="rules: RULES.toml; pddl: DOMAIN PROBLEM; code: FILE",
+        help="rules: RULES.toml; pddl: DOMAIN PROBLEM; code: FILE; text: FILE...",
     )
     parser.add_argument(
         "-o", "--output", required=True, metavar="OUT", help="the blueprint, or the folder of code"
@@ -63,6 +67,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     code.add_argument(
         "--check", action="store_true", help="write nothing; say whether code and blueprint agree"
     )
+    add_text_arguments(parser)
     add_format(parser)
 
 
@@ -70,16 +75,22 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     """Generate what is asked for. 0: it is written, or agrees; 1: the goal cannot be reached,
     physics permits something else (``--against``), or code and blueprint do not agree."""
     wanted = _FILES[options.what]
-    if len(options.files) != len(wanted):
+    many = len(options.files)
+    if many != len(wanted) and not (options.what == "text" and many):
         takes = " ".join(wanted) or "no file but --start"
         advice = f"Write smsl-studio generate {options.what} {' '.join(wanted)} -o OUT.json."
         raise UsageError(f"generate {options.what} takes {takes}", advice=advice)
     for what, names in _OPTIONS.items():
         odd = next((name for name in names if getattr(options, name)), None)
         if odd is not None and what != options.what:
-            raise UsageError(f"--{odd} is for {what} alone", advice=f"Write: generate {what} ...")
+            raise UsageError(
+                f"--{odd.replace('_', '-')} is for {what} alone",
+                advice=f"Write: generate {what} ...",
+            )
     if options.what == "explore":
         return _explore(options, out)
+    if options.what == "text":
+        return generate_of_text(options, out)
     if options.what == "code":
         return _code(options, out)
     from smsl_studio.front.generated import generate_pddl, generate_rules

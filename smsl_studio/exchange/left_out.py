@@ -25,6 +25,7 @@ _BRANCH_WORDS = {
     "_groups": "Groups are",
     "_notes": "Notes are",
     "_origin": "The origin is",
+    "_sources": "The sources of states and operations are",
 }
 
 

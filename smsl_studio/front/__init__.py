@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.generated import generate_pddl, generate_rules
     from smsl_studio.front.generated_code import generate_code
+    from smsl_studio.front.generated_text import generate_text
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
     from smsl_studio.front.hosts import worlds
@@ -90,6 +91,7 @@ __all__ = [
     "generate_explore",
     "generate_pddl",
     "generate_rules",
+    "generate_text",
     "git_setup",
     "identify",
     "import_key",
@@ -167,8 +169,9 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
-    "generate": Verb("make a blueprint of rules, PDDL or physics, or code of a blueprint",
-                     ("generate_rules", "generate_pddl", "generate_explore", "generate_code")),
+    "generate": Verb("make a blueprint of rules, PDDL, physics or text, or code of a blueprint",
+                     ("generate_rules", "generate_pddl", "generate_explore", "generate_text",
+                      "generate_code")),
     "learn": Verb("find rules that make a blueprint, and what does not fit them",
                   ("learn", "learn_from_logs")),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -226,6 +229,7 @@ _HOMES = {
     "generate_explore": "physics",
     "learn": "examples",
     "learn_from_logs": "examples",
+    "generate_text": "generated_text",
     "CampaignRequest": "campaigns",
     "campaign": "campaigns",
     "bundle": "bundles",

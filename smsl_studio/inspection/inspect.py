@@ -22,6 +22,7 @@ from smsl_studio.inspection.rules import (
     reach,
     recovery,
     reverses,
+    sources,
     titles,
 )
 from smsl_studio.inspection.rules import text as writing
@@ -65,6 +66,7 @@ ALL = (
     Rule("R28", "an operation without its reverse", reverses.r28_missing_reverse),
     Rule("R29", "an annotation not understood", writing.r29_annotations),
     Rule("R31", "a title that a report needs", titles.r31_missing_titles),
+    Rule("R32", "a part without a source", sources.r32_no_source),
 )
 PROVED = {
     "R19": "a combination of facts that must not be",

@@ -61,6 +61,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "jinja2": ("generate/code/templates.py",),
     "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
+    "pypdf": ("generate/text/pdf_child.py",),
     "paho": ("monitor/mqtt.py",),
     "cryptography": ("seal/",),
     "pkcs11": ("seal/",),

@@ -261,6 +261,10 @@ PLANTED = [
     ("R29", "W", "SB", "no predicate says when it is 0, so it is never sensed", """{"SB": {
   "_facts": {"0": {"sources": {"force": "N"}, ^"predicate": {"1": "force > 2 N"}}},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R32", "W", "SB/State_1", "2 elements (State_1 and b) have no source", """{"SB": {
+  "_sources": {"State_0": [{"file": "a.md", "line": 1, "words": "off"}],
+    "a": [{"file": "a.md", "line": 2, "words": "switch on"}]},
+  "State_0": {"a": "State_1"}, ^"State_1": {"b": "State_0"}}}"""),
     ("R31", "I", "SB/State_1/b", "2 operations (b and c) have no title", """{"SB": {
   "_operations": {"a": {"title": "Wash the hands"}},
   "_facts": {"0": {"name": "Hands washed"}}, "State_0": {"a": "State_1"},

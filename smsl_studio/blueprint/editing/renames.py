@@ -150,7 +150,9 @@ def states_renamed(draft: Draft, branch: str, names: Mapping[str, str]) -> None:
         rename_keys(table, names)
     states_follow(draft, branch, names)
     pins_follow(draft, branch, names)
-    for table in draft.tables(branch, "_operations"):
+    for table in draft.tables(branch, "_sources"):
+        rename_keys(table, names)
+    for table in draft.tables(branch, "_operations", "_sources"):
         moved = {}
         for key in list(table):
             state, *operation = Address.split(key)
@@ -245,6 +247,8 @@ def _rename_edges(draft: Draft, chosen: Mapping[str, Iterable[str]], old: str, n
         whole = unused and not left
         for notes in draft.tables(branch, "_operations"):
             _notes_follow(notes, list(states), old, new, whole)
+        for cited in draft.tables(branch, "_sources"):
+            _sources_follow(cited, list(states), old, new, whole)
         lines: dict[Edge, Edge | None] = {(state, new): None for state in states}
         lines |= {(state, old): (state, new) for state in states}
         edges_follow(draft, branch, partial(_renamed, lines))
@@ -292,6 +296,19 @@ def _notes_follow(
         rename_keys(notes, {note_key(old, state): key})
         if carried and (own is None or isinstance(own, dict)):
             notes[key] = {**carried, **(own or {})}
+
+
+def _sources_follow(
+    cited: dict[str, Json], states: Sequence[str], old: str, new: str, whole: bool
+) -> None:
+    """Let ``_sources`` follow. Edges that get another name keep their own sources."""
+    shared = cited.get(note_key(old))
+    if whole:
+        rename_keys(cited, {note_key(old): note_key(new)})
+    for state in states:
+        rename_keys(cited, {note_key(old, state): note_key(new, state)})
+        if shared is not None and not whole:
+            cited.setdefault(note_key(new, state), shared)
 
 
 def replaced_words(former: Json, named: Json) -> tuple[dict[str, Json], tuple[str, ...]]:

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.reading.controls import controls
 from smsl_studio.inspection.reading.duties import duties, watched
 from smsl_studio.inspection.reading.line_keys import keyed
+from smsl_studio.inspection.reading.line_sources import with_sources
 from smsl_studio.inspection.reading.plain_names import PlainNames, untitled
 from smsl_studio.inspection.reading.preparation import preparation
 from smsl_studio.inspection.reading.procedure import Procedure
@@ -45,6 +46,7 @@ def written_reading(
         sections.insert(0, since(names, grounds.difference, grounds.former))
     title, purpose = _purpose(blueprint)
     kept = keyed(blueprint, (one for one in sections if one.lines or one.lead))
+    kept = with_sources(blueprint, kept)
     file = PurePath(blueprint.file).name
     return BlueprintReading(title or file, purpose, file, digests(blueprint).closure, kept, bare)
 

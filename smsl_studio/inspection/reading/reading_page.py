@@ -102,6 +102,8 @@ def _line(line: ReadingLine, level: int) -> Iterator[str]:
         yield f'<p class="who"><b>Who</b> {markup(line.who)}</p>'
     if line.check:
         yield f'<p class="who"><b>Check</b> {markup(line.check)}</p>'
+    for source in line.sources:
+        yield f'<p class="who"><b>Source</b> {markup(source)}</p>'
     for one in line.inner:
         yield from _line(one, min(level + 1, 6))
     yield "</div></article>"

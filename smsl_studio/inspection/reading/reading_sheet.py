@@ -40,6 +40,7 @@ _SOURCE = """
     if one.text != "" { par(one.text) }
     if one.who != "" { par([*Who:* #one.who]) }
     if one.check != "" { par([*Check:* #one.check]) }
+    for source in one.sources { par([*Source:* #source]) }
   })
   for inner in one.inner { entry(inner, depth + 1) }
 }
@@ -117,6 +118,7 @@ def _entry(line: ReadingLine) -> dict[str, Json]:
         "text": _text(" ".join(line.text)),
         "who": _text(line.who),
         "check": _text(line.check),
+        "sources": [_text(source) for source in line.sources],
         "open": line.open_point,
         "inner": [_entry(one) for one in line.inner],
     }

@@ -41,11 +41,13 @@ class ReadingLine:
     unnumbered: tuple[str, ...] = ()
     key: str = ""
     starts: tuple[Address, ...] = ()
+    sources: tuple[str, ...] = ()
+    """The quoted words of texts from which it was made, each with its place."""
 
     @property
     def words(self) -> tuple[str, ...]:
         """Everything that the line says, in the order in which it is read."""
-        own = (self.mark, self.heading, *self.text, self.who, self.check)
+        own = (self.mark, self.heading, *self.text, self.who, self.check, *self.sources)
         below = (words for line in self.inner for words in line.words)
         return tuple(words for words in (*own, *below) if words)
 
@@ -138,6 +140,7 @@ def _plain(line: ReadingLine) -> dict[str, Json]:
         "open": line.open_point,
         "about": [str(one) for one in line.about],
         "inner": [_plain(one) for one in line.inner],
+        **({"sources": list(line.sources)} if line.sources else {}),
     }
 
 

@@ -252,7 +252,8 @@ class LineCard(QFrame):
             yield "changed since you approved it", "flagChanged"
 
     def _add_meta(self, line: ReadingLine, indent: int = 0) -> None:
-        for name, words in (("person", line.who), ("eye", line.check)):
+        sources = (("slip", words) for words in line.sources)
+        for name, words in (("person", line.who), ("eye", line.check), *sources):
             if not words:
                 continue
             picture = Label()

@@ -1,0 +1,80 @@
+"""``generate text``: a blueprint of expert text, with what each stage gave."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.cli.output import Output, note
+from smsl_studio.legible import one_line
+
+if TYPE_CHECKING:
+    from smsl_studio.front.generated_text import GeneratedText
+
+OPTIONS = ("by_hand", "hardware", "provider")
+_SHOWN = 20
+
+
+def add_text_arguments(parser: ArgumentParser) -> None:
+    """Add the options of ``generate text``."""
+    text = parser.add_argument_group("text")
+    text.add_argument(
+        "--by-hand", metavar="DIR", help="take the answers from DIR, and write prompts there"
+    )
+    text.add_argument("--hardware", metavar="FILE", help="a list of the hardware that is there")
+    text.add_argument(
+        "--provider",
+        metavar="NAME",
+        help="reader (no model), by-hand, replay:FILE, or the base URL of a server",
+    )
+
+
+def generate_of_text(options: argparse.Namespace, out: Output) -> int:
+    """Generate. 0: the blueprint is written and its goal can be reached; 1: a stage has no answer,
+    or the goal cannot be reached."""
+    from smsl_studio.front.generated_text import PEOPLE, generate_text
+
+    made = generate_text(
+        options.files,
+        options.output,
+        provider=options.provider,
+        by_hand=options.by_hand,
+        hardware=options.hardware,
+    )
+    for sentence, advice in made.lacking:
+        note(one_line(sentence))
+        if advice:
+            note(one_line(advice))
+    if options.format == "json":
+        out.json(_as_json(made))
+    elif made.blueprint is not None:
+        states, operations = _counts(made)
+        out.line(one_line(f"{options.output}: {states:,} states, {operations:,} operations"))
+        for name in made.missing[:_SHOWN]:
+            out.line(one_line(f"missing hardware: {name}"))
+        for address in made.uncited[:_SHOWN]:
+            out.line(one_line(f"no source: {address}"))
+    if made.blueprint is not None and not made.goal_reached:
+        note("the goal cannot be reached")
+    if made.people:
+        note(f"people are asked; {PEOPLE} answers for them in a trial: run --script {PEOPLE}")
+    return 0 if made.is_good else 1
+
+
+def _counts(made: GeneratedText) -> tuple[int, int]:
+    branches = list(made.blueprint or ())
+    return sum(len(one.table) for one in branches), sum(one.edge_count for one in branches)
+
+
+def _as_json(made: GeneratedText) -> dict[str, object]:
+    states, operations = _counts(made)
+    return {
+        "states": states,
+        "operations": operations,
+        "goal": made.goal_reached,
+        "files": list(made.files),
+        "missing": list(made.missing),
+        "uncited": list(made.uncited),
+        "lacking": [sentence for sentence, _ in made.lacking],
+    }

@@ -1,0 +1,170 @@
+"""Blueprints made of expert text. They say how they were made, and each part cites its words."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import UsageError
+from smsl_studio.generate.text.chain import TextChain, run_chain
+from smsl_studio.generate.text.expert_text import ExpertText, text_at
+from smsl_studio.generate.text.people_script import people_script
+from smsl_studio.generate.text.prompts import FILES, PSM
+from smsl_studio.generate.text.providers import BY_HAND, provider_named
+from smsl_studio.host.plugin_offers import describe
+from smsl_studio.inspection.rules.sources import uncited
+from smsl_studio.smsl.files import save_document
+
+if TYPE_CHECKING:
+    from smsl_studio.generate.text.equipment import Equipment
+
+Json = Any
+Name = str | os.PathLike[str]
+PEOPLE = "people.jsonl"
+
+
+@dataclass(frozen=True)
+class GeneratedText:
+    """What became of a text.
+
+    ``blueprint`` is None if the chain did not come so far. ``lacking`` are sentences, each with an
+    advice: a stage that nobody has answered, or that was given up. ``missing`` are the names of
+    hardware that nothing meets. ``uncited`` are the addresses without a source. ``people`` is the
+    number of operations on the way that people carry out or confirm.
+    """
+
+    blueprint: Blueprint | None
+    goal_reached: bool
+    lacking: tuple[tuple[str, str], ...] = ()
+    missing: tuple[str, ...] = ()
+    uncited: tuple[str, ...] = ()
+    people: int = 0
+    files: tuple[str, ...] = ()
+
+    @property
+    def is_good(self) -> bool:
+        """Whether the chain came to its end and the goal can be reached."""
+        return self.goal_reached and not self.lacking
+
+
+def generate_text(
+    files: Sequence[Name],
+    output: Name,
+    *,
+    provider: str | None = None,
+    by_hand: Name | None = None,
+    hardware: Name | None = None,
+) -> GeneratedText:
+    """Make a blueprint of expert texts, and write it to ``output`` with what each stage gave.
+
+    ``pm.md``, ``him.toml``, ``psm.json``, ``rmm/`` and ``answers.json`` stand in the folder of
+    ``output``. ReadError for a text that cannot be read or has no steps. UsageError for an unknown
+    provider.
+
+    >>> _ = Path("lamp.md").write_text("1. Switch the lamp on. 2. Look at it.\\n3. Switch it off.")
+    >>> made = generate_text(["lamp.md"], "lamp/lamp.json")
+    >>> made.goal_reached, [branch.name for branch in made.blueprint]
+    (True, ['LAMP'])
+    """
+    texts = _texts(files)
+    listed = _texts([hardware]) if hardware is not None else []
+    folder = Path(by_hand) if by_hand is not None else None
+    if folder is not None and provider not in (None, BY_HAND):
+        raise UsageError(
+            f"--by-hand takes all answers from a folder, and --provider {provider} none",
+            advice="Leave one of them out.",
+        )
+    answers = provider_named(provider, folder)
+    reached = run_chain(texts, listed, answers, describe())
+    target = _target(Path(output))
+    written = _write(reached, target, folder, [*files, *([hardware] if hardware else [])])
+    return _told(reached, written)
+
+
+def _texts(files: Sequence[Name]) -> list[ExpertText]:
+    texts = [text_at(file) for file in files]
+    names = [text.file for text in texts]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise UsageError(
+            f"two texts are called {twice}, so a citation could not name one",
+            advice="Give one of them another name.",
+        )
+    return texts
+
+
+def _target(output: Path) -> Path:
+    """Return the file of the blueprint. A folder gets ``psm.json``."""
+    return output / FILES[PSM] if output.is_dir() or not output.suffix else output
+
+
+def _write(
+    reached: TextChain, target: Path, by_hand: Path | None, inputs: Sequence[Name]
+) -> tuple[str, ...]:
+    """Write all files. What a person has put into the folder of ``target`` stays as it is."""
+    folder = target.parent
+    folder.mkdir(parents=True, exist_ok=True)
+    own = by_hand is not None and by_hand.resolve() == folder.resolve()
+    files = dict(reached.files)
+    if reached.blueprint is not None:
+        script = people_script(reached.blueprint)
+        if script:
+            files[PEOPLE] = script
+    made_of = [os.fspath(one) for one in inputs]
+    written = []
+    for name, text in files.items():
+        path = folder / name
+        if own and path.exists() and name.partition("/")[0] in FILES.values():
+            continue
+        path.parent.mkdir(exist_ok=True)
+        save_document(text, path, made_of=made_of)
+        written.append(name)
+    if reached.blueprint is not None and target.name not in written:
+        from smsl_studio.front.outputs import converted
+
+        document = converted(reached.blueprint, target).document
+        save_document(document, target, made_of=made_of)
+        written.insert(0, target.name)
+    return tuple(written)
+
+
+def _told(reached: TextChain, written: tuple[str, ...]) -> GeneratedText:
+    blueprint, equipment = reached.blueprint, reached.equipment
+    if blueprint is None:
+        lacking = tuple(reached.lacking)
+        return GeneratedText(None, False, lacking, _missing(equipment), files=written)
+    script = people_script(blueprint)
+    return GeneratedText(
+        blueprint,
+        _goal_reached(blueprint),
+        tuple(reached.lacking),
+        _missing(equipment),
+        tuple(str(address) for address in uncited(blueprint)),
+        script.count("\n"),
+        written,
+    )
+
+
+def _missing(equipment: Equipment | None) -> tuple[str, ...]:
+    return equipment.missing if equipment is not None else ()
+
+
+def _goal_reached(blueprint: Blueprint) -> bool:
+    """Return whether a route leads to the goals: every root in ACTIVATING."""
+    from smsl_studio.blueprint.address import Address
+    from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+    from smsl_studio.blueprint.terms import Terms
+    from smsl_studio.dispatch.route.planner import Planner
+    from smsl_studio.errors import PlanningError, RunRefused
+
+    hierarchy = Hierarchy(blueprint)
+    goals = [Address(name, blueprint[name].activating) for name in hierarchy.roots]
+    try:
+        start = start_configuration(hierarchy, {})
+        return Planner(hierarchy, Terms()).legs(start, goals) is not None
+    except (PlanningError, RunRefused):
+        return False

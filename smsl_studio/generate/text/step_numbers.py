@@ -1,0 +1,70 @@
+"""Numbers of steps: ``2.1`` is the first part of the second step.
+
+A text has numbers of its own, in each of its parts anew. Here each step gets one that no other step
+has, and what a remedy names follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from smsl_studio.generate.text.steps import Caution, Procedure, Remedy, Step
+
+Part = TypeVar("Part", Step, Remedy, Caution)
+WORDS = frozenset(("on", "again", "start"))
+
+
+def numbered(procedure: Procedure) -> Procedure:
+    """Return the procedure with new numbers. A remedy that names no step does its own anew."""
+    return procedure.model_copy(update={"steps": _numbered(procedure.steps, "", {})})
+
+
+def without_sources(procedure: Procedure, file: str) -> Procedure:
+    """Return the procedure without citations of a file that is no expert text."""
+
+    def kept(part: Part) -> Part:
+        sources = tuple(one for one in part.sources if one.file != file)
+        return part.model_copy(update={"sources": sources})
+
+    def cleaned(step: Step) -> Step:
+        remedies, steps = tuple(map(kept, step.remedies)), tuple(map(cleaned, step.steps))
+        return kept(step).model_copy(update={"remedies": remedies, "steps": steps})
+
+    cautions = tuple(map(kept, procedure.cautions))
+    return procedure.model_copy(
+        update={"steps": tuple(map(cleaned, procedure.steps)), "cautions": cautions}
+    )
+
+
+def lowered(step: Step) -> Step:
+    """Return a step whose remedies stand at its last part, because its own fact is a sub-SB's."""
+    if not step.steps or not step.remedies:
+        return step
+    *others, last = step.steps
+    last = lowered(last.model_copy(update={"remedies": (*last.remedies, *step.remedies)[:12]}))
+    return step.model_copy(update={"remedies": (), "steps": (*others, last)})
+
+
+def _numbered(steps: tuple[Step, ...], head: str, above: Mapping[str, str]) -> tuple[Step, ...]:
+    steps = tuple(map(lowered, steps))
+    numbers = [f"{head}{number}" for number in range(1, len(steps) + 1)]
+    pairs = zip(reversed(steps), reversed(numbers), strict=True)
+    here = {step.mark: number for step, number in pairs if step.mark}
+    known = {**above, **here}
+    return tuple(
+        step.model_copy(
+            update={
+                "mark": number,
+                "remedies": tuple(_led(one, known) for one in step.remedies),
+                "steps": _numbered(step.steps, f"{number}.", known),
+            }
+        )
+        for step, number in zip(steps, numbers, strict=True)
+    )
+
+
+def _led(remedy: Remedy, known: Mapping[str, str]) -> Remedy:
+    if remedy.back in WORDS:
+        return remedy
+    return remedy.model_copy(update={"back": known.get(remedy.back, "again")})

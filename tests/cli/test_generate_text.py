@@ -1,0 +1,188 @@
+"""``generate text``: samples, by hand, replay, and inputs that do not fit."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import smsl_studio as smsl
+from smsl_studio.blueprint import editing
+from smsl_studio.shipped import samples_dir
+from tests.cli.shell import Shell
+
+TEXTS = samples_dir() / "texts"
+LAMP = "# Lamp\n\n1. Plug it in.\n2. Switch it on until it is warm.\n   - If it smokes, pull the plug.\n"
+
+
+@pytest.fixture
+def lamp(tmp_path: Path) -> Path:
+    file = tmp_path / "lamp.md"
+    file.write_text(LAMP)
+    return file
+
+
+@pytest.mark.parametrize(("name", "people"), [("femoroplasty", True), ("first-aid", False)])
+def test_a_sample_becomes_a_blueprint_that_reaches_its_goal(
+    shell: Shell, tmp_path: Path, name: str, people: bool
+) -> None:
+    out = tmp_path / "made" / f"{name}.json"
+    hardware = ("--hardware", str(TEXTS / f"{name}-hardware.md"))
+    words = ("generate", "text", str(TEXTS / f"{name}.md"), *hardware, "-o", str(out))
+    answer = shell(*words, "--format", "json")
+    assert answer.status == 0, answer.err
+    assert (answer.json["uncited"], answer.json["missing"], answer.json["goal"]) == ([], [], True)
+    checked = shell("check", str(out), "--format", "json")
+    assert checked.status == 0
+    assert "R32" not in {one["rule"] for one in checked.json["files"][0]["findings"]}
+    script = out.parent / "people.jsonl"
+    assert script.exists() == people
+    asked = ("--script", str(script)) if people else ()
+    ran = shell("run", str(out), "--world", "table", *asked, "--format", "json")
+    assert ran.lines[-1]["reason"] == "goal_reached"
+    assert "GENERATED, NOT INSPECTED" in ran.err
+    before = {path.name: path.read_bytes() for path in out.parent.rglob("*") if path.is_file()}
+    assert shell(*words).status == 0
+    after = {path.name: path.read_bytes() for path in out.parent.rglob("*") if path.is_file()}
+    assert after == before
+
+
+def test_each_output_says_how_it_was_made(shell: Shell, lamp: Path, tmp_path: Path) -> None:
+    out = tmp_path / "made" / "lamp.json"
+    assert shell("generate", "text", str(lamp), "-o", str(out)).status == 0
+    made = out.parent
+    origin = json.loads((made / "psm.json").read_text())["_origin"]
+    assert (origin["stage"], origin["model"], origin["from"]) == ("psm", "reader", "lamp.md")
+    assert tomllib.loads((made / "him.toml").read_text())["_origin"]["stage"] == "him"
+    assert '_origin: {"stage": "pm"' in (made / "pm.md").read_text()
+    functions = sorted((made / "rmm").iterdir())
+    assert [one.name for one in functions][0] == "LAMP.Op_Plug.py"
+    assert "_origin = {'stage': 'rmm'" in functions[0].read_text()
+    report = tmp_path / "lamp.html"
+    assert shell("report", str(out), "-o", str(report)).status == 0
+    assert "“Plug it in.” lamp.md, line 3" in report.read_text()
+
+
+def test_by_hand_asks_stage_by_stage_and_takes_what_lies_there(
+    shell: Shell, lamp: Path, tmp_path: Path
+) -> None:
+    read, hand = tmp_path / "read", tmp_path / "hand"
+    assert shell("generate", "text", str(lamp), "-o", str(read / "lamp.json")).status == 0
+    out = tmp_path / "made" / "lamp.json"
+    call = ("generate", "text", str(lamp), "-o", str(out), "--by-hand", str(hand))
+    for stage, file in (("pm", "pm.md"), ("him", "him.toml"), ("psm", "psm.json"), ("rmm", "rmm")):
+        answer = shell(*call)
+        assert answer.status == 1
+        assert f"{file} is missing: stage {stage}" in answer.err
+        assert (hand / f"{stage}.prompt.md").exists()
+        if stage == "pm":
+            assert "lamp.md 3: 1. Plug it in." in (hand / "pm.prompt.md").read_text()
+        given = read / file
+        (shutil.copytree if given.is_dir() else shutil.copy)(given, hand / file)
+    assert shell(*call).status == 0
+    values = json.loads(out.read_text())
+    assert values.pop("_origin")["model"] == "by hand"
+    theirs = json.loads((read / "psm.json").read_text())
+    theirs.pop("_origin")
+    assert values == theirs
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"_imports": ["/etc/passwd"]}, "_imports is not allowed"),
+        ({"LAMP": {"State_0": {"a": "State_9"}, "State_1": {}}}, "R02"),
+        ({"LAMP": 3}, "must be an object"),
+        (
+            {"LAMP": {"State_0": {"a": "State_1"}, "State_1": {},
+                      "_operations": {"a": {"binding": {"blueprint": "x.json", "goal": "A/b"}}}}},
+            "binds no code",
+        ),
+        (
+            {"LAMP": {"State_0": {"a": "State_1"}, "State_1": {},
+                      "_sources": {"a": [{"file": "lamp.md", "line": 3, "words": "Explode"}]}}},
+            "the words do not stand there",
+        ),
+    ],
+)  # fmt: skip
+def test_an_answer_that_does_not_fit_is_told_and_nothing_is_made(
+    shell: Shell, lamp: Path, tmp_path: Path, change: dict[str, object], words: str
+) -> None:
+    hand = tmp_path / "hand"
+    hand.mkdir()
+    (hand / "pm.md").write_text("1. Plug it in\n")
+    (hand / "him.toml").write_text("")
+    (hand / "psm.json").write_text(json.dumps(change))
+    out = tmp_path / "made" / "lamp.json"
+    answer = shell("generate", "text", str(lamp), "-o", str(out), "--by-hand", str(hand))
+    assert answer.status == 1
+    assert "stage psm was given up" in answer.err
+    assert words in answer.err
+    assert not out.exists()
+    assert (out.parent / "pm.md").exists()
+
+
+def test_kept_answers_give_the_same_bytes(shell: Shell, lamp: Path, tmp_path: Path) -> None:
+    first, second = tmp_path / "a", tmp_path / "b"
+    assert shell("generate", "text", str(lamp), "-o", str(first / "lamp.json")).status == 0
+    kept = first / "answers.json"
+    replay = ("--provider", f"replay:{kept}", "-o", str(second / "lamp.json"))
+    assert shell("generate", "text", str(lamp), *replay).status == 0
+    for path in first.rglob("*"):
+        if path.is_file():
+            assert (second / path.relative_to(first)).read_bytes() == path.read_bytes()
+    kept.write_text(kept.read_text().replace("Plug it in", "Plug it off", 3))
+    answer = shell("generate", "text", str(lamp), *replay)
+    assert answer.status == 2
+    assert "is not what its digest says" in answer.err
+
+
+def test_sources_follow_a_new_name_and_a_part_without_one_is_a_warning(
+    shell: Shell, lamp: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "made" / "lamp.json"
+    assert shell("generate", "text", str(lamp), "-o", str(out)).status == 0
+    blueprint = smsl.read(out)
+    address = next(blueprint["LAMP"].edges()).address
+    renamed = editing.rename(blueprint, address, "Op_Other")
+    assert [f.rule for f in smsl.inspect(renamed) if f.rule == "R32"] == []
+    values = json.loads(out.read_text())
+    del values["LAMP"]["_sources"]["State_10"]
+    out.write_text(json.dumps(values))
+    (finding,) = [f for f in smsl.inspect(smsl.read(out)) if f.rule == "R32"]
+    assert (finding.severity.value, str(finding.address)) == ("W", "LAMP/State_10")
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "said"),
+    [
+        (("--provider", "reeder"), 2, "Did you mean reader?"),
+        (("--provider", "by-hand"), 2, "needs a folder"),
+        (("--provider", "replay:gone.json"), 2, "cannot be read"),
+        (("--hardware", "gone.md"), 2, "cannot be read"),
+        (("--target", "cpp", "--name", "x"), 2, "--name is for code alone"),
+    ],
+)
+def test_wrong_words_are_told(
+    shell: Shell, lamp: Path, tmp_path: Path, words: tuple[str, ...], status: int, said: str
+) -> None:
+    answer = shell("generate", "text", str(lamp), "-o", str(tmp_path / "o" / "x.json"), *words)
+    assert answer.status == status
+    assert said in answer.err
+
+
+def test_a_text_is_bounded_and_never_written_over(
+    shell: Shell, lamp: Path, tmp_path: Path
+) -> None:
+    huge = tmp_path / "huge.md"
+    with huge.open("wb") as file:
+        file.truncate(100 << 20)
+    answer = shell("generate", "text", str(huge), "-o", str(tmp_path / "o" / "x.json"))
+    assert (answer.status, "larger than 4 MB" in answer.err) == (2, True)
+    page = lamp.rename(tmp_path / "pm.md")
+    answer = shell("generate", "text", str(page), "-o", str(tmp_path / "lamp.json"))
+    assert answer.status == 2
+    assert page.read_text() == LAMP
