@@ -20,7 +20,7 @@ from smsl_studio.inspection.rules.sources import uncited
 from smsl_studio.smsl.files import save_document
 
 if TYPE_CHECKING:
-    from smsl_studio.generate.text.equipment import Equipment
+    from smsl_studio.generate.text.equipment import NeededEquipment
 
 Json = Any
 Name = str | os.PathLike[str]
@@ -149,7 +149,7 @@ def _told(reached: TextChain, written: tuple[str, ...]) -> GeneratedText:
     )
 
 
-def _missing(equipment: Equipment | None) -> tuple[str, ...]:
+def _missing(equipment: NeededEquipment | None) -> tuple[str, ...]:
     return equipment.missing if equipment is not None else ()
 
 

@@ -15,7 +15,12 @@ from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Shell
 
 TEXTS = samples_dir() / "texts"
-LAMP = "# Lamp\n\n1. Plug it in.\n2. Switch it on until it is warm.\n   - If it smokes, pull the plug.\n"
+LAMP = """# Lamp
+
+1. Plug it in.
+2. Switch it on until it is warm.
+   - If it smokes, pull the plug.
+"""
 
 
 @pytest.fixture
@@ -59,7 +64,7 @@ def test_each_output_says_how_it_was_made(shell: Shell, lamp: Path, tmp_path: Pa
     assert tomllib.loads((made / "him.toml").read_text())["_origin"]["stage"] == "him"
     assert '_origin: {"stage": "pm"' in (made / "pm.md").read_text()
     functions = sorted((made / "rmm").iterdir())
-    assert [one.name for one in functions][0] == "LAMP.Op_Plug.py"
+    assert functions[0].name == "LAMP.Op_Plug.py"
     assert "_origin = {'stage': 'rmm'" in functions[0].read_text()
     report = tmp_path / "lamp.html"
     assert shell("report", str(out), "-o", str(report)).status == 0
@@ -174,9 +179,7 @@ def test_wrong_words_are_told(
     assert said in answer.err
 
 
-def test_a_text_is_bounded_and_never_written_over(
-    shell: Shell, lamp: Path, tmp_path: Path
-) -> None:
+def test_a_text_is_bounded_and_never_written_over(shell: Shell, lamp: Path, tmp_path: Path) -> None:
     huge = tmp_path / "huge.md"
     with huge.open("wb") as file:
         file.truncate(100 << 20)

@@ -18,7 +18,7 @@ from smsl_studio.generate.text.blueprint_answer import (
     read_values,
     uncited_faults,
 )
-from smsl_studio.generate.text.equipment import Equipment, Offer, equipment_page
+from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer, equipment_page
 from smsl_studio.generate.text.expert_text import ExpertText, digest_of_texts
 from smsl_studio.generate.text.functions import Functions, function_files, needed_functions
 from smsl_studio.generate.text.kept_answers import AnsweredQuestion, kept_page
@@ -50,8 +50,8 @@ class TextChain:
 
     files: dict[str, str] = field(default_factory=dict)
     blueprint: Blueprint | None = None
-    equipment: Equipment | None = None
-    procedure: procedures.Procedure | None = None
+    equipment: NeededEquipment | None = None
+    procedure: procedures.TextProcedure | None = None
     lacking: list[tuple[str, str]] = field(default_factory=list)
     """Sentences, each with its advice."""
 
@@ -77,8 +77,8 @@ def run_chain(
     ).run()
 
 
-def _offer(plugin: Plugin) -> Offer:
-    return Offer(
+def _offer(plugin: Plugin) -> PluginOffer:
+    return PluginOffer(
         plugin=plugin.name,
         worlds=tuple(plugin.library.worlds),
         operations=tuple(
@@ -128,8 +128,8 @@ class _Chain:
     def _steps(self, by_file: bool) -> None:
         matter = self._matter
 
-        def check(text: str) -> procedures.Procedure:
-            found = numbered(fitted(procedures.Procedure, json_of(text)))
+        def check(text: str) -> procedures.TextProcedure:
+            found = numbered(fitted(procedures.TextProcedure, json_of(text)))
             faults = procedures.faults_of(found)
             for step in procedures.every_step(found.steps):
                 cited = [*step.sources, *(one for r in step.remedies for one in r.sources)]
@@ -143,8 +143,8 @@ class _Chain:
     def _equipment(self, by_file: bool) -> None:
         matter = self._matter
 
-        def check(text: str) -> Equipment:
-            found = fitted(Equipment, json_of(text))
+        def check(text: str) -> NeededEquipment:
+            found = fitted(NeededEquipment, json_of(text))
             faults = equipments.faults_of(found)
             cited = [source for one in found.devices for source in one.sources]
             cited += [source for one in found.needs for source in one.sources]

@@ -16,11 +16,11 @@ Json = Any
 _MOST = 400
 
 
-class _Answer(BaseModel):
+class _PartOfEquipment(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class Device(_Answer):
+class Device(_PartOfEquipment):
     """A thing of the hardware list."""
 
     name: Words
@@ -28,7 +28,7 @@ class Device(_Answer):
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
 
 
-class Need(_Answer):
+class Need(_PartOfEquipment):
     """A thing that the procedure needs. ``steps`` are the numbers of the steps that need it.
     ``met_by`` is the name of a device, empty if it is missing."""
 
@@ -39,7 +39,7 @@ class Need(_Answer):
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
 
 
-class Equipment(_Answer):
+class NeededEquipment(_PartOfEquipment):
     """The answer of the HIM."""
 
     devices: Annotated[tuple[Device, ...], Field(max_length=_MOST)] = ()
@@ -61,7 +61,7 @@ class Equipment(_Answer):
         return found
 
 
-class Offer(_Answer):
+class PluginOffer(_PartOfEquipment):
     """What an installed plugin offers."""
 
     plugin: str
@@ -70,7 +70,7 @@ class Offer(_Answer):
     sensors: tuple[str, ...] = ()
 
 
-def faults_of(equipment: Equipment) -> list[str]:
+def faults_of(equipment: NeededEquipment) -> list[str]:
     """Return what the schema cannot say: a need that is met by a device nobody listed."""
     known = {one.name for one in equipment.devices}
     return [
@@ -81,7 +81,7 @@ def faults_of(equipment: Equipment) -> list[str]:
 
 
 def equipment_page(
-    equipment: Equipment, offers: Iterable[Offer], origin: Mapping[str, Json]
+    equipment: NeededEquipment, offers: Iterable[PluginOffer], origin: Mapping[str, Json]
 ) -> str:
     """Return ``him.toml``. ``origin`` says how it was made."""
     lines = ["[_origin]", *_pairs(dict(origin))]

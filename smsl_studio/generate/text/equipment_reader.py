@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 
 from smsl_studio.generate.text import language_words as words
-from smsl_studio.generate.text.equipment import Device, Equipment, Need
+from smsl_studio.generate.text.equipment import Device, Need, NeededEquipment
 from smsl_studio.generate.text.expert_text import ExpertText
 from smsl_studio.generate.text.outline import HEADING, ITEMS, ROW, TextPart, outline_of
-from smsl_studio.generate.text.steps import Procedure, Source, Step, every_step
+from smsl_studio.generate.text.steps import Source, TextProcedure, TextStep, every_step
 
 _SENSOR = re.compile(
     r"\b(sensors?|tracker|camera|switch|meter|gauge|monitor|encoder|detector|thermometer|clock"
@@ -22,8 +22,8 @@ _WORD = re.compile(r"[^\W\d_]{3,}")
 
 
 def read_equipment(
-    procedure: Procedure, texts: Sequence[ExpertText], hardware: Sequence[ExpertText]
-) -> Equipment:
+    procedure: TextProcedure, texts: Sequence[ExpertText], hardware: Sequence[ExpertText]
+) -> NeededEquipment:
     """Return the devices of the hardware lists, and what the procedure needs."""
     devices = {device.name.casefold(): device for device in _devices(hardware)}
     needs: dict[str, Need] = {}
@@ -35,7 +35,7 @@ def read_equipment(
         needs[key] = kept.model_copy(update={"steps": tuple(dict.fromkeys(steps))})
     known = tuple(devices.values())[:400]
     met = [_met(need, known) for need in needs.values()]
-    return Equipment(devices=known, needs=tuple(met[:400]))
+    return NeededEquipment(devices=known, needs=tuple(met[:400]))
 
 
 def _devices(hardware: Sequence[ExpertText]) -> Iterator[Device]:
@@ -78,7 +78,7 @@ def _equipment_parts(part: TextPart) -> Iterator[TextPart]:
                 yield from _equipment_parts(one)
 
 
-def _named(procedure: Procedure, devices: Sequence[Device]) -> Iterator[Need]:
+def _named(procedure: TextProcedure, devices: Sequence[Device]) -> Iterator[Need]:
     """Yield what the steps name: a device of the list, a thing they are done with, the robot."""
     for step in every_step(procedure.steps):
         text = f"{step.do} {step.until}"
@@ -95,7 +95,7 @@ def _named(procedure: Procedure, devices: Sequence[Device]) -> Iterator[Need]:
             yield _need(step, "robot")
 
 
-def _need(step: Step, name: str, kind: str = "device") -> Need:
+def _need(step: TextStep, name: str, kind: str = "device") -> Need:
     sources = [source.model_dump() for source in step.sources[:1]]
     return Need.model_validate(
         {"name": name, "kind": kind, "steps": [step.mark] if step.mark else [], "sources": sources}

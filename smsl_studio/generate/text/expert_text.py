@@ -29,7 +29,7 @@ LONGEST_QUOTE = 300
 
 
 @dataclass(frozen=True, slots=True)
-class TextLine:
+class SourceLine:
     """One line of a text. ``number`` counts from 1, in a PDF on its ``page`` (0 elsewhere)."""
 
     file: str
@@ -63,7 +63,7 @@ class ExpertText:
     folder."""
 
     file: str
-    lines: tuple[TextLine, ...]
+    lines: tuple[SourceLine, ...]
     digest: str
 
     @cached_property
@@ -93,7 +93,7 @@ def read_text(raw: bytes, file: str) -> ExpertText:
                     Place(file, number, 1),
                     "Break it into lines, so that a citation can name one.",
                 )
-            lines.append(TextLine(name, number, text.rstrip(), page))
+            lines.append(SourceLine(name, number, text.rstrip(), page))
     if len(lines) > MOST_LINES:
         advice = "Give the part that describes the procedure."
         raise ReadError(f"the text has more than {MOST_LINES:,} lines", place, advice)

@@ -27,7 +27,7 @@ LONGEST_CODE = 20_000
 """The largest number of characters of a function. A small motion needs far less."""
 
 
-class Function(BaseModel):
+class FunctionCode(BaseModel):
     """The code of one operation, named ``SB/Operation``."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -39,7 +39,7 @@ class Functions(BaseModel):
     """The answer of the RMM."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
-    functions: Annotated[tuple[Function, ...], Field(max_length=1000)] = ()
+    functions: Annotated[tuple[FunctionCode, ...], Field(max_length=1000)] = ()
 
 
 def needed_functions(blueprint: Blueprint, loaded: Loaded) -> dict[str, str]:
@@ -134,7 +134,7 @@ def codes_of(files: Sequence[tuple[str, str]], needed: Mapping[str, str]) -> Fun
     by_name = {file_name(operation): operation for operation in needed}
     return Functions(
         functions=tuple(
-            Function(operation=by_name[name], code=text[:LONGEST_CODE])
+            FunctionCode(operation=by_name[name], code=text[:LONGEST_CODE])
             for name, text in files
             if name in by_name
         )

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from smsl_studio.generate.text.expert_text import LONGEST_QUOTE, Citation, ExpertText, TextLine
+from smsl_studio.generate.text.expert_text import LONGEST_QUOTE, Citation, ExpertText, SourceLine
 
 HEADING, NUMBERED, BULLET, ROW, PARAGRAPH = "heading", "numbered", "bullet", "row", "paragraph"
 ITEMS = (NUMBERED, BULLET, ROW)
@@ -32,7 +32,7 @@ class TextPart:
     kind: str
     mark: str = ""
     depth: int = 0
-    pieces: list[tuple[TextLine, str]] = field(default_factory=list)
+    pieces: list[tuple[SourceLine, str]] = field(default_factory=list)
     cells: dict[str, str] = field(default_factory=dict)
     below: list[TextPart] = field(default_factory=list)
 
@@ -61,7 +61,7 @@ def outline_of(text: ExpertText) -> TextPart:
 
 
 class _Outline:
-    def __init__(self, lines: Sequence[TextLine]) -> None:
+    def __init__(self, lines: Sequence[SourceLine]) -> None:
         self.root = TextPart(HEADING)
         self._headings = [self.root]
         self._items: list[TextPart] = []
@@ -75,7 +75,7 @@ class _Outline:
             self._take(at, line)
             self._blank = not line.text.strip()
 
-    def _take(self, at: int, line: TextLine) -> None:
+    def _take(self, at: int, line: SourceLine) -> None:
         text = line.text.strip()
         if not text:
             self._open = self._open if self._items else None
@@ -116,7 +116,7 @@ class _Outline:
         first = next((text for text in rest if text.strip()), "")
         return any(one.match(first) for one in (_NUMBER, _LETTER, _BULLET)) or first.startswith("|")
 
-    def _begin_heading(self, line: TextLine, level: int, text: str) -> None:
+    def _begin_heading(self, line: SourceLine, level: int, text: str) -> None:
         made = TextPart(HEADING, depth=level, pieces=[(line, text)])
         while self._headings[-1].depth >= level:
             self._headings.pop()
@@ -124,7 +124,7 @@ class _Outline:
         self._headings.append(made)
         self._items, self._open, self._numbers = [], None, {}
 
-    def _item(self, at: int, line: TextLine) -> bool:
+    def _item(self, at: int, line: SourceLine) -> bool:
         """Take a line that begins an item of a list; False if it begins none."""
         if found := _NUMBER.match(line.text):
             indent, word, number, point, text = found.groups()
@@ -178,7 +178,7 @@ class _Outline:
         if heading.depth == _LOWEST and heading.below and heading.below[0].kind != kind:
             self._headings.pop()
 
-    def _row(self, at: int, line: TextLine, text: str) -> None:
+    def _row(self, at: int, line: SourceLine, text: str) -> None:
         if _RULER.match(text):
             return
         cells = [cell.strip() for cell in text.strip("|").split("|")]
@@ -194,7 +194,7 @@ class _Outline:
         self._headings[-1].below.append(made)
         self._open = None
 
-    def _continue(self, line: TextLine, text: str) -> None:
+    def _continue(self, line: SourceLine, text: str) -> None:
         if self._open is not None and (not self._blank or line.text[:1].isspace()):
             self._open.pieces.append((line, text))
             return
@@ -204,7 +204,7 @@ class _Outline:
         self._items, self._open = [], made
 
 
-def _without_fences(lines: Sequence[TextLine]) -> Iterator[TextLine]:
+def _without_fences(lines: Sequence[SourceLine]) -> Iterator[SourceLine]:
     """Yield the lines outside of code, comments and the head of a page."""
     inside = ""
     for at, line in enumerate(lines):

@@ -7,10 +7,10 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from smsl_studio.generate.text.equipment import Equipment, Offer
+from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer
 from smsl_studio.generate.text.expert_text import ExpertText
 from smsl_studio.generate.text.functions import function_name
-from smsl_studio.generate.text.steps import Procedure
+from smsl_studio.generate.text.steps import TextProcedure
 
 Json = Any
 PM, HIM, PSM, RMM = STAGES = ("pm", "him", "psm", "rmm")
@@ -105,18 +105,18 @@ written; an empty folder gives skeletons for all."""
 
 def pm_prompt(texts: Sequence[ExpertText], by_file: bool) -> str:
     """Return the question for the steps. ``by_file`` says that the answer is a file."""
-    how = _PM_FILE if by_file else _schema(Procedure.model_json_schema())
+    how = _PM_FILE if by_file else _schema(TextProcedure.model_json_schema())
     return _joined(_PM, _CITE, how, _DATA, _matter("expert text", texts))
 
 
 def him_prompt(
     texts: Sequence[ExpertText],
     hardware: Sequence[ExpertText],
-    offers: Iterable[Offer],
+    offers: Iterable[PluginOffer],
     by_file: bool,
 ) -> str:
     """Return the question for the hardware."""
-    how = _HIM_FILE if by_file else _schema(Equipment.model_json_schema())
+    how = _HIM_FILE if by_file else _schema(NeededEquipment.model_json_schema())
     offered = [
         f"{one.plugin}: {', '.join(one.operations) or 'no operations'}" for one in offers
     ] or ["none"]

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from smsl_studio.generate.text.equipment import Equipment, Offer
+from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer
 from smsl_studio.generate.text.expert_text import ExpertText
-from smsl_studio.generate.text.steps import Procedure
+from smsl_studio.generate.text.steps import TextProcedure
 
 Json = Any
 
@@ -19,9 +19,9 @@ class Matter:
 
     texts: Sequence[ExpertText]
     hardware: Sequence[ExpertText] = ()
-    offers: Sequence[Offer] = ()
-    procedure: Procedure | None = None
-    equipment: Equipment | None = None
+    offers: Sequence[PluginOffer] = ()
+    procedure: TextProcedure | None = None
+    equipment: NeededEquipment | None = None
     needed: Mapping[str, str] = field(default_factory=dict)
     """The operations without a function, with their titles."""
     names: Mapping[str, str] = field(default_factory=dict)

@@ -11,7 +11,7 @@ from smsl_studio.generate.text import language_words as words
 _SPLIT = re.compile(r"(?<=[.!?;])\s+(?=[\w\"“„(])")
 _SHORTENED = re.compile(
     r"(\b(e\.g|i\.e|approx|ca|dr|prof|no|fig|min|sec|max|resp|vs|z\. ?B|d\. ?h|bzw|ggf|evtl|usw|nr)"
-    r"|\b[A-Za-z]|\d)\.$",
+    r"|(?<!\d )\b[A-Za-z])\.$",
     re.IGNORECASE,
 )
 _SECONDS = {"m": 60.0, "h": 3600.0, "s": 1.0}
@@ -28,7 +28,7 @@ _BEHIND = re.compile(rf"\s*[(\[](?P<who>{_PLAIN_ROLE})[)\]]\s*(?=[.!]?$)", re.IG
 
 
 @dataclass(frozen=True)
-class Sentence:
+class TextSentence:
     """A sentence with its place in the text of its part."""
 
     text: str
@@ -37,33 +37,33 @@ class Sentence:
 
 
 @dataclass(frozen=True)
-class Condition:
+class TextCondition:
     """If ``when``, then ``act``."""
 
     when: str
     act: str
 
 
-def sentences_of(text: str) -> Iterator[Sentence]:
+def sentences_of(text: str) -> Iterator[TextSentence]:
     """Yield the sentences of a text. A point after a number or a shortened word ends none."""
     start = 0
     for found in _SPLIT.finditer(text):
         before = text[start : found.start()]
         if _SHORTENED.search(before) and not before.endswith(("!", "?", ";")):
             continue
-        yield Sentence(before, start, found.start())
+        yield TextSentence(before, start, found.start())
         start = found.end()
     if text[start:].strip():
-        yield Sentence(text[start:], start, len(text))
+        yield TextSentence(text[start:], start, len(text))
 
 
-def condition_of(text: str) -> Condition | None:
+def condition_of(text: str) -> TextCondition | None:
     """Return what is to be done under which condition, or None."""
     found = words.IF_FIRST.match(text) or words.IF_LAST.match(text)
     if found is None:
         return None
     act = _LEAD.sub("", found["act"].strip())
-    return Condition(found["when"].strip(" ,"), capital(act))
+    return TextCondition(found["when"].strip(" ,"), capital(act))
 
 
 def open_condition(text: str) -> str:

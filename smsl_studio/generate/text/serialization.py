@@ -16,7 +16,7 @@ from smsl_studio.generate.text.blueprint_names import FreshNames
 from smsl_studio.generate.text.language_words import ENGLISH, GERMAN, Wording
 from smsl_studio.generate.text.sentences import capital
 from smsl_studio.generate.text.step_numbers import WORDS
-from smsl_studio.generate.text.steps import Procedure, Remedy, Source, Step
+from smsl_studio.generate.text.steps import Remedy, Source, TextProcedure, TextStep
 
 Json = Any
 FAILURES = "xyzuvwqrstkm"
@@ -25,7 +25,7 @@ ROBOT = "robot"
 
 
 def blueprint_values(
-    procedure: Procedure, sensors: Mapping[str, Sequence[str]] | None = None
+    procedure: TextProcedure, sensors: Mapping[str, Sequence[str]] | None = None
 ) -> dict[str, Json]:
     """Return the plain values of the blueprint of a procedure, without its origin.
 
@@ -35,10 +35,10 @@ def blueprint_values(
 
 
 @dataclass
-class _Branch:
+class _BranchOfSteps:
     name: str
     title: str
-    steps: tuple[Step, ...]
+    steps: tuple[TextStep, ...]
     gate: Mapping[str, str]
     """The fact that must hold before the first step begins: ``{"SB/digit": value}``."""
     subs: dict[str, int] = field(default_factory=dict)
@@ -52,15 +52,15 @@ class _Branch:
 
 
 class _Serialization:
-    def __init__(self, procedure: Procedure, sensors: Mapping[str, Sequence[str]]) -> None:
+    def __init__(self, procedure: TextProcedure, sensors: Mapping[str, Sequence[str]]) -> None:
         self._wording: Wording = GERMAN if procedure.language == "de" else ENGLISH
         self._sensors = sensors
         self._branches = FreshNames()
         self.values: dict[str, Json] = {}
         self._branch(procedure.title, procedure.steps, {})
 
-    def _branch(self, title: str, steps: tuple[Step, ...], gate: Mapping[str, str]) -> str:
-        branch = _Branch(self._branches.branch(title), title, steps, gate)
+    def _branch(self, title: str, steps: tuple[TextStep, ...], gate: Mapping[str, str]) -> str:
+        branch = _BranchOfSteps(self._branches.branch(title), title, steps, gate)
         values: dict[str, Json] = {}
         self.values[branch.name] = values  # bases stand before their sub-SBs
         for digit, step in enumerate(steps):
@@ -70,7 +70,7 @@ class _Serialization:
         values.update(self._written(branch))
         return branch.name
 
-    def _written(self, branch: _Branch) -> dict[str, Json]:
+    def _written(self, branch: _BranchOfSteps) -> dict[str, Json]:
         many = len(branch.steps)
         first = branch.steps[0]
         header: dict[str, Json] = {
@@ -106,10 +106,10 @@ class _Serialization:
             **table,
         }
 
-    def _done(self, step: Step) -> str:
+    def _done(self, step: TextStep) -> str:
         return step.until or f"{self._wording.done}{step.do}"
 
-    def _fact(self, step: Step) -> dict[str, Json]:
+    def _fact(self, step: TextStep) -> dict[str, Json]:
         values = {"0": self._wording.no, "1": self._wording.yes}
         remedies = dict(zip(FAILURES, _remedies(step), strict=False))
         note: dict[str, Json] = {
@@ -123,7 +123,7 @@ class _Serialization:
             note["sensors"] = list(sensors)
         return note
 
-    def _back(self, branch: _Branch, digit: int, remedy: Remedy) -> str:
+    def _back(self, branch: _BranchOfSteps, digit: int, remedy: Remedy) -> str:
         """Return where a remedy leads: to a state in which no sub-SB has to go back."""
         lowest = max((at + 1 for at in branch.subs.values() if at < digit), default=0)
         if remedy.back == "on":
@@ -137,11 +137,11 @@ class _Serialization:
         return branch.state(digit)
 
 
-def _remedies(step: Step) -> tuple[Remedy, ...]:
+def _remedies(step: TextStep) -> tuple[Remedy, ...]:
     return () if step.steps else step.remedies[: len(FAILURES)]
 
 
-def _note(step: Step, gate: Mapping[str, str]) -> dict[str, Json]:
+def _note(step: TextStep, gate: Mapping[str, str]) -> dict[str, Json]:
     """Return what is written about an operation. One that has parts is done by them."""
     note: dict[str, Json] = {"title": step.do}
     if step.steps:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from smsl_studio.generate.text import sentences
-from smsl_studio.generate.text.steps import Remedy, Source, Step, risk_of
+from smsl_studio.generate.text.steps import Remedy, Source, TextStep, risk_of
 
 KEYED = re.compile(
     r"^(?P<key>who|until|confirm|takes|within|risk|wait|if|source|wer|bis|wenn|quelle)\s*:\s*(?P<said>.+)$",
@@ -20,7 +20,7 @@ _SOURCE = re.compile(
 )
 
 
-def keyed_step(step: Step, lines: Sequence[str]) -> Step:
+def keyed_step(step: TextStep, lines: Sequence[str]) -> TextStep:
     """Return a step with what the lines below it say. A line that does not read says nothing."""
     said: dict[str, Any] = {}
     for line in lines:

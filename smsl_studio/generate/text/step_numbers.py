@@ -9,25 +9,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from smsl_studio.generate.text.steps import Caution, Procedure, Remedy, Step
+from smsl_studio.generate.text.steps import Caution, Remedy, TextProcedure, TextStep
 
-Part = TypeVar("Part", Step, Remedy, Caution)
+Part = TypeVar("Part", TextStep, Remedy, Caution)
 WORDS = frozenset(("on", "again", "start"))
 
 
-def numbered(procedure: Procedure) -> Procedure:
+def numbered(procedure: TextProcedure) -> TextProcedure:
     """Return the procedure with new numbers. A remedy that names no step does its own anew."""
     return procedure.model_copy(update={"steps": _numbered(procedure.steps, "", {})})
 
 
-def without_sources(procedure: Procedure, file: str) -> Procedure:
+def without_sources(procedure: TextProcedure, file: str) -> TextProcedure:
     """Return the procedure without citations of a file that is no expert text."""
 
     def kept(part: Part) -> Part:
         sources = tuple(one for one in part.sources if one.file != file)
         return part.model_copy(update={"sources": sources})
 
-    def cleaned(step: Step) -> Step:
+    def cleaned(step: TextStep) -> TextStep:
         remedies, steps = tuple(map(kept, step.remedies)), tuple(map(cleaned, step.steps))
         return kept(step).model_copy(update={"remedies": remedies, "steps": steps})
 
@@ -37,7 +37,7 @@ def without_sources(procedure: Procedure, file: str) -> Procedure:
     )
 
 
-def lowered(step: Step) -> Step:
+def lowered(step: TextStep) -> TextStep:
     """Return a step whose remedies stand at its last part, because its own fact is a sub-SB's."""
     if not step.steps or not step.remedies:
         return step
@@ -46,7 +46,9 @@ def lowered(step: Step) -> Step:
     return step.model_copy(update={"remedies": (), "steps": (*others, last)})
 
 
-def _numbered(steps: tuple[Step, ...], head: str, above: Mapping[str, str]) -> tuple[Step, ...]:
+def _numbered(
+    steps: tuple[TextStep, ...], head: str, above: Mapping[str, str]
+) -> tuple[TextStep, ...]:
     steps = tuple(map(lowered, steps))
     numbers = [f"{head}{number}" for number in range(1, len(steps) + 1)]
     pairs = zip(reversed(steps), reversed(numbers), strict=True)

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from smsl_studio.generate.text.expert_text import Citation
-from smsl_studio.generate.text.steps import Procedure, Remedy, Source, Step
+from smsl_studio.generate.text.steps import Remedy, Source, TextProcedure, TextStep
 
 Json = Any
 
 
-def step_page(procedure: Procedure, origin: Mapping[str, Json]) -> str:
+def step_page(procedure: TextProcedure, origin: Mapping[str, Json]) -> str:
     """Return the page. ``origin`` says how it was made."""
     lines = ["---", f"_origin: {json.dumps(dict(origin), ensure_ascii=False)}", "---", ""]
     lines += [f"# {procedure.title}", "", *_listed(procedure.steps, "")]
@@ -23,7 +23,7 @@ def step_page(procedure: Procedure, origin: Mapping[str, Json]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _listed(steps: tuple[Step, ...], indent: str) -> Iterator[str]:
+def _listed(steps: tuple[TextStep, ...], indent: str) -> Iterator[str]:
     for number, step in enumerate(steps, 1):
         yield f"{indent}{number}. {step.do}"
         inner = indent + "   "
@@ -36,7 +36,7 @@ def _listed(steps: tuple[Step, ...], indent: str) -> Iterator[str]:
         yield from _listed(step.steps, inner)
 
 
-def _said(step: Step) -> Iterator[tuple[str, str]]:
+def _said(step: TextStep) -> Iterator[tuple[str, str]]:
     if step.who:
         yield "who", step.who
     if step.confirm:

@@ -6,9 +6,10 @@ It knows headings, numbered lists with lists below them, tables, "if ... then ..
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from types import MappingProxyType
+from typing import Any, Literal
 
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.generate.text import language_words as words
@@ -27,26 +28,27 @@ from smsl_studio.generate.text.outline import (
 from smsl_studio.generate.text.step_keys import KEYED, keyed_step
 from smsl_studio.generate.text.steps import (
     Caution,
-    Procedure,
     Remedy,
     Source,
-    Step,
+    TextProcedure,
+    TextStep,
     risk_of,
 )
 from smsl_studio.generate.text.table_rows import row_step
 
+NOTHING: Mapping[str, Any] = MappingProxyType({})
 _TOO_LITTLE = "Give it numbered steps: 1. Fix the leg. 2. Wait until the tracker sees the markers."
 
 
 @dataclass
-class _Found:
+class _FoundSteps:
     """The steps of one list. A condition belongs to the step before it."""
 
-    steps: list[Step] = field(default_factory=list)
+    steps: list[TextStep] = field(default_factory=list)
     early: list[Remedy] = field(default_factory=list)
     """Conditions that stand before the first step."""
 
-    def add(self, step: Step) -> None:
+    def add(self, step: TextStep) -> None:
         if self.early:
             step = _with(step, self.early)
             self.early = []
@@ -61,16 +63,16 @@ class _Found:
     def rest(self) -> None:
         """Make steps of conditions to which no step belongs."""
         for one in self.early:
-            self.steps.append(Step(do=_cut(f"{one.do} ({one.when})"), sources=one.sources))
+            self.steps.append(TextStep(do=_cut(f"{one.do} ({one.when})"), sources=one.sources))
         self.early = []
 
 
-def read_steps(texts: Sequence[ExpertText], named: str = "") -> Procedure:
+def read_steps(texts: Sequence[ExpertText], named: str = "") -> TextProcedure:
     """Return the steps of some texts, in their order. ReadError if there are none.
 
     ``named`` is the title of several texts together.
     """
-    reader = _Reader()
+    reader = _StepReader()
     parts = [(text, reader.of(text)) for text in texts]
     useful = [(text, title, steps) for text, (title, steps) in parts if steps]
     if not useful:
@@ -85,15 +87,15 @@ def read_steps(texts: Sequence[ExpertText], named: str = "") -> Procedure:
     else:
         title = named or useful[0][1]
         steps = [
-            Step(do=_cut(own), steps=tuple(inner), sources=inner[0].sources[:1])
+            TextStep(do=_cut(own), steps=tuple(inner), sources=inner[0].sources[:1])
             for _, own, inner in useful
         ]
-    return Procedure(
+    return TextProcedure(
         title=_cut(title), language=language, steps=tuple(steps), cautions=reader.cautions[:200]
     )
 
 
-class _Reader:
+class _StepReader:
     def __init__(self) -> None:
         self._cautions: list[Caution] = []
         self.wording = words.ENGLISH
@@ -102,7 +104,7 @@ class _Reader:
     def cautions(self) -> tuple[Caution, ...]:
         return tuple(self._cautions)
 
-    def of(self, text: ExpertText) -> tuple[str, list[Step]]:
+    def of(self, text: ExpertText) -> tuple[str, list[TextStep]]:
         """Return the title of a text and its steps."""
         root = outline_of(text)
         self.wording, _ = words.wording_of(" ".join(line.text for line in text.lines))
@@ -121,9 +123,9 @@ class _Reader:
             steps = list(steps[0].steps)
         return title, steps
 
-    def _section(self, part: TextPart) -> list[Step]:
+    def _section(self, part: TextPart) -> list[TextStep]:
         """Return the steps of a part: those of its lists, and each heading that has steps."""
-        found = _Found()
+        found = _FoundSteps()
         kinds = {one.kind for one in part.below}
         numbered = NUMBERED in kinds or ROW in kinds
         headed = any(one.kind == HEADING and not _is_aside(one) for one in part.below)
@@ -141,7 +143,7 @@ class _Reader:
         found.rest()
         return found.steps
 
-    def _headed(self, part: TextPart, found: _Found) -> None:
+    def _headed(self, part: TextPart, found: _FoundSteps) -> None:
         if _is_aside(part):
             self._cautions.extend(_cautions(part))
             return
@@ -150,13 +152,15 @@ class _Reader:
             found.add(inner[0])
         elif inner:
             found.add(
-                Step(do=_cut(_title(part.text)), sources=_sources(part.cite()), steps=tuple(inner))
+                TextStep(
+                    do=_cut(_title(part.text)), sources=_sources(part.cite()), steps=tuple(inner)
+                )
             )
 
-    def _item(self, part: TextPart, found: _Found) -> None:
+    def _item(self, part: TextPart, found: _FoundSteps) -> None:
         if part.kind == ROW:
             for told in row_step(part):
-                if isinstance(told, Step):
+                if isinstance(told, TextStep):
                     found.add(told)
                 else:
                     found.remedy(told)
@@ -172,7 +176,7 @@ class _Reader:
         lists = [one for one in part.below if one.kind in ITEMS]
         keyed = [one for one in lists if one.kind == BULLET and KEYED.match(one.text)]
         plain = [one for one in lists if one not in keyed]
-        inner = _Found()
+        inner = _FoundSteps()
         for one in plain:
             if found.steps and _is_condition(one) and not inner.steps:
                 self._item(one, found)
@@ -181,21 +185,21 @@ class _Reader:
         inner.rest()
         if len(found.steps) == before and inner.steps:
             text = _cut(part.text.rstrip(":. ")) or "Steps"
-            found.add(Step(do=text, mark=_mark(part.mark), sources=_sources(part.cite())))
+            found.add(TextStep(do=text, mark=_mark(part.mark), sources=_sources(part.cite())))
         if inner.steps and found.steps:
             last = found.steps[-1]
             found.steps[-1] = last.model_copy(update={"steps": (*last.steps, *inner.steps)})
         if keyed and len(found.steps) > before:
             found.steps[-1] = keyed_step(found.steps[-1], [one.text for one in keyed])
 
-    def _branch(self, part: TextPart, when: str, found: _Found) -> None:
+    def _branch(self, part: TextPart, when: str, found: _FoundSteps) -> None:
         """Take ``If nobody breathes:`` with a list of what is done then."""
         acts = [one.text.rstrip(". ") for one in part.below if one.kind in ITEMS]
         act = "; ".join(acts)
-        found.remedy(_remedy(sentences.Condition(when, act), part.cite()))
+        found.remedy(_remedy(sentences.TextCondition(when, act), part.cite()))
 
     def _sentence(
-        self, text: str, cite: Citation, found: _Found, mark: str, later: bool = False
+        self, text: str, cite: Citation, found: _FoundSteps, mark: str, later: bool = False
     ) -> None:
         """Take one sentence. ``later`` says that the item has a step already."""
         text = text.strip().rstrip(".;!:").strip()
@@ -210,22 +214,22 @@ class _Reader:
             found.remedy(_remedy(condition, cite))
             return
         if other := sentences.otherwise(text):
-            found.add(_step(other, cite, mark=""))
+            found.add(_step(other, cite, ""))
             return
         if what := sentences.awaited(text):
             done = f"{self.wording.waiting}{what}"
-            found.add(_step(done, cite, mark, until=what, wait=True))
+            found.add(_step(done, cite, mark, {"until": _cut(what), "wait": True}))
             if act := sentences.after_waiting(text):
-                found.add(_step(act, cite, mark=""))
+                found.add(_step(act, cite, ""))
             return
         if sentences.is_pause(text):
-            found.add(_step(text, cite, mark, takes=sentences.seconds(text), wait=True))
+            found.add(_step(text, cite, mark, {"takes": sentences.seconds(text), "wait": True}))
             return
         if later and not _begins_step(text):
             return  # A further sentence explains the step.
-        found.add(_step(text, cite, mark if not later else "", confirm=roles))
+        found.add(_step(text, cite, mark if not later else "", {"confirm": roles}))
 
-    def _conditions(self, part: TextPart, found: _Found) -> None:
+    def _conditions(self, part: TextPart, found: _FoundSteps) -> None:
         """Take the conditions and cautions of a text that stands beside the steps."""
         for sentence in sentences.sentences_of(part.text):
             text = sentence.text.strip().rstrip(".;!")
@@ -237,7 +241,7 @@ class _Reader:
             if condition is not None and words.IF_FIRST.match(text) and found.steps:
                 found.remedy(_remedy(condition, cite))
 
-    def _prose(self, part: TextPart, found: _Found) -> None:
+    def _prose(self, part: TextPart, found: _FoundSteps) -> None:
         """Take a paragraph where no list stands: each sentence that begins as a step is one."""
         for sentence in sentences.sentences_of(part.text):
             text = sentence.text.strip()
@@ -247,36 +251,27 @@ class _Reader:
                 self._sentence(text, cite, found, "")
 
 
-def _step(
-    text: str,
-    cite: Citation,
-    mark: str,
-    *,
-    until: str = "",
-    wait: bool = False,
-    takes: float | None = None,
-    confirm: tuple[str, ...] = (),
-) -> Step:
+def _step(text: str, cite: Citation, mark: str, said: Mapping[str, Any] = NOTHING) -> TextStep:
+    """Return the step of a sentence. ``said`` has what is known of it already."""
     danger, text = sentences.risk(text)
     who, act = sentences.who_and_what(text)
-    if not until:
+    until = ""
+    if "until" not in said:
         act, until = sentences.until(act)
         act = f"{act} ({until})" if until and len(act) < 3 else act
-    return Step(
+    step = TextStep(
         do=_cut(sentences.capital(act)),
         mark=_mark(mark),
         who=_cut(who),
-        confirm=confirm,
         until=_cut(until),
-        wait=wait,
-        takes=takes,
         within=sentences.within(text),
         risk=risk_of(danger),
         sources=_sources(cite),
     )
+    return step.model_copy(update=dict(said))
 
 
-def _remedy(condition: sentences.Condition, cite: Citation) -> Remedy:
+def _remedy(condition: sentences.TextCondition, cite: Citation) -> Remedy:
     act = condition.act
     who, what = sentences.who_and_what(act)
     # Nobody says that the step is done then, so it is done and checked again.
@@ -296,7 +291,7 @@ def _remedy(condition: sentences.Condition, cite: Citation) -> Remedy:
     )
 
 
-def _with(step: Step, remedies: Sequence[Remedy]) -> Step:
+def _with(step: TextStep, remedies: Sequence[Remedy]) -> TextStep:
     """Return a step with more remedies: of one with parts, its last part gets them."""
     if step.steps:
         *others, last = step.steps

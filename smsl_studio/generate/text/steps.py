@@ -24,11 +24,11 @@ Short = Annotated[str, StringConstraints(strip_whitespace=True, max_length=300)]
 Seconds = Annotated[float, Field(gt=0, le=1e6)]
 
 
-class _Answer(BaseModel):
+class _PartOfAnswer(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class Source(_Answer):
+class Source(_PartOfAnswer):
     """Where the words stand: a file of the texts, the line from 1, in a PDF on its page."""
 
     file: Words
@@ -56,7 +56,7 @@ def risk_of(text: str) -> Risk:
     return _RISKS.get(text.strip().lower(), "")
 
 
-class Remedy(_Answer):
+class Remedy(_PartOfAnswer):
     """What goes wrong, and what is done then. ``back`` says where the procedure goes on: behind the
     step (``on``), before it (``again``), at its beginning (``start``), or before the step with a
     mark such as ``2.1``."""
@@ -70,7 +70,7 @@ class Remedy(_Answer):
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
 
 
-class Step(_Answer):
+class TextStep(_PartOfAnswer):
     """One step. ``until`` is what must be seen before it is done. ``wait`` says that nothing is
     done but waiting. Times are in seconds."""
 
@@ -86,38 +86,38 @@ class Step(_Answer):
     risk: Risk = ""
     remedies: Annotated[tuple[Remedy, ...], Field(max_length=12)] = ()
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
-    steps: Annotated[tuple[Step, ...], Field(max_length=MOST_IN_A_LIST)] = ()
+    steps: Annotated[tuple[TextStep, ...], Field(max_length=MOST_IN_A_LIST)] = ()
 
 
-class Caution(_Answer):
+class Caution(_PartOfAnswer):
     """Something that the text forbids or explains. It is no step."""
 
     words: Words
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
 
 
-class Procedure(_Answer):
+class TextProcedure(_PartOfAnswer):
     """The answer of the PM: the steps in their order, and what else the text says."""
 
     title: Words
     language: Literal["en", "de"] = "en"
-    steps: Annotated[tuple[Step, ...], Field(min_length=1, max_length=MOST_IN_A_LIST)]
+    steps: Annotated[tuple[TextStep, ...], Field(min_length=1, max_length=MOST_IN_A_LIST)]
     cautions: Annotated[tuple[Caution, ...], Field(max_length=200)] = ()
 
 
-def every_step(steps: tuple[Step, ...]) -> Iterator[Step]:
+def every_step(steps: tuple[TextStep, ...]) -> Iterator[TextStep]:
     """Yield all steps in the order of the text, each before its parts."""
     for step in steps:
         yield step
         yield from every_step(step.steps)
 
 
-def depth_of(steps: tuple[Step, ...]) -> int:
+def depth_of(steps: tuple[TextStep, ...]) -> int:
     """Return how many levels of steps stand below each other."""
     return 1 + max((depth_of(step.steps) for step in steps), default=0) if steps else 0
 
 
-def faults_of(procedure: Procedure) -> list[str]:
+def faults_of(procedure: TextProcedure) -> list[str]:
     """Return what the schema cannot say: too many steps, too deep."""
     found = []
     many = sum(1 for _ in every_step(procedure.steps))

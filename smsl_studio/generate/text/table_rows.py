@@ -8,7 +8,7 @@ from smsl_studio.generate.text import sentences
 from smsl_studio.generate.text.expert_text import Citation
 from smsl_studio.generate.text.language_words import AGAIN, GO_ON
 from smsl_studio.generate.text.outline import TextPart
-from smsl_studio.generate.text.steps import Remedy, Source, Step, risk_of
+from smsl_studio.generate.text.steps import Remedy, Source, TextStep, risk_of
 
 HEADS = {
     "act": ("action", "activity", "task", "what", "what to do", "do", "description", "handlung",
@@ -26,7 +26,7 @@ HEADS = {
 }  # fmt: skip
 
 
-def row_step(row: TextPart) -> Iterator[Step | Remedy]:
+def row_step(row: TextPart) -> Iterator[TextStep | Remedy]:
     """Yield the step of a row, and what is done if it fails."""
     cells = _cells(row)
     act = cells.get("act", "")
@@ -37,7 +37,7 @@ def row_step(row: TextPart) -> Iterator[Step | Remedy]:
     who = sentences.role(cells["who"]) if cells.get("who", "").strip(" -–") else who
     told = cells.get("risk", "").strip().lower()
     mark = cells.get("number", "").strip(". )")
-    yield Step(
+    yield TextStep(
         do=sentences.capital(act)[:200],
         mark=mark if mark.replace(".", "").isdigit() else "",
         who=who[:200],

@@ -11,7 +11,7 @@ from smsl_studio.generate.text.serialization import blueprint_values
 from smsl_studio.generate.text.step_numbers import numbered
 from smsl_studio.generate.text.step_page import step_page
 from smsl_studio.generate.text.step_reader import read_steps
-from smsl_studio.generate.text.steps import Procedure, Step
+from smsl_studio.generate.text.steps import TextProcedure, TextStep
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.json_form import parse_json, write_json
 
@@ -28,11 +28,11 @@ Niemals die Wunde auswaschen.
 """
 
 
-def steps_of(text: str) -> Procedure:
+def steps_of(text: str) -> TextProcedure:
     return numbered(read_steps([read_text(text.encode(), "text.md")]))
 
 
-def acts(steps: tuple[Step, ...]) -> list[object]:
+def acts(steps: tuple[TextStep, ...]) -> list[object]:
     """The acts of steps, with those of their parts in lists behind them."""
     found: list[object] = []
     for step in steps:
@@ -53,9 +53,9 @@ def acts(steps: tuple[Step, ...]) -> list[object]:
         ("You need:\n- a saw\n\n1. Cut\n2. Rest\n", ["Cut", "Rest"]),
         ("First, open it. It is red. Then close it.", ["Open it", "Close it"]),
         ("| Action | Who |\n|---|---|\n| Mix | nurse |\n| Pour | |\n", ["Mix", "Pour"]),
-        ("1. Heat to 2.5 mm approx. 3 cm deep. It\n   takes long.\n2. Go", ["Heat to 2.5 mm approx. 3 cm deep", "Go"]),
+        ("1. Heat it for approx. 3 s. It\n   is hot.\n2. Go", ["Heat it for approx. 3 s", "Go"]),
         ("1. Wait until the\n   light is on.\n", ["Wait until the light is on"]),
-        ("1. Once the cement is ready, inject it.", ["Wait until the cement is ready", "Inject it"]),
+        ("1. Once it is hot, inject it.", ["Wait until it is hot", "Inject it"]),
         ("1. Wait 5 minutes.\n2. Go", ["Wait 5 minutes", "Go"]),
     ],
 )  # fmt: skip
@@ -107,7 +107,9 @@ def test_what_a_sentence_says_of_a_step_stands_in_the_blueprint() -> None:
     assert (closes["title"], closes["actor"], closes["roles"]) == ("Close it", "human", ["nurse"])
 
 
-@pytest.mark.parametrize("text", [GERMAN, "1. A:\n   1. b\n   2. c\n   - If it is hot, cool it.\n2. D"])
+@pytest.mark.parametrize(
+    "text", [GERMAN, "1. A:\n   1. b\n   2. c\n   - If it is hot, cool it.\n2. D"]
+)
 def test_the_page_of_the_steps_reads_as_the_same_steps(text: str) -> None:
     procedure = steps_of(text)
     page = step_page(procedure, {"stage": "pm"})
