@@ -12,7 +12,7 @@ from smsl_studio.legible import one_line
 if TYPE_CHECKING:
     from smsl_studio.front.generated_text import GeneratedText
 
-OPTIONS = ("by_hand", "hardware", "provider")
+OPTIONS = ("by_hand", "hardware", "provider", "require")
 _SHOWN = 20
 
 
@@ -28,11 +28,14 @@ def add_text_arguments(parser: ArgumentParser) -> None:
         metavar="NAME",
         help="reader (no model), by-hand, replay:FILE, or the base URL of a server",
     )
+    text.add_argument(
+        "--require", metavar="FILE", help="what must be fulfilled (TOML); a verdict for each"
+    )
 
 
 def generate_of_text(options: argparse.Namespace, out: Output) -> int:
     """Generate. 0: the blueprint is written and its goal can be reached; 1: a stage has no answer,
-    or the goal cannot be reached."""
+    the goal cannot be reached, or a requirement is not fulfilled."""
     from smsl_studio.front.generated_text import PEOPLE, generate_text
 
     made = generate_text(
@@ -41,6 +44,7 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
         provider=options.provider,
         by_hand=options.by_hand,
         hardware=options.hardware,
+        require=options.require,
     )
     for sentence, advice in made.lacking:
         note(one_line(sentence))
@@ -53,6 +57,8 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
         out.line(one_line(f"{options.output}: {states:,} states, {operations:,} operations"))
         for name in made.missing[:_SHOWN]:
             out.line(one_line(f"missing hardware: {name}"))
+        for one in made.requirements:
+            out.line(one_line(f"{one.verdict}: {one.kind} {one.name}: {one.reason}"))
         for address in made.uncited[:_SHOWN]:
             out.line(one_line(f"no source: {address}"))
     if made.blueprint is not None and not made.goal_reached:
@@ -76,5 +82,6 @@ def _as_json(made: GeneratedText) -> dict[str, object]:
         "files": list(made.files),
         "missing": list(made.missing),
         "uncited": list(made.uncited),
+        "requirements": [one.as_json() for one in made.requirements],
         "lacking": [sentence for sentence, _ in made.lacking],
     }

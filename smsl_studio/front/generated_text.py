@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.text.chain import TextChain, run_chain
+from smsl_studio.generate.text.chain import KEPT, TextChain, run_chain
 from smsl_studio.generate.text.expert_text import ExpertText, text_at
 from smsl_studio.generate.text.people_script import people_script
 from smsl_studio.generate.text.prompts import FILES, PSM
 from smsl_studio.generate.text.providers import BY_HAND, provider_named
+from smsl_studio.generate.text.requirements import (
+    HOLDS,
+    RequirementVerdict,
+    read_requirements,
+    verdicts_of,
+)
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.inspection.rules.sources import uncited
-from smsl_studio.smsl.files import save_document
+from smsl_studio.smsl.files import read_content, save_document
 
 if TYPE_CHECKING:
     from smsl_studio.generate.text.equipment import NeededEquipment
 
 Json = Any
 Name = str | os.PathLike[str]
-PEOPLE = "people.jsonl"
+PEOPLE, REQUIREMENTS = "people.jsonl", "requirements.json"
 
 
 @dataclass(frozen=True)
@@ -44,11 +51,13 @@ class GeneratedText:
     uncited: tuple[str, ...] = ()
     people: int = 0
     files: tuple[str, ...] = ()
+    requirements: tuple[RequirementVerdict, ...] = ()
 
     @property
     def is_good(self) -> bool:
-        """Whether the chain came to its end and the goal can be reached."""
-        return self.goal_reached and not self.lacking
+        """Whether the chain came to its end, the goal can be reached, and all is fulfilled."""
+        met = all(one.verdict == HOLDS for one in self.requirements)
+        return self.goal_reached and not self.lacking and met
 
 
 def generate_text(
@@ -58,6 +67,7 @@ def generate_text(
     provider: str | None = None,
     by_hand: Name | None = None,
     hardware: Name | None = None,
+    require: Name | None = None,
 ) -> GeneratedText:
     """Make a blueprint of expert texts, and write it to ``output`` with what each stage gave.
 
@@ -78,11 +88,35 @@ def generate_text(
             f"--by-hand takes all answers from a folder, and --provider {provider} none",
             advice="Leave one of them out.",
         )
+    wanted = None
+    if require is not None:
+        wanted = read_requirements(read_content(require).raw, os.fspath(require))
     answers = provider_named(provider, folder)
     reached = run_chain(texts, listed, answers, describe())
     target = _target(Path(output))
-    written = _write(reached, target, folder, [*files, *([hardware] if hardware else [])])
-    return _told(reached, written)
+    verdicts: tuple[RequirementVerdict, ...] = ()
+    if wanted is not None and reached.blueprint is not None:
+        texts_made = {name: text for name, text in reached.files.items() if name != KEPT}
+        values = dict(reached.blueprint.document.values)
+        verdicts = verdicts_of(wanted, values, texts_made, _proved)
+        told = [one.as_json() for one in verdicts]
+        reached.files[REQUIREMENTS] = f"{json.dumps(told, ensure_ascii=False, indent=1)}\n"
+    inputs = [one for one in (*files, hardware, require) if one is not None]
+    written = _write(reached, target, folder, inputs)
+    return replace(_told(reached, written), requirements=verdicts)
+
+
+def _proved(blueprint: Blueprint) -> dict[str, tuple[str, str]]:
+    """Return, by the name of each property, its verdict and the reason."""
+    from smsl_studio.front.proof import prove
+
+    found = {}
+    for one in prove(blueprint).verdicts:
+        if str(one.address).startswith("_properties/"):
+            path = one.counterexample.path if one.counterexample else ()
+            way = " > ".join(map(str, path))
+            found[one.name] = one.verdict, one.bound or way or "shown for the blueprint as written"
+    return found
 
 
 def _texts(files: Sequence[Name]) -> list[ExpertText]:

@@ -161,6 +161,46 @@ def test_sources_follow_a_new_name_and_a_part_without_one_is_a_warning(
     assert (finding.severity.value, str(finding.address)) == ("W", "LAMP/State_10")
 
 
+REQUIRED = """
+properties = [
+  {name = "Plugged first", before = ['LAMP/0 = 1', 'LAMP/1 = 1']},
+  {name = "Never warm", never = 'LAMP/1 = 1'},
+  {name = "Odd", never = 'LAMP/9 = 1'},
+]
+required = ["Op_Plug*", "LAMP/Op_Switch*", "Op_Gone"]
+forbidden = ["Op_Plug", "Op_Skip*"]
+sources = ["lamp.md"]
+words = ["smokes", "lightning"]
+"""
+
+
+def test_each_requirement_has_a_verdict(shell: Shell, lamp: Path, tmp_path: Path) -> None:
+    require, out = tmp_path / "require.toml", tmp_path / "made" / "lamp.json"
+    require.write_text(REQUIRED)
+    call = ("generate", "text", str(lamp), "-o", str(out), "--require", str(require))
+    answer = shell(*call, "--format", "json")
+    assert answer.status == 1
+    told = [(one["kind"], one["name"], one["verdict"]) for one in answer.json["requirements"]]
+    assert told == [
+        ("property", "Plugged first", "holds"),
+        ("property", "Never warm", "fails"),
+        ("property", "Odd", "unknown"),
+        ("required", "Op_Plug*", "holds"),
+        ("required", "LAMP/Op_Switch*", "holds"),
+        ("required", "Op_Gone", "fails"),
+        ("forbidden", "Op_Plug", "fails"),
+        ("forbidden", "Op_Skip*", "holds"),
+        ("sources", "lamp.md", "holds"),
+        ("word", "smokes", "fails"),
+        ("word", "lightning", "holds"),
+    ]
+    assert json.loads((out.parent / "requirements.json").read_text()) == answer.json["requirements"]
+    require.write_text('required = ["Op_Plug*"]\n')
+    assert shell(*call).status == 0
+    require.write_text("required = 3\n")
+    assert shell(*call).status == 2
+
+
 @pytest.mark.parametrize(
     ("words", "status", "said"),
     [

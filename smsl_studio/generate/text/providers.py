@@ -9,6 +9,7 @@ from smsl_studio.generate.text.by_hand_provider import AnswerFolder
 from smsl_studio.generate.text.kept_answers import read_kept
 from smsl_studio.generate.text.provider import StageProvider
 from smsl_studio.generate.text.reader_provider import TextReader
+from smsl_studio.generate.text.server_provider import AnswerServer
 
 READER, BY_HAND, REPLAY = "reader", "by-hand", "replay:"
 CHOICE = f"Choose {READER}, {BY_HAND}, {REPLAY}FILE, or the base URL of a server."
@@ -32,6 +33,8 @@ def provider_named(name: str | None, by_hand: Path | None = None) -> StageProvid
         )
     if name.startswith(REPLAY):
         return read_kept(name.removeprefix(REPLAY))
+    if "://" in name:
+        return AnswerServer(name)
     raise UsageError(
         f"{name!r} is no provider", advice=did_you_mean(name, (READER, BY_HAND)) or CHOICE
     )

@@ -40,6 +40,14 @@ def uncited(blueprint: Blueprint) -> Iterator[Address]:
         yield from _uncited(blueprint, branch)
 
 
+def cited_parts(blueprint: Blueprint) -> Iterator[Address]:
+    """Yield the states and operations that may have a source."""
+    for branch in blueprint:
+        for state, row in branch.table.items():
+            yield Address(branch.name, state)
+            yield from (Address(branch.name, state, name) for name in row)
+
+
 def _uncited(blueprint: Blueprint, branch: StateBranch) -> Iterator[Address]:
     origin = blueprint.fields.get("_origin")
     of_text = isinstance(origin, Mapping) and origin.get("how") == "text"
