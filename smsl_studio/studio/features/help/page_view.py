@@ -32,6 +32,7 @@ class PageView(QTextBrowser):
         super().__init__()
         self._tokens = tokens
         self._sections: dict[str, int] = {}
+        self._loaded: tuple[str, Tokens] | None = None
         self._ways: list[tuple[HelpPlace, int]] = []
         self._at = -1
         self._arrived = 0
@@ -109,6 +110,9 @@ class PageView(QTextBrowser):
     # The page.
 
     def _load(self, place: HelpPlace) -> None:
+        self.setExtraSelections([])
+        if self._loaded == (place.page, self._tokens):
+            return  # A long page takes a second to lay out, and only the place is another one.
         found = page(place.page)
         assert found is not None
         self.setMarkdown(found.markdown)
@@ -116,7 +120,7 @@ class PageView(QTextBrowser):
         self.document().setDocumentMargin(MARGIN)
         self._fit()
         self.setAccessibleDescription(found.title)
-        self.setExtraSelections([])
+        self._loaded = place.page, self._tokens
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
         """The pictures of the page, from the folder of the pages and from nowhere else."""
