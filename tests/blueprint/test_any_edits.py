@@ -63,6 +63,7 @@ APART = {
     "excerpt": "it gives a text, which ``paste`` puts in again",
     "give_facts": "it takes the blueprint before and after",
     "keep_activating": "it takes the blueprint before and after",
+    "keep_facts": "it takes the blueprint before and after",
     "keep_on": "it takes the blueprint before and after",
     "turned_facts": "it takes the blueprint before and after",
     "keep_last": "it takes a path to a key that is written twice",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from tests.stories.conftest import Sit
@@ -59,16 +60,36 @@ def test_a_typed_text_that_turns_a_fact_over_is_told(sit: Sit, tmp_path: Path) -
     assert "Fact 4 of SB1 is on where it is 0 now" in person.window.toast.words
 
 
-def test_a_renamed_state_that_takes_the_facts_of_all_is_told_with_undo(sit: Sit) -> None:
+@pytest.mark.parametrize("name", ["State_start", "State_ab", "aaa!"])
+def test_a_renamed_state_leaves_all_facts_as_they_were(sit: Sit, name: str) -> None:
+    person = sit(HANOI)
+    text, toast, before = person.blueprint.document.text, person.window.toast, person.blueprint
+    person.click_canvas(person.place("SB1/State_aaa"))
+    person.press(Key.Key_F2)
+    person.type(name)
+    person.press(Key.Key_Return)
+    branch, former = person.blueprint["SB1"], before["SB1"]
+    assert branch.facts(name) == ("a", "a", "a")
+    assert [branch.facts(one) for one in branch.table] == [
+        former.facts(one) for one in former.table
+    ]
+    assert toast.words == (
+        f"{name} does not carry facts in its name. All states of SB1 keep theirs: they stand in "
+        "_states now."
+    )
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == text
+
+
+def test_a_plain_word_takes_the_facts_of_all_and_that_is_told_with_undo(sit: Sit) -> None:
     person = sit(HANOI)
     text, toast = person.blueprint.document.text, person.window.toast
     person.click_canvas(person.place("SB1/State_aaa"))
     person.press(Key.Key_F2)
-    person.type("State_start")
+    person.type("start")
     person.press(Key.Key_Return)
-    assert "State_start" in person.blueprint["SB1"].table
     assert toast.words == (
-        "State_start does not carry 3 facts like the other states, so no state of SB1 has them "
+        "start does not carry 3 facts like the other states, so no state of SB1 has them "
         "now: each has one fact, its own name. Rules about facts find nothing."
     )
     person.click(toast.button)

@@ -254,6 +254,21 @@ def test_nothing_to_review_is_said(sit: Sit) -> None:
     person.press(Qt.Key.Key_C)
 
 
+def test_errors_are_told_before_somebody_reads_all_lines(sit: Sit, tmp_path: Path) -> None:
+    text = (SAMPLES / "hanoi-corrected.json").read_text("utf-8")
+    broken = tmp_path / "broken.json"
+    broken.write_text(text.replace('"Op_1b": "State_baa"', '"Op_1b": "State_nowhere"', 1), "utf-8")
+    person = sit(broken)
+    person.until_inspected()
+    person.ctrl(Qt.Key.Key_4)
+    side = person.window.features.review.page.side
+    person.until(lambda: "approval. Findings in Draw" in side.why.text())
+    assert not side.sign.isEnabled()
+    fixed = person.blueprint.document.text.replace("State_nowhere", "State_baa")
+    person.window.session.write("Type", fixed)
+    person.until(lambda: "Findings in Draw" not in side.why.text())
+
+
 def test_a_file_of_answers_that_is_no_review_is_told_and_kept(sit: Sit, tmp_path: Path) -> None:
     file = door_at(tmp_path)
     answers = Path(f"{file}.review.json")

@@ -184,3 +184,17 @@ def test_the_badge_names_the_file_of_a_run_that_is_not_the_drawing(
     person.window.resize(900, 800)
     person.until(lambda: badge.text() == "Paused")
     assert "hfsm.json" in badge.toolTip()
+
+
+def test_the_outline_marks_no_state_that_is_no_longer_drawn(sit: Sit) -> None:
+    run = held(sit, HFSM)
+    person, tree = run.person, run.person.window.outline.tree
+    active = dict(tree.active)
+    sb, state = next(iter(active.items()))
+    person.ctrl(Key.Key_1)
+    person.select(f"{sb}/{state}")
+    person.press(Key.Key_Delete)
+    person.until(lambda: state not in person.blueprint[sb].table)
+    person.until(lambda: sb not in tree.active)
+    person.ctrl(Key.Key_Z)
+    person.until(lambda: tree.active == active)

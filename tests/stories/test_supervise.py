@@ -240,6 +240,45 @@ def test_a_prune_says_when_its_operation_has_ended_while_the_reason_is_typed(
     assert at.pane.step_in.told == f"Pruned: {running}. Restore lets it be used again."
 
 
+def test_a_second_press_of_step_leaves_no_refusal_behind(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start("table", Key.Key_F10)
+    at.press(Key.Key_F10)
+    at.until_phase("Paused")
+    assert at.pane.step_in.refusal == ""
+
+
+def test_a_stop_takes_away_a_question_that_a_stopped_run_refuses(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.press(at.number("Op_2b"), Key.Key_V)
+    assert at.asked.startswith("Veto Op_2b once?")
+    at.press(Key.Key_F8)
+    at.until_phase("Stopped")
+    at.person.until(lambda: at.asked == "")
+    assert at.pane.step_in.refusal.startswith("The run is stopped, reset it first. The question")
+    at.press(Key.Key_Return)
+    assert "veto" not in [word for word, _ in at.commanded()]
+
+
+def test_a_stopped_run_takes_a_prune_and_a_restore_and_its_button_says_so(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.press(at.number("Op_2b"), Key.Key_P)
+    at.press(Key.Key_F8)
+    at.until_phase("Stopped")
+    assert at.pane.step_in.prune.isEnabled()
+    assert not at.pane.step_in.veto.isEnabled()
+    at.person.type("blunt")
+    at.press(Key.Key_Return)
+    at.until_stands("Op_2b", "pruned")
+    at.press(at.number("Op_2b"), Key.Key_P)
+    assert at.asked.startswith("Restore Op_2b? ")
+    assert at.pane.step_in.prune.isEnabled()
+    at.press(Key.Key_Return)
+    at.person.until(lambda: "restore" in [word for word, _ in at.commanded()])
+
+
 def test_why_a_command_was_refused_goes_with_the_next_one_that_is_not(sit: Sit) -> None:
     at = AtSupervise(sit(HANOI))
     at.press(Key.Key_V)

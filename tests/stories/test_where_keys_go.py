@@ -8,6 +8,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
 
+from smsl_studio.studio.base.overlays.name_line import NameLine
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.shell.frame.key_table import KeyTable
 from tests.stories.at_outline import shown
@@ -178,3 +179,20 @@ def test_the_source_has_the_keys_also_where_its_side_was_hidden(sit: Sit) -> Non
     assert not person.window.source.isVisible()
     person.ctrl(Key.Key_U)
     assert person.window.source.editor.hasFocus()
+
+
+def test_undo_takes_typed_letters_back_before_it_takes_a_step_back(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.click_canvas(person.place("SB1/State_aaa"))
+    person.press(Key.Key_F2)
+    field = QApplication.focusWidget()
+    assert isinstance(field, NameLine)
+    before = field.text()
+    person.type("xyz")
+    assert field.text() != before
+    person.ctrl(Key.Key_Z)
+    assert field.text() == before
+    assert field.hasFocus()
+    assert person.steps() == []
+    person.press(Key.Key_Escape)
+    assert "State_aaa" in person.blueprint["SB1"].table

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.fact_values import set_value as set_value
     from smsl_studio.blueprint.editing.given_facts import give_facts as give_facts
     from smsl_studio.blueprint.editing.given_facts import give_values as give_values
+    from smsl_studio.blueprint.editing.given_facts import keep_facts as keep_facts
     from smsl_studio.blueprint.editing.headers import attach_sub as attach_sub
     from smsl_studio.blueprint.editing.headers import detach_sub as detach_sub
     from smsl_studio.blueprint.editing.headers import keep_activating as keep_activating
@@ -79,6 +80,7 @@ _HOMES = {
     "expand_fact": "templates",
     "fill_facts": "fact_table",
     "give_facts": "given_facts",
+    "keep_facts": "given_facts",
     "give_values": "given_facts",
     "keep_activating": "headers",
     "keep_on": "on_values",

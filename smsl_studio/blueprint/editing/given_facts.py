@@ -8,10 +8,13 @@ from itertools import islice, product
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, existing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.plain_words import carried
+from smsl_studio.blueprint.plain_words import carried, has_only_words, is_plain_word
 from smsl_studio.errors import EditRefused
 
 _TRIES = 4096
+
+MOST_KEPT = 200
+"""The largest number of states whose facts ``keep_facts`` writes."""
 
 
 def give_facts(before: Blueprint, after: Blueprint) -> Blueprint:
@@ -27,6 +30,39 @@ def give_facts(before: Blueprint, after: Blueprint) -> Blueprint:
         if former.shape.width == 0 and not former.shape.opaque:
             after = _with_facts(former, after, branch)
     return after
+
+
+def keep_facts(before: Blueprint, after: Blueprint) -> Blueprint:
+    """Return ``after`` in which states keep their facts although a new name carries none.
+
+    Without this each state of the SB would have one fact, its own name. So the facts of all its
+    states are written into ``_states``. Two things are left as they are: an SB of more than
+    ``MOST_KEPT`` states, and a name that is a plain word in an SB that says nothing of facts.
+    """
+    for branch in after:
+        former = before.branches.get(branch.name)
+        if former is None or former is branch or not branch.shape.opaque:
+            continue
+        names = dict(zip(former.table, branch.table, strict=False))
+        fresh = [new for old, new in names.items() if new not in former.table]
+        if not _is_rename(former, branch, fresh) or any(is_plain_word(former, n) for n in fresh):
+            continue
+        draft = Draft(after)
+        table = draft.table(branch.name, "_states")
+        for old, new in names.items():
+            table[new] = {**(table.get(new) or {}), "facts": list(former.facts(old))}
+        after = draft.done()
+    return after
+
+
+def _is_rename(former: StateBranch, branch: StateBranch, fresh: Sequence[str]) -> bool:
+    """Whether the only change of names is that states of an SB with facts got other ones."""
+    gone = former.table.keys() - branch.table.keys()
+    if not fresh or len(fresh) != len(gone) or not 3 <= len(branch.table) <= MOST_KEPT:
+        return False
+    if len(former.table) != len(branch.table) or former.num_facts < 2:
+        return False
+    return not former.shape.opaque and former.shape.width > 0 and not has_only_words(former)
 
 
 def give_values(blueprint: Blueprint, branch: str, given: Mapping[str, Sequence[str]]) -> Blueprint:

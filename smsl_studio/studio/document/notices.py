@@ -29,7 +29,10 @@ class StepNotice:
 
 def step_notice(before: Blueprint, after: Blueprint) -> StepNotice:
     """The notice about a step."""
-    kept = (goal_kept(before, after), on_kept(before, after), values_given(before, after))
+    kept = (
+        goal_kept(before, after), facts_kept(before, after), on_kept(before, after),
+        values_given(before, after),
+    )  # fmt: skip
     unasked = (ends_moved(before, after), facts_lost(before, after), facts_turned(before, after))
     said = " ".join(filter(None, (*kept, *unasked)))
     if said:
@@ -79,6 +82,29 @@ def facts_lost(before: Blueprint, after: Blueprint) -> str:
             f"{odd} does not carry {old.num_facts} facts like the other states, so no state of "
             f"{name} has them now: each has one fact, its own name. Rules about facts find nothing."
         )
+    return ""
+
+
+def facts_kept(before: Blueprint, after: Blueprint) -> str:
+    """A sentence that ``_states`` has the facts now, because a new name does not carry them.
+
+    Empty if that did not happen.
+    """
+    for name, branch in after.branches.items():
+        old = before.branches.get(name)
+        if before.file != after.file or old is None or old is branch or not old.shape.width:
+            continue
+        fresh = [state for state in branch.table if state not in old.table]
+        if (
+            fresh
+            and len(branch.table) == len(old.table)
+            and not branch.shape.width
+            and (not branch.shape.opaque)
+        ):
+            return (
+                f"{fresh[0]} does not carry facts in its name. All states of {name} keep theirs: "
+                "they stand in _states now."
+            )
     return ""
 
 

@@ -150,10 +150,10 @@ class Session(QObject):
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
         changes nothing makes no step. Some things hold by default, without being written: the
-        places of states, which state is activating, and which value of a fact with a sub-SB counts
-        as on. If the edit would change them, they are written. While a text is broken every edit is
-        refused, because its result would replace the broken text. Edits of the same ``run`` right
-        after each other become one step.
+        places of states, which state is activating, the facts of states, and which value of a fact
+        with a sub-SB counts as on. If the edit would change them, they are written. While a text is
+        broken every edit is refused, because its result would replace the broken text. Edits of the
+        same ``run`` right after each other become one step.
         """
         self.settling.emit()
         try:
@@ -161,6 +161,7 @@ class Session(QObject):
                 raise self._broken.refusal
             before = self._blueprint
             after = editing.keep_activating(before, change(before), self._kept)
+            after = editing.keep_facts(before, after)
             after = editing.keep_on(before, editing.give_facts(before, after))
             after = self.places.completed(before, after)
         except StudioError as error:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from smsl_studio.legible import plain_text
@@ -42,7 +42,8 @@ class NameLine(QLineEdit):
         """Keep letters from the window's shortcuts while a name is typed, and tell of Tab."""
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
             # While a name is edited, plain keys belong to the field, not to the window's shortcuts.
-            if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            own = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
+            if own or self._steps_back(event):
                 event.accept()
             return True
         if (
@@ -53,6 +54,11 @@ class NameLine(QLineEdit):
             (self.tabbed if event.key() == Qt.Key.Key_Tab else self.tabbed_back).emit()
             return True
         return super().event(event)
+
+    def _steps_back(self, event: QKeyEvent) -> bool:
+        """Whether it undoes or redoes what is typed here. Without that the window undoes a step."""
+        undoes = event.matches(QKeySequence.StandardKey.Undo) and self.isUndoAvailable()
+        return undoes or (event.matches(QKeySequence.StandardKey.Redo) and self.isRedoAvailable())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Emit the signal of Enter, Escape, Up or Down; other keys type."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,14 +11,14 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords
 from smsl_studio.inspection.review.review import ReviewComment
 from smsl_studio.inspection.review.reviewed import ReviewedLine
-from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Control, Feature, KeyList, Page, Shell, whole
 from smsl_studio.studio.base.file_dialogs import ask_to_open, ask_to_save
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import refusal_words
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.features.review.asked_findings import asked_findings
 from smsl_studio.studio.features.review.drafts import REPLY, ReviewDraft, ReviewDrafts
 from smsl_studio.studio.features.review.open_review import OpenReview
@@ -71,7 +71,8 @@ class ReviewFeature(Feature):
         self._beside = Beside(parts.window)
         self._approval: ApprovalWords = UNINSPECTED
         self._asked: tuple[tuple[Finding, ReviewComment], ...] = ()
-        self._saved, self._found = "", 0
+        self._saved, self._found, self._blocked = "", 0, ""
+        parts.inspector.found.connect(self._follow_findings)
         self.signing: SignDialog | None = None
         """The dialog in which somebody signs, after it was opened for the first time."""
         self.signed: Callable[[], object] = lambda: None
@@ -177,7 +178,7 @@ class ReviewFeature(Feature):
         from smsl_studio.studio.features.review.sign_dialog import SignDialog
 
         seen = self.review.seen
-        if seen is None or (not rejects and seen.why_not_signed()):
+        if seen is None or (not rejects and (self._blocked or seen.why_not_signed())):
             return
         if self._parts.files.unsaved:
             self._parts.toast.say("Save the procedure first. A signature is for what is saved")
@@ -187,6 +188,16 @@ class ReviewFeature(Feature):
         self.signing = SignDialog(blueprint, person, rejects, self._parts.window)
         self.signing.signed.connect(lambda _: self._signed())
         self.signing.open()
+
+    def _follow_findings(self, findings: Sequence[Finding]) -> None:
+        """Tell first what nobody can sign away, before somebody reads all lines."""
+        errors = sum(one.severity is Severity.ERROR for one in findings)
+        words = counted(errors, "error blocks", "errors block")
+        self._blocked = f"{words} approval. Findings in Draw has the reasons." if errors else ""
+        page = self.part.made
+        if page is not None and page.blocked != self._blocked:
+            page.blocked = self._blocked
+            page.refresh()
 
     def watch(self, one: ReviewedLine) -> None:
         """Play a step beside the text."""
@@ -242,6 +253,7 @@ class ReviewFeature(Feature):
         page.watch_wanted.connect(self.watch)
         page.print_wanted.connect(self.print)
         page.bar.person_wanted.connect(lambda: self.change_person())
+        page.blocked = self._blocked
         page.show_approval(self._approval)
         return page
 

@@ -60,6 +60,8 @@ class ReviewPage(QWidget):
         self.right = QStackedWidget()
         self.right.addWidget(self.side)
         self.approval: ApprovalWords = UNINSPECTED
+        self.blocked = ""
+        """Why nobody may sign, besides what is open in the review itself."""
         self._section = self._sought = ""
         self._size = TextSize(settings)
         self.drawer = Drawer(self, self._drawer_area, lambda: self, "Contents")
@@ -134,6 +136,8 @@ class ReviewPage(QWidget):
         reasons = seen.why_not_signed() if seen is not None else ("There is no reading yet.",)
         if fault and seen is not None:
             reasons = (fault, *reasons)
+        if self.blocked and seen is not None:
+            reasons = (self.blocked, *reasons)
         begun = [one.heading for one in self._drafts.begun(self._person)]
         if begun:
             reasons = (f"What you write at “{begun[0]}” is not kept yet.", *reasons)

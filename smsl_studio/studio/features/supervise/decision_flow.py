@@ -8,6 +8,7 @@ from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
 from smsl_studio.front.views.phase_words import LATCHED
 from smsl_studio.runlog.events import (
@@ -15,6 +16,7 @@ from smsl_studio.runlog.events import (
     Event,
     OperationPruned,
     OperationRefused,
+    OperationStarted,
     RunStarted,
 )
 from smsl_studio.studio.base.words import capital
@@ -95,6 +97,12 @@ class DecisionFlow(QObject):
             if located and status is not None and status.candidates != self._let_be:
                 self._asking.show_decision(decisions.accept(status))
             return
+        refused = _refused(decision, status)
+        if refused:
+            self._asking.show_decision(None)
+            self._step_in.say(f'{capital(refused)} The question "{decision.sentence}" is gone.')
+            self._go_back()
+            return
         card = view.card(decision.address) if view is not None else None
         about_card = decision.command in ("ask", "")
         if (
@@ -140,12 +148,25 @@ class DecisionFlow(QObject):
         for event in events:
             if isinstance(event, RunStarted | Commanded):
                 self._step_in.say("")
+            if isinstance(event, OperationStarted):
+                # A second press of Step was refused before the first one had begun anything.
+                self._step_in.forget_refusal()
             if isinstance(event, Commanded) and event.refused:
                 self._step_in.say(capital(event.refused))
             elif isinstance(event, OperationRefused):
                 self._step_in.say(" ".join(map(capital, event.reasons)))
             elif isinstance(event, OperationPruned):
                 self._step_in.tell(f"Pruned: {event.address}. Restore lets it be used again.")
+
+
+def _refused(decision: Decision, status: DispatchStatus | None) -> str:
+    """Why the run would refuse now what the question asks; empty if it would not.
+
+    The card of an operation tells that itself, and the end of a run is no command to it.
+    """
+    if status is None or decision.command in ("", "ask", "accept", "end"):
+        return ""
+    return COMMANDS[decision.command].why_refused(status.phase, status.by)
 
 
 def _is_restored(decision: Decision, card: OperationCard) -> bool:

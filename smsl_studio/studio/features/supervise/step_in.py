@@ -172,6 +172,10 @@ class StepIn(QWidget):
         self._why.setVisible(bool(why))
         self._told.hide()
 
+    def forget_refusal(self) -> None:
+        """Hide why something was not done; what was done stays."""
+        self._why.hide()
+
     def tell(self, done: str) -> None:
         """Show what was done, until something else is asked."""
         self.say("")
@@ -199,13 +203,18 @@ class StepIn(QWidget):
         return "" if self._subject else "No operation is next. Choose one with 1 to 9."
 
     def _no_prune(self) -> str:
-        if self._no_hand():
-            return self._no_hand()
+        """A stopped run takes it too, and keeps it when it goes on."""
+        if self._no_run():
+            return self._no_run()
         return "" if self._subject else "No operation is next. Choose one with 1 to 9."
 
+    def _no_run(self) -> str:
+        there = self._status is not None and self._status.phase not in OVER
+        return "" if there else "No run is there to step into."
+
     def _no_hand(self) -> str:
-        if self._status is None or self._status.phase in OVER:
-            return "No run is there to step into."
+        if self._no_run():
+            return self._no_run()
         return "The run is stopped. Reset it, or end it." if self._stopped() else ""
 
     def _stopped(self) -> bool:

@@ -71,6 +71,8 @@ class Outline(Panel):
         self._session, self._tokens = session, tokens
         self._drawn = session.blueprint
         self._opened = False
+        self._active: Mapping[str, str] = {}
+        self._running = ""
         self._heading = Heading("Outline", "Level")
         self.column.addWidget(self._heading)
         self.add_button = QToolButton(self._heading)
@@ -115,8 +117,22 @@ class Outline(Panel):
         self.tree.set_tokens(tokens)
 
     def set_run(self, active: Mapping[str, str], running: str) -> None:
-        """Show the active state of every SB, and highlight the SB in which an operation runs."""
-        self.tree.set_run(active, running)
+        """Show the active state of every SB, and highlight the SB in which an operation runs.
+
+        A run goes on with the blueprint that it began with. A state that is no longer drawn is left
+        out.
+        """
+        self._active, self._running = active, running
+        self._show_run()
+
+    def _show_run(self) -> None:
+        drawn = self._session.blueprint
+        there = {
+            branch: state
+            for branch, state in self._active.items()
+            if branch in drawn.branches and state in drawn[branch].table
+        }
+        self.tree.set_run(there, self._running)
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Mark every SB with the worst severity of its findings."""
@@ -279,6 +295,7 @@ class Outline(Panel):
             another = self._opened and blueprint.file != before.file
             self._drawn, self._opened = blueprint, False
             self.tree.show_blueprint(blueprint, another)
+            self._show_run()
         self._mark()
 
     def _mark(self) -> None:
