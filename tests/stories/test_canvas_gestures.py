@@ -685,6 +685,7 @@ def test_an_arrowhead_dropped_on_empty_canvas_stays_and_the_reason_is_shown(hfsm
         hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, start + QPoint(0, 150)
     )
     assert hfsm.steps() == 0
+    assert "Let go over a state" in hfsm.canvas.overlays.word.text
 
 
 def test_delete_takes_the_incoming_operations_along(hfsm: Drawer) -> None:

@@ -360,7 +360,7 @@ class RunCanvas(QWidget):
             return ""
         left = len(status.route) + (status.running is not None)
         if left and self._run.exists:
-            return f"step {status.operations + 1} of {status.operations + left}"
+            return f"operation {status.operations + 1} of {status.operations + left}"
         return counted(status.operations, "operation")
 
 

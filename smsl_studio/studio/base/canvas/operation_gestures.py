@@ -122,9 +122,9 @@ class _EndDrag:
         state = _state_at(self.canvas, self.canvas.mapToScene(event.position().toPoint()))
         reason = self.why_not(state)
         self.cancel()
-        if not self._begun or state is None:
+        if not self._begun:
             return
-        if reason:
+        if reason or state is None:
             self.canvas.say(reason)
         else:
             self.ask(state)
