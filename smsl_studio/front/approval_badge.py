@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.front.former_record import has_record_beside
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.reading.sections import NOTICE
+
+if TYPE_CHECKING:
+    from smsl_studio.front.verdicts import ApprovalAnswer
 
 LONGEST = 6
 """The largest number of reasons that the badge lists."""
@@ -56,6 +60,8 @@ def refusal_line(refusal: Refusal) -> str:
 
 
 UNINSPECTED = ApprovalWords("Uninspected", (NOBODY,), TO_SIGN)
+NOT_VERIFIED = "Not verified"
+"""The words where there is a record, and nobody has verified it or it cannot be read."""
 GENERATED = "Generated, not inspected"
 """The words for a blueprint that was computed and that no record covers."""
 LOOKING = ApprovalWords("Looking at the record", ("Signatures are being verified.",))
@@ -114,7 +120,12 @@ def approval_words(blueprint: Blueprint, policy: Path | None = None) -> Approval
     try:
         answer = answered(ApprovalQuestion(blueprint, policy=policy))
     except StudioError as error:
-        return ApprovalWords("Not verified", (str(error),), error.advice)
+        return ApprovalWords(NOT_VERIFIED, (str(error),), error.advice)
+    return words_of(answer, blueprint)
+
+
+def words_of(answer: ApprovalAnswer, blueprint: Blueprint) -> ApprovalWords:
+    """Return the words of the badge for a blueprint, from the answer whether it is approved."""
     judgement = answer.judgement
     signers = tuple(
         f"{one.key.person} ({one.role}), {one.said.time[:10]}: {one.said.verdict}"

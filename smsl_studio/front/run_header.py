@@ -16,6 +16,8 @@ from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.procedures import is_exact, procedures_of
 from smsl_studio.errors import StudioError
+from smsl_studio.front.approval_badge import NOT_VERIFIED, unsigned_words
+from smsl_studio.front.former_record import has_record_beside
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.library.bindings import bind
@@ -35,7 +37,8 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
 
     ``digests`` has the values of the command ``digest``, and the SHA-256 of every file. ``policy``
     says under which policy who approved the blueprint; it is null if the run asked for no approval.
-    ``mqtt`` has the broker and the facts of remote sensors; it is null if there are none.
+    ``mqtt`` has the broker and the facts of remote sensors; it is null if there are none. ``badge``
+    has the words of the approval badge.
     """
     blueprint, world = request.blueprint, request.world
     plugins = loaded.plugins if loaded else ()
@@ -61,7 +64,17 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
         "names": names_of(blueprint),
         "grounds": grounds_of(blueprint, _code(blueprint, world, loaded)),
         **({"procedures": below} if (below := procedure_digests(blueprint)) else {}),
+        "badge": _badge(request),
     }
+
+
+def _badge(request: RunRequest) -> str:
+    """Return the words of the approval badge. Without an approval no record is verified."""
+    if request.trust is not None:
+        return request.trust.badge
+    if has_record_beside(request.blueprint.file):
+        return NOT_VERIFIED
+    return unsigned_words(request.blueprint).words
 
 
 def procedure_digests(blueprint: Blueprint) -> Mapping[str, Json]:

@@ -22,6 +22,7 @@ class RunTrust:
     location. ``header`` is the part for the log. ``words`` say in one line who approved the
     blueprint, and whose keys count. ``loaded`` has the plugins as they were verified. ``bindings``
     is the bindings file that was signed. ``hardware`` says that the world counts as hardware.
+    ``badge`` has the words of the approval badge.
     """
 
     refusals: tuple[Refusal, ...] = ()
@@ -32,6 +33,7 @@ class RunTrust:
     loaded: Loaded | None = None
     bindings: BindingsFile | None = None
     hardware: bool = False
+    badge: str = ""
 
     def must_hold(self) -> None:
         """Raise RunRefused if there are refusals."""

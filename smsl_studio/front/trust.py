@@ -9,6 +9,7 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
+from smsl_studio.front.approval_badge import words_of
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.verdicts import ApprovalAnswer, ApprovalQuestion, answered
@@ -43,6 +44,7 @@ def with_trust(request: RunRequest) -> RunRequest:
         answer.survey.loaded,
         answer.survey.bindings,
         answer.survey.code is not None and answer.survey.code.hardware,
+        words_of(answer, request.blueprint).words,
     )
     return replace(request, trust=told)
 

@@ -64,6 +64,7 @@ _HEADER = (
     ("script", "Script"),
     ("supervisor", "Supervised by"),
     ("by_hand", "Run by hand"),
+    ("badge", "Approval badge"),
     ("node", "Computer"),
 )
 

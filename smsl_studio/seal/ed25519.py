@@ -15,6 +15,22 @@ from smsl_studio.seal.envelope import Envelope, pae
 
 LENGTH = 32
 """The length of the private half and of the public half of a key, in bytes."""
+_WEAK = frozenset(
+    map(
+        bytes.fromhex,
+        (
+            "00" * 32,
+            "01" + "00" * 31,
+            "26e8958fc2b227b045c3f489f2ef98f0d5dfac05d3c63339b13802886d53fc05",
+            "c7176a703d4dd84fba3c0b760d10670f2a2053fa2c39ccc64ec7fd7792ac037a",
+            "ec" + "ff" * 30 + "7f",
+            "ed" + "ff" * 30 + "7f",
+            "ee" + "ff" * 30 + "7f",
+        ),
+    )
+)
+"""The public keys of small order, without the sign bit (RFC 8032, section 5.1.3). Nobody needs a
+private half to sign for them, so who has such a key could deny each signature."""
 
 
 def new_private() -> bytes:
@@ -39,11 +55,19 @@ def sealed(private: bytes, kind: str, payload: bytes) -> Envelope:
 
 
 def is_signed(envelope: Envelope, public: bytes) -> bool:
-    """Whether the envelope names this key, and its signature is valid for this key."""
-    if envelope.keyid != identity(public):
+    """Whether the envelope names this key, and its signature is valid for this key.
+
+    A key for which anybody can sign (``is_weak``) has no valid signatures.
+    """
+    if envelope.keyid != identity(public) or is_weak(public):
         return False
     try:
         Ed25519PublicKey.from_public_bytes(public).verify(envelope.signature, envelope.signed)
     except (InvalidSignature, ValueError):
         return False
     return True
+
+
+def is_weak(public: bytes) -> bool:
+    """Whether anybody can sign for a public key, because it has a small order."""
+    return bytes((*public[:-1], *(byte & 0x7F for byte in public[-1:]))) in _WEAK

@@ -296,6 +296,7 @@ def test_a_bundle_without_a_log_says_so(tmp_path: Path) -> None:
     status, said = _checked(folder)
     assert status == 0
     assert "No log" in said
+    assert "No policy: one signature counts." in said
 
 
 HOSTILE = (

@@ -5,13 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from cryptography.exceptions import InvalidSignature
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey, Ed25519PublicKey
 from securesystemslib.dsse import Envelope as OtherEnvelope
 from securesystemslib.signer._crypto_signer import CryptoSigner
 from securesystemslib.signer._key import SSlibKey
 
 from smsl_studio.errors import SealError
-from smsl_studio.seal.ed25519 import identity, is_signed, new_private, public_of, sealed
+from smsl_studio.seal.ed25519 import (
+    identity,
+    is_signed,
+    is_weak,
+    new_private,
+    public_of,
+    sealed,
+)
 from smsl_studio.seal.envelope import Envelope, pae, read_envelope
 from smsl_studio.seal.strict_json import from_base64, read_strictly
 
@@ -119,3 +127,34 @@ def test_others_verify_what_we_sign_and_we_what_they_sign() -> None:
     other = OtherEnvelope(made.payload, KIND, {})
     other.sign(CryptoSigner(Ed25519PrivateKey.from_private_bytes(PRIVATE), wrong))
     assert not is_signed(read_envelope(other.to_dict(), KIND), PUBLIC)
+
+
+WEAK = [
+    bytes(32),
+    b"\1" + bytes(31),
+    b"\1" + bytes(30) + b"\x80",
+    b"\xec" + b"\xff" * 30 + b"\x7f",
+    bytes.fromhex("26e8958fc2b227b045c3f489f2ef98f0d5dfac05d3c63339b13802886d53fc05"),
+    bytes.fromhex("c7176a703d4dd84fba3c0b760d10670f2a2053fa2c39ccc64ec7fd7792ac037a"),
+]
+
+
+@pytest.mark.parametrize("public", WEAK, ids=lambda one: one.hex()[:4])
+def test_a_key_for_which_anybody_can_sign_signs_nothing(public: bytes) -> None:
+    """The library believes such a signature: nobody knows a private half, and it is valid."""
+    believed = []
+    for number in range(64):
+        payload = b"%d" % number
+        forged = Envelope(KIND, payload, identity(public), b"\1" + bytes(63))
+        try:
+            Ed25519PublicKey.from_public_bytes(public).verify(forged.signature, forged.signed)
+        except InvalidSignature:
+            continue
+        believed.append(forged)
+    assert believed, "the attack works without a look at the key"
+    assert not any(is_signed(one, public) for one in believed)
+
+
+def test_no_usual_key_is_weak() -> None:
+    assert not any(is_weak(public_of(new_private())) for _ in range(50))
+    assert not is_weak(b"")

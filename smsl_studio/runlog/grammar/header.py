@@ -144,6 +144,7 @@ _HEADER: Mapping[str, Fits] = MappingProxyType(
         "names": _are_tables,
         "grounds": _is_object,
         "procedures": _is_map_of_texts,
+        "badge": _is_text,
     }
 )
 _DIGESTS: Mapping[str, Fits] = MappingProxyType(
