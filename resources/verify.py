@@ -48,7 +48,7 @@ def lines(raw):  # 2 THE LOG: each line, and the head, has the SHA-256 of all by
 	(*told, head, end), digest, found = raw.split(b"\n"), hashlib.sha256(), []
 	for number, line in enumerate(told, 1):
 		digest.update(line[:-66]); link = b',"chain":"%s"}' % digest.hexdigest().encode()
-		no(line[-76:] != link, f"line {number}: it or one before was changed")
+		no(line[-76:] != link, f"line {number}: it was changed")
 		digest.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
 	sums = {"count": len(told) - 1, "hash": digest.hexdigest()}; seal = read(head).get("signed")
 	no(end or head != plain({"head": sums} | ({"signed": seal} if seal else {})), "its head is wrong")
@@ -104,10 +104,10 @@ def take(s, e):  # 3 THE STORY is told again, event by event: when it may not co
 	if kind != "state_checked": s.checked = {}
 	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
 def on_within(s, e):  # what it runs tells a story of its own
-	op, told = running(s, e.operation)[-1], read(e.told.encode()); run = op.note["binding"]
+	op, one = running(s, e.operation)[-1], read(raw := e.told.encode()); run = op.note["binding"]
 	h, closure = s.h | {"goals": [run["goal"]], "levels": {}}, s.h["procedures"][run["blueprint"]]
-	op.below = op.below or story(s.known, closure, h, told.get("start", {}))
-	no(op.outcome or told["t"] != e.t); take(op.below, told)
+	op.below = op.below or story(s.known, closure, h, one.get("start", {}))
+	no(op.outcome or one["t"] != e.t or plain(one) != raw and b"\\u" not in raw); take(op.below, one)
 def on_run_started(s, e):  # bases decide where their sub-SBs stand
 	roots = {b: s.ends[b] for b in s.sbs if not s.bases[b]}; s.h["met"] = vars(e).get("met", ())
 	s.goals, s.sensed = {goal: parts(goal) for goal in e.goals}, {*map(fact, e.sensed)}
@@ -235,7 +235,7 @@ def tell(known, raw, files=()):
 	for number, event in enumerate(events, 2):
 		try: take(s, event)
 		except Exception as error: raise Wrong(f"line {number}: {event.get('event')}: {error}")
-	no(not s.over, "the log ends before its run"); return h
+	no(not s.over, "it has no end"); return h
 def when(at): return dt.datetime.fromisoformat(at + "T23:59:59Z" * ("T" not in at))
 def ring(them): return {"sha256:" + sha(raw_of(k)): p | {"key": k} for p in them for k in p["keys"]}
 def trusted():  # 4 THE RECORDS: the policy, and whose keys count
@@ -282,7 +282,7 @@ def judge(known, log, bot={"automatic", "recorder"}):
 	for a in ask: no(last[a[0]] and a[1] not in log.get("met", ()), "a condition is open: " + a[1])
 def files(way): return sorted(f for f in pathlib.Path().glob(way) if f.is_file() > f.is_symlink())
 def load(name): return b"".join(one.read_bytes() for one in files(name))
-def main():  # 5 THE FOLDER: everything in it is checked, and nothing else
+def main():  # 5 THE FOLDER: all of it is checked, and nothing else
 	wrong, records = [], files("records/*"); said = [f"Not checked: {one}." for one in NOT_CHECKED]
 	def tried(place, act, *given):
 		try: return act(*given)
