@@ -97,19 +97,26 @@ def _kept(keep: Path | None) -> Iterator[tuple[str, dict[str, int]]]:
 
 @dataclass(frozen=True)
 class Asked:
-    """What the command line asks for: a range of seeds, processes, and a file to go on from."""
+    """What the command line asks for: a range of seeds, processes, a file to go on from, and one
+    kind alone if it is not empty.
+    """
 
     first: int
     behind: int
     workers: int
     keep: Path | None
+    kind: str = ""
 
 
-def asked(usage: str, behind: int) -> Asked:
-    """Read the command line of one bench. ``behind`` is the usual end of the seeds."""
+def asked(usage: str, behind: int, kinds: Sequence[str] = ()) -> Asked:
+    """Read the command line of one bench. ``behind`` is the usual end of the seeds, and ``kinds``
+    are what it counts, if one of them can be counted alone.
+    """
     parser = argparse.ArgumentParser(description=usage)
     parser.add_argument("--from", dest="first", type=int, default=0, metavar="SEED")
     parser.add_argument("--to", dest="behind", type=int, default=behind, metavar="SEED")
     parser.add_argument("--workers", type=int, default=2, help="processes (default 2)")
     parser.add_argument("--keep", type=Path, metavar="FILE", help="go on from this file")
+    if kinds:
+        parser.add_argument("--kind", choices=kinds, default="", help="this kind alone")
     return Asked(**vars(parser.parse_args()))

@@ -9,6 +9,8 @@ that the bundle is consistent. It tells reasons and no codes.
 All of them, by two processes, so that a stopped count goes on where it was::
 
     python -m benches.tampers --keep tampers.jsonl
+
+``--kind register`` counts one kind alone.
 """
 
 from __future__ import annotations
@@ -66,7 +68,7 @@ def _rows(sums: Mapping[str, Counter[str]]) -> Iterator[Row]:
 
 
 if __name__ == "__main__":
-    told = asked("Count tampers that are let through.", EACH)
-    parts = shares_of(ALL_KINDS, told.first, told.behind)
+    told = asked("Count tampers that are let through.", EACH, ALL_KINDS)
+    parts = shares_of([told.kind] if told.kind else ALL_KINDS, told.first, told.behind)
     for row in _rows(counted(tried, parts, told.workers, told.keep)):
         print(f"{row.work}: {row.ours:g}", flush=True)
