@@ -1,5 +1,5 @@
-"""Checks the evidence in this folder. 0: consistent. 1: not, and why. Names: README.txt."""
-import base64, datetime as dt, hashlib, itertools, json, pathlib, sys, tomllib, types, unicodedata
+"""Checks this evidence. Names: README.txt."""; import sys; del sys.path[:__name__ == "__main__"]
+import base64, datetime as dt, hashlib, itertools, json, pathlib, tomllib, types, unicodedata
 NOT_CHECKED = "MQTT", "routes", "words that move nothing", "code", "records of parts", "report.html"
 class Wrong(Exception): "Why it is not believed."
 class Story(types.SimpleNamespace): names = vetoed = plan = told = (); __getattr__ = lambda s, n: 0

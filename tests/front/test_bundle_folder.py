@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +16,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.digests import content_of, digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.bundles import bundled
-from smsl_studio.front.verifier import content_texts, told_again
+from smsl_studio.front.verifier import content_texts, told_again, verifier_file
 from smsl_studio.inspection.approval.record_file import SignedRecord, written_record_file
 from smsl_studio.inspection.approval.statement import (
     PAYLOAD_TYPE,
@@ -80,6 +82,18 @@ def test_a_log_that_somebody_has_approved_names_its_time(time: object) -> None:
     story = Story.of(whole()[LOG])
     story.header["wall_time"] = time
     assert not is_believed({**whole(), LOG: story.raw()})
+
+
+@pytest.mark.parametrize("module", ["json.py", "cryptography/__init__.py", "base64.py"])
+def test_no_module_of_the_folder_is_loaded(module: str, tmp_path: Path) -> None:
+    """One that ends the program with 0 would make everything consistent."""
+    files = {**whole(), "verify.py": verifier_file().read_bytes(), LOG: b"", module: b"exit(0)\n"}
+    for name, raw in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_bytes(raw)
+    command = [sys.executable, "verify.py"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    assert (done.returncode, b"Not consistent." in done.stdout) == (1, True)
 
 
 def test_nothing_is_read_through_a_link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
