@@ -115,7 +115,8 @@ def who_and_what(text: str) -> tuple[str, str]:
     it stands apart (``Nurse: fix the leg``, ``Fix the leg (nurse)``)."""
     text = _LEAD.sub("", text)
     if found := _BEHIND.search(text):
-        return role(found["who"]), (text[: found.start()] + text[found.end() :]).strip()
+        rest = (text[: found.start()] + text[found.end() :]).strip()
+        return (role(found["who"]), rest) if any(map(str.isalnum, rest)) else ("", text)
     if found := _SUBJECT.match(text):
         return role(found["who"]), capital(found["act"]) if found["colon"] else text
     return "", text

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from smsl_studio.generate.text import sentences
-from smsl_studio.generate.text.steps import Remedy, Source, TextStep, risk_of
+from smsl_studio.generate.text.steps import Remedy, Source, TextStep, mark_of, risk_of
 
 KEYED = re.compile(
     r"^(?P<key>who|until|confirm|takes|within|risk|wait|if|source|wer|bis|wenn|quelle)\s*:\s*(?P<said>.+)$",
@@ -16,7 +16,7 @@ KEYED = re.compile(
 _GERMAN = {"wer": "who", "bis": "until", "wenn": "if", "quelle": "source"}
 _IF = re.compile(r"^(?P<when>.+?)\s*->\s*(?P<do>.+?)(?:\s*\[(?P<back>on|again|start|[\d.]+)\])?$")
 _SOURCE = re.compile(
-    r"^(?P<file>[^,]+?),\s*(?:page\s+(?P<page>\d+),\s*)?line\s+(?P<line>\d+)\s*:\s*[“\"](?P<words>.+)[”\"]$"
+    r"^(?P<file>[^,]+?),\s*(?:page\s+(?P<page>\d{1,5}),\s*)?line\s+(?P<line>\d{1,6})\s*:\s*[“\"](?P<words>.+)[”\"]$"
 )
 
 
@@ -51,7 +51,9 @@ def _remedies(text: str) -> list[Remedy]:
     found = _IF.match(text)
     if found is None:
         return []
-    return [Remedy(when=found["when"][:200], do=found["do"][:200], back=found["back"] or "again")]
+    back = found["back"] or "again"
+    back = back if back in ("on", "again", "start") else mark_of(back) or "again"
+    return [Remedy(when=found["when"][:200], do=found["do"][:200], back=back)]
 
 
 def _cite(said: dict[str, Any], text: str) -> None:
@@ -60,9 +62,10 @@ def _cite(said: dict[str, Any], text: str) -> None:
     if found is None:
         return
     page = int(found["page"] or 0)
-    source = Source(
-        file=found["file"], line=int(found["line"]), words=found["words"][:300], page=page
-    )
+    line, words = int(found["line"]), found["words"][:300]
+    if line < 1:
+        return
+    source = Source(file=found["file"][:300], line=line, words=words, page=page)
     if said.get("remedies"):
         last = said["remedies"][-1]
         said["remedies"][-1] = last.model_copy(update={"sources": (*last.sources, source)})

@@ -32,6 +32,7 @@ from smsl_studio.generate.text.steps import (
     Source,
     TextProcedure,
     TextStep,
+    mark_of,
     risk_of,
 )
 from smsl_studio.generate.text.table_rows import row_step
@@ -185,7 +186,7 @@ class _StepReader:
         inner.rest()
         if len(found.steps) == before and inner.steps:
             text = _cut(part.text.rstrip(":. ")) or "Steps"
-            found.add(TextStep(do=text, mark=_mark(part.mark), sources=_sources(part.cite())))
+            found.add(TextStep(do=text, mark=mark_of(part.mark), sources=_sources(part.cite())))
         if inner.steps and found.steps:
             last = found.steps[-1]
             found.steps[-1] = last.model_copy(update={"steps": (*last.steps, *inner.steps)})
@@ -195,7 +196,7 @@ class _StepReader:
     def _branch(self, part: TextPart, when: str, found: _FoundSteps) -> None:
         """Take ``If nobody breathes:`` with a list of what is done then."""
         acts = [one.text.rstrip(". ") for one in part.below if one.kind in ITEMS]
-        act = "; ".join(acts)
+        act = "; ".join(act for act in acts if any(map(str.isalnum, act))) or when
         found.remedy(_remedy(sentences.TextCondition(when, act), part.cite()))
 
     def _sentence(
@@ -261,7 +262,7 @@ def _step(text: str, cite: Citation, mark: str, said: Mapping[str, Any] = NOTHIN
         act = f"{act} ({until})" if until and len(act) < 3 else act
     step = TextStep(
         do=_cut(sentences.capital(act)),
-        mark=_mark(mark),
+        mark=mark_of(mark),
         who=_cut(who),
         until=_cut(until),
         within=sentences.within(text),
@@ -333,10 +334,6 @@ def _title(text: str) -> str:
     """Return a heading without its number."""
     lead, _, rest = text.partition(" ")
     return rest.strip() if rest and lead.strip(".):").replace(".", "").isdigit() else text
-
-
-def _mark(mark: str) -> str:
-    return mark if mark.replace(".", "").isdigit() else ""
 
 
 def _sources(*citations: Citation) -> tuple[Source, ...]:

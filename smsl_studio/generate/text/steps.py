@@ -6,6 +6,7 @@ bound, and a key that is not known does not fit.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
@@ -49,6 +50,14 @@ class Source(_PartOfAnswer):
 
 Risk = Literal["", "low", "medium", "high"]
 _RISKS: dict[str, Risk] = {"low": "low", "medium": "medium", "high": "high"}
+
+
+_MARK = re.compile(r"\d{1,3}(\.\d{1,3})*")
+
+
+def mark_of(text: str) -> str:
+    """Return the number of a step, empty if a text is none."""
+    return text if _MARK.fullmatch(text) else ""
 
 
 def risk_of(text: str) -> Risk:

@@ -8,7 +8,7 @@ from smsl_studio.generate.text import sentences
 from smsl_studio.generate.text.expert_text import Citation
 from smsl_studio.generate.text.language_words import AGAIN, GO_ON
 from smsl_studio.generate.text.outline import TextPart
-from smsl_studio.generate.text.steps import Remedy, Source, TextStep, risk_of
+from smsl_studio.generate.text.steps import Remedy, Source, TextStep, mark_of, risk_of
 
 HEADS = {
     "act": ("action", "activity", "task", "what", "what to do", "do", "description", "handlung",
@@ -39,7 +39,7 @@ def row_step(row: TextPart) -> Iterator[TextStep | Remedy]:
     mark = cells.get("number", "").strip(". )")
     yield TextStep(
         do=sentences.capital(act)[:200],
-        mark=mark if mark.replace(".", "").isdigit() else "",
+        mark=mark_of(mark),
         who=who[:200],
         until=cells.get("until", "").strip(" -–")[:200],
         within=sentences.seconds(cells.get("time", "")),

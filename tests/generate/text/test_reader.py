@@ -118,6 +118,21 @@ def test_the_page_of_the_steps_reads_as_the_same_steps(text: str) -> None:
     assert again.title == procedure.title
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "| No | Action |\n|---|---|\n| 12345 | Mix |\n",
+        "1. Look\n2. If it is red:\n   - ...\n",
+        '1. Look\n   - source: a, line 0: "x"\n   - source: a, line 99999999999: "x"\n',
+        "1. Look\n   - if: a -> b [1..2]\n   - takes: 0 s\n   - risk: no\n   - who: " + "a" * 900,
+        "1. " + "a " * 2_000 + "\n",
+        "1. (nurse)\n",
+    ],
+)
+def test_odd_marks_and_keys_are_passed_over(text: str) -> None:
+    assert len(steps_of(text).steps) == 1
+
+
 def test_parts_do_not_overtake_each_other() -> None:
     procedure = steps_of("## A\n1. x\n2. y\n\n## B\n1. z\n2. w\n")
     values = blueprint_values(procedure)
