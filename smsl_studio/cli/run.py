@@ -72,6 +72,12 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--site", default="", help="the site whose sensors are heard")
     parser.add_argument(
+        "--login",
+        default="",
+        metavar="FILE",
+        help="how to log in at the broker, with TLS: a login file (see: nodes make-site)",
+    )
+    parser.add_argument(
         "--passphrase-file",
         metavar="FILE",
         help="with --log: the passphrase of the recorder's key, which signs the log (else "
@@ -155,6 +161,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         stop_when=options.signals.is_asked,
         broker=options.broker,
         site=options.site,
+        login=options.login,
         policy=options.policy,
         record=options.record,
         passphrase=words,

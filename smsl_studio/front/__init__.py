@@ -33,6 +33,8 @@ if TYPE_CHECKING:
         sign_register,
     )
     from smsl_studio.front.logs import account, replay, verify
+    from smsl_studio.front.new_site import make_site
+    from smsl_studio.front.node_programs import open_nodes
     from smsl_studio.front.outputs import (
         convert,
         converted,
@@ -102,8 +104,10 @@ __all__ = [
     "learn_from_logs",
     "list_keys",
     "make_key",
+    "make_site",
     "merge",
     "multidigraph",
+    "open_nodes",
     "open_request",
     "open_run",
     "plan_route",
@@ -187,6 +191,8 @@ VERBS = {
     ),
     "bundle": Verb("write evidence about runs that can be checked without this program",
                    ("bundle",)),
+    "nodes": Verb("make a site of sensor nodes with certificates, or run its sample nodes",
+                  ("make_site", "open_nodes")),
     "worlds": Verb("list the worlds there are", ("worlds",)),
     "plugins": Verb("list the plugins there are; allow or forbid one",
                     ("plugins", "allow_plugin", "forbid_plugin")),
@@ -239,6 +245,8 @@ _HOMES = {
     "verify_approval": "verdicts",
     "list_keys": "key_ring",
     "make_key": "key_ring",
+    "make_site": "new_site",
+    "open_nodes": "node_programs",
     "export_key": "key_ring",
     "import_key": "key_ring",
     "sign_register": "key_ring",

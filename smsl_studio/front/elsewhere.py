@@ -4,10 +4,13 @@ file."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.project import project_of, real_path, refusal_of_place
 from smsl_studio.errors import Place, PluginError, UsageError, did_you_mean
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host, SensorInfo
@@ -17,6 +20,10 @@ from smsl_studio.library.bound import leaf_facts
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.world.engines import TABLE
+
+if TYPE_CHECKING:
+    from smsl_studio.front.site_file import Site
+    from smsl_studio.monitor.login import Login
 
 PERIOD, MAX_AGE = 0.1, 0.3
 """The usual time (s) between two samples of a source, and the largest age (s) of a sample if
@@ -46,16 +53,57 @@ def with_remote(request: RunRequest, host: Host) -> Host:
         raise UsageError(words, file.place("mqtt"), advice)
     sensors = tuple(_sensors(blueprint, file))
     measures = {(one.branch, one.digit, one.name) for one in sensors if one.unit}
-    reception = Reception(site, table.run, sensors, measures)
+    room = room_of(blueprint.file, file)
+    speakers = room.speakers if room is not None else {}
+    reception = Reception(site, table.run, sensors, measures, speakers)
+    login = _login(request, file)
     rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
     values = {key: blueprint[key[0]].alphabet[key[1]] for key in rules}
     # paho is loaded only if a broker is named.
     from smsl_studio.monitor.mqtt import BrokerLink
 
-    remote = Remote(BrokerLink(broker, reception), reception, sensors, values, request.seed)
+    line = BrokerLink(broker, reception, login)
+    remote = Remote(line, reception, sensors, values, request.seed)
     return WithRemote(
         host, remote, rules, frozenset(rules) if request.world == TABLE else frozenset()
     )
+
+
+def room_of(blueprint_file: str, file: BindingsFile) -> Site | None:
+    """Return the site that the bindings of a blueprint name as its room. None if they name none.
+
+    PluginError if it lies outside the project of the blueprint, or is not valid.
+    """
+    if not file.mqtt.room:
+        return None
+    # Few runs have a room or a login.
+    from smsl_studio.front.site_file import read_site_file
+
+    project = project_of(blueprint_file)
+    path = _beside(blueprint_file, file, "room", project)
+    return read_site_file(path, project)
+
+
+def _login(request: RunRequest, file: BindingsFile) -> Login | None:
+    """Return the login that the request or the bindings file names. None if there is none."""
+    if not (request.login or file.mqtt.login):
+        return None
+    from smsl_studio.front.login_file import read_login
+
+    if request.login:
+        return read_login(Path(request.login))
+    source = request.blueprint.file
+    return read_login(_beside(source, file, "login", project_of(source)))
+
+
+def _beside(blueprint_file: str, file: BindingsFile, key: str, project: str) -> Path:
+    """Return the real path of a file that the bindings name. PluginError if the blueprint's project
+    does not hold it."""
+    path = Path(real_path(str(Path(blueprint_file).parent / getattr(file.mqtt, key))))
+    refusal = refusal_of_place(str(path), project, f"[mqtt] {key}", (".toml",))
+    if refusal is not None:
+        raise PluginError(refusal.sentence, file.place(key), refusal.advice)
+    return path
 
 
 def _sensors(blueprint: Blueprint, file: BindingsFile) -> Iterator[SensorInfo]:

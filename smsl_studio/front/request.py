@@ -32,9 +32,9 @@ class RunRequest:
 
     ``starts`` and ``goals`` are states, at most one for each SB. The default is INITIAL and
     ACTIVATING. ``avoid`` are operations that the run must not use. ``levels`` replace levels of the
-    blueprint (see ``blueprint.levels``). ``script`` supervises the run. ``broker`` (HOST:PORT) and
-    ``site`` are for remote sensors. ``speed`` is simulated time divided by wall time; None means as
-    fast as possible. ``log`` is the file for the recording.
+    blueprint (see ``blueprint.levels``). ``script`` supervises the run. ``broker`` (HOST:PORT),
+    ``site`` and ``login`` (a login file) are for remote sensors. ``speed`` is simulated time
+    divided by wall time; None means as fast as possible. ``log`` is the file for the recording.
 
     A run ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold;
     None means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
@@ -61,6 +61,7 @@ class RunRequest:
     script: Script | None = None
     broker: str = ""
     site: str = ""
+    login: str = ""
     on_mismatch: str = "hold"
     speed: float | None = None
     log: Path | None = None

@@ -76,6 +76,7 @@ def open_run(
     loaded: Loaded | None = None,
     broker: str = "",
     site: str = "",
+    login: str = "",
     spare: Spare | None = None,
 ) -> Dispatcher:
     """Return a dispatcher that is ready to ``open``. The caller ticks it and closes it.
@@ -105,6 +106,7 @@ def open_run(
         levels=levels or {},
         broker=broker,
         site=site,
+        login=login,
         on_mismatch=on_mismatch,
         by_hand=not automatic,
         attended=attended,
@@ -168,6 +170,7 @@ def run(
     plugin_paths: Sequence[Path] = (),
     broker: str = "",
     site: str = "",
+    login: str = "",
     policy: Path | str | None = None,
     record: Path | str | None = None,
     passphrase: bytes = b"",
@@ -179,11 +182,12 @@ def run(
     lines, it attends the run; after that a hold ends the run, as in every run without a person.
     Lines of the script may replace ``levels``. ``log`` is written line by line during the run.
     ``on_event`` is called with each event after that. ``stop_when`` is called before every tick,
-    and True stops the run. ``broker`` (HOST:PORT) and ``site`` are for remote sensors; with such
-    sensors ``speed`` is at most 1. ``policy`` is a trust policy, and ``record`` a record: with
-    either the run is refused unless the blueprint is approved. ``passphrase`` opens the recorder's
-    key of this computer, which signs the head of the log; without it ``SMSL_PASSPHRASE`` counts,
-    and without both the log is not signed. ``RunRequest`` explains the other arguments.
+    and True stops the run. ``broker`` (HOST:PORT), ``site`` and ``login`` are for remote sensors;
+    with such sensors ``speed`` is at most 1. ``policy`` is a trust policy, and ``record`` a record:
+    with either the run is refused unless the blueprint is approved. ``passphrase`` opens the
+    recorder's key of this computer, which signs the head of the log; without it
+    ``SMSL_PASSPHRASE`` counts, and without both the log is not signed. ``RunRequest`` explains the
+    other arguments.
 
     SealError if the passphrase is wrong. AddressError, UsageError, PluginError and WorldError for
     names that do not exist. ReadError if the script injects a fault that the world does not have.
@@ -205,6 +209,7 @@ def run(
         script=script,
         broker=broker,
         site=site,
+        login=login,
         on_mismatch=on_mismatch,
         speed=speed,
         log=None if log is None else Path(log),

@@ -87,6 +87,10 @@ class Elsewhere(Protocol):
         it."""
         ...
 
+    def wait(self) -> None:
+        """Wait a moment for further messages. HostError if the run is closed meanwhile."""
+        ...
+
     def heard(self) -> tuple[Sample, ...]:
         """Return the newest sample of each sensor that has sent one since the last call."""
         ...

@@ -46,6 +46,10 @@ class Feed(Protocol):
         """The address of the broker: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``."""
 
     @property
+    def secure(self) -> bool:
+        """Whether the connections are encrypted."""
+
+    @property
     def connected(self) -> bool:
         """Whether the broker is connected, as far as is known."""
 
@@ -92,9 +96,13 @@ class Remote:
         self._line.open()
         until = monotonic() + HELLO
         while self._reception.silent and monotonic() < until:
-            if self._closed.wait(LOOK):
-                raise HostError("the host is closed")
-            heed()
+            self.wait()
+
+    def wait(self) -> None:
+        """Wait a moment for further messages. HostError if the run is closed meanwhile."""
+        if self._closed.wait(LOOK):
+            raise HostError("the host is closed")
+        heed()
 
     def heard(self) -> tuple[Sample, ...]:
         """Return the newest sample of each source since the last call, with disturbances
@@ -139,6 +147,7 @@ class Remote:
             line.connections,
             reception.nodes(monotonic()),
             reception.received,
+            line.secure,
         )
 
     def close(self) -> None:

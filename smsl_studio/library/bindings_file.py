@@ -13,6 +13,8 @@
     broker = "localhost:1883"
     site = "lab"
     run = "main"
+    login = "keys/studio.toml"
+    room = "site.toml"
 
     [mqtt.facts]
     "SB1/1" = ["camera", "scale"]
@@ -63,7 +65,8 @@ class WorldTable(BaseModel):
 class MqttTable(BaseModel):
     """The facts that remote sensors read, with their sources, and the address of the broker.
 
-    An empty ``broker`` means that the file names none.
+    An empty ``broker`` means that the file names none. ``login`` is a login file and ``room`` a
+    site file, relative to the bindings file; both may be empty.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -71,6 +74,8 @@ class MqttTable(BaseModel):
     broker: str = ""
     site: str = "local"
     run: str = "main"
+    login: str = ""
+    room: str = ""
     facts: dict[str, str | tuple[str, ...]] = {}
 
     def sources(self, key: str) -> tuple[str, ...]:
@@ -123,7 +128,10 @@ def bindings_beside(blueprint_file: str) -> BindingsFile:
 
 
 _WORLD = 'Write [world.NAME.operations] with "Op" = {function = "plugin.function", ...}.'
-_MQTT = 'Write [mqtt] with broker, site and run, and [mqtt.facts] with "SB/digit" = "source".'
+_MQTT = (
+    "Write [mqtt] with broker, site, run, login and room, "
+    'and [mqtt.facts] with "SB/digit" = "source".'
+)
 
 
 def read_bindings(path: Path, project: str = "") -> BindingsFile:

@@ -5,25 +5,27 @@ source delays no other. One more connection reads all other messages of the run,
 sources are counted. paho reads each connection in a thread of its own. Each message goes to the
 ``Reception`` with the monotonic time at which it was read. Every connection begins a clean session,
 so the broker sends no messages that it kept during an interruption. A lost connection is made again
-without a call.
+without a call. With a login every connection is made with TLS (see ``login``).
 """
 
 from __future__ import annotations
 
 import socket
+import ssl
 import threading
 from collections.abc import Callable
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.errors import RunRefused, UsageError
+from smsl_studio.monitor.login import Login, tls_words
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.monitor.topics import START, written
 
 if TYPE_CHECKING:
     from paho.mqtt.client import Client, MQTTMessage
 
-PORT = 1883
+PORT, TLS_PORT = 1883, 8883
 KEEPALIVE = 2
 """The time (s) of silence after which each side checks the connection."""
 ANSWER = 3.0
@@ -38,10 +40,10 @@ BUFFER = 16384
 """The size of the system's receive buffer in bytes: about a hundred messages."""
 
 
-def host_and_port(text: str) -> tuple[str, int]:
-    """Read the address of a broker: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``. UsageError for any
-    other text."""
-    host, port = text.strip(), str(PORT)
+def host_and_port(text: str, usual: int = PORT) -> tuple[str, int]:
+    """Read the address of a broker: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``. ``usual`` is the port
+    if none is named. UsageError for any other text."""
+    host, port = text.strip(), str(usual)
     if host.startswith("["):
         host, _, rest = host[1:].partition("]")
         port = rest.removeprefix(":") or port
@@ -56,9 +58,12 @@ def host_and_port(text: str) -> tuple[str, int]:
 class BrokerLink:
     """The connections to one broker. Their messages go to one reception."""
 
-    def __init__(self, broker: str, reception: Reception) -> None:
+    def __init__(self, broker: str, reception: Reception, login: Login | None = None) -> None:
         self.broker = broker
-        self._where = host_and_port(broker)
+        self.secure = login is not None
+        """Whether the connections are encrypted."""
+        self._where = host_and_port(broker, TLS_PORT if login is not None else PORT)
+        self._login = _Shown(login) if login is not None else None
         self._reception = reception
         self._subscriptions: list[_Subscription] = []
         self._nodes: _Subscription | None = None
@@ -69,12 +74,17 @@ class BrokerLink:
         """Connect and subscribe. RunRefused if there is no broker, or if it does not answer."""
         reception = self._reception
         site, run = written(reception.site), written(reception.run)
-        nodes = _Subscription(f"{START}{site}/node/+/status", self._hear)
-        sources = [_Subscription(topic, self._hear) for topic in reception.topics]
-        others = _Subscription(f"{START}{site}/run/{run}/fact/#", self._hear_undeclared, quality=0)
+        shows = self._login
+        nodes = _Subscription(f"{START}{site}/node/+/status", self._hear, shows)
+        sources = [_Subscription(topic, self._hear, shows) for topic in reception.topics]
+        others = _Subscription(
+            f"{START}{site}/run/{run}/fact/#", self._hear_undeclared, shows, quality=0
+        )
         self._nodes = nodes
         try:
             words = nodes.connect(*self._where)
+        except ssl.SSLError as error:
+            words = tls_words(error)
         except OSError as error:
             words = error.strerror or str(error)
         except ValueError as error:
@@ -85,7 +95,9 @@ class BrokerLink:
             nodes.close()
             raise RunRefused(
                 f"there is no broker at {self._where[0]}:{self._where[1]}: {words}",
-                advice="Start one, such as mosquitto, or name another: --broker HOST:PORT.",
+                advice=_SECURE_ADVICE
+                if self.secure
+                else "Start one, such as mosquitto, or name another: --broker HOST:PORT.",
             )
         for one in (*sources, others):
             one.connect_later(*self._where)
@@ -131,11 +143,28 @@ class BrokerLink:
             self._hear(topic, payload, retained)
 
 
+_SECURE_ADVICE = (
+    "See that it runs with the mosquitto.conf of this site, and that this login is of it, too."
+)
+
+
+class _Shown:
+    """A login, and the settings of TLS that all its connections share."""
+
+    def __init__(self, login: Login) -> None:
+        self.context = login.context()
+        self.user, self.password = login.user, login.password
+
+
 class _Subscription:
     """One connection that subscribes to one topic, or to one pattern of topics."""
 
     def __init__(
-        self, topic: str, hear: Callable[[str, bytes, bool], None], quality: int = 1
+        self,
+        topic: str,
+        hear: Callable[[str, bytes, bool], None],
+        shows: _Shown | None = None,
+        quality: int = 1,
     ) -> None:
         from paho.mqtt import client as paho
         from paho.mqtt.enums import CallbackAPIVersion
@@ -147,6 +176,11 @@ class _Subscription:
         self._refused = ""
         self._client = client = paho.Client(CallbackAPIVersion.VERSION2, protocol=paho.MQTTv5)
         client.connect_timeout = ANSWER
+        self._secure = shows is not None
+        if shows is not None:
+            client.tls_set_context(shows.context)
+            if shows.user:
+                client.username_pw_set(shows.user, shows.password)
         client.reconnect_delay_set(*WAITS)
         client.on_socket_open = _keep_little
         client.on_connect = self._on_connect
@@ -202,7 +236,12 @@ class _Subscription:
             self._changed.notify_all()
 
     def _on_disconnect(self, client: Client, data: Any, flags: Any, code: Any, more: Any) -> None:
-        self.lost = monotonic() if self.lost is None else self.lost
+        with self._changed:
+            if not self.connections and self._secure and not self._refused:
+                # A broker that does not accept a certificate ends the connection without an answer.
+                self._refused = "it ended the connection: it does not accept this login"
+            self.lost = monotonic() if self.lost is None else self.lost
+            self._changed.notify_all()
 
     def _on_message(self, client: Client, data: Any, message: MQTTMessage) -> None:
         try:

@@ -11,6 +11,7 @@ import threading
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from smsl_studio.monitor.bus import FactBus, SourceKey, too_long
 from smsl_studio.monitor.facts import FactSource
@@ -19,7 +20,7 @@ from smsl_studio.monitor.nodes import Nodes, NodeState
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.monitor.topics import FactTopic, StatusTopic, read_topic
 
-TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN = (
+TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN, POSING = (
     "unknown topic",
     "another site",
     "another run",
@@ -29,8 +30,11 @@ TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN = (
     "unreadable status",
     "too long",
     "overtaken before it was read",
+    "under the name of another node",
 )
 """The kinds of messages that do not count."""
+
+NO_SPEAKERS: Mapping[SourceKey, str] = MappingProxyType({})
 
 FEW = 100
 """The number of samples below which a source never counts as flooding."""
@@ -66,6 +70,7 @@ class RemoteView:
     """The state of the network, for people: the broker, its nodes, and the received messages.
 
     ``lost`` is the time (s) since the connection was lost; None means that it is connected.
+    ``secure`` says that the connection is encrypted and that the broker has shown its certificate.
     """
 
     broker: str
@@ -75,12 +80,15 @@ class RemoteView:
     connections: int
     nodes: tuple[NodeState, ...]
     received: Received
+    secure: bool = False
 
 
 class Reception:
     """Receives the messages of the declared sources, for one run of one site.
 
-    Those in ``measures`` say numbers, all others a value of their fact.
+    Those in ``measures`` say numbers, all others a value of their fact. ``speakers`` has the node
+    that speaks for a source. A message of this source that names another node does not count.
+    Without an entry any node may speak.
     """
 
     def __init__(
@@ -89,12 +97,15 @@ class Reception:
         run: str,
         sources: Iterable[FactSource],
         measures: Collection[SourceKey] = (),
+        speakers: Mapping[SourceKey, str] = NO_SPEAKERS,
     ) -> None:
         self.site, self.run = site, run
         self._declared: Mapping[SourceKey, float] = {
             (source.branch, source.digit, source.name): source.max_age for source in sources
         }
         self._measures = frozenset(measures)
+        self._speakers = speakers
+        self._known = frozenset(speakers.values())
         topics = (FactTopic(site, run, *key) for key in self._declared)
         self.topics: Mapping[str, FactTopic] = {str(topic): topic for topic in topics}
         """The topics of the declared sources."""
@@ -160,6 +171,9 @@ class Reception:
         return spoken > FEW and left_out > 0.9 * spoken
 
     def _status(self, node: str, payload: bytes, now: float) -> None:
+        if self._known and node not in self._known:
+            self._refuse(STATUS, f"{node}: no node of this site")
+            return
         try:
             words = self._nodes.said(node, read_status(payload), now)
         except UnreadableError as error:
@@ -179,6 +193,10 @@ class Reception:
                 node, said = read_fact(topic, payload, now, measures=key in self._measures)
             except UnreadableError as error:
                 self._refuse(PAYLOAD, f"{_who(topic)}: {error}")
+                return
+            belongs = self._speakers.get(key, node)
+            if node != belongs:
+                self._refuse(POSING, f"{_who(topic)}: {node or 'nobody'}, not {belongs}")
                 return
             sample = said._replace(node=node)
             if too_long(sample):

@@ -27,7 +27,7 @@ VALUES = {
 """What stands for a required option. FROM and TO are states, FILE and OTHER are blueprints."""
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""
-NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store",
+NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store", "nodes",
                 "generate")  # fmt: skip
 
 

@@ -125,6 +125,7 @@ class _Line:
     """What brings messages, without a network: a test puts them into the reception itself."""
 
     broker, lost, connections, connected = "nowhere", None, 1, True
+    secure = False
 
     def open(self) -> None:
         """Nothing to connect to."""

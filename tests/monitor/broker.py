@@ -47,11 +47,18 @@ def with_ages(sample: str, folder: Path) -> Path:
 
 
 class Broker:
-    """A mosquitto of one's own. ``freeze`` and ``thaw`` are SIGSTOP and SIGCONT."""
+    """A mosquitto of one's own. ``freeze`` and ``thaw`` are SIGSTOP and SIGCONT.
 
-    def __init__(self, folder: Path) -> None:
-        self.port = _free_port()
-        self._folder = folder
+    ``config`` is its configuration; without one it listens on ``port`` to anybody.
+    """
+
+    def __init__(self, folder: Path, port: int = 0, config: Path | None = None) -> None:
+        self.port = port or free_port()
+        self.folder = folder
+        self._config = config or folder / "mosquitto.conf"
+        if config is None:
+            text = f"listener {self.port} 127.0.0.1\nallow_anonymous true\n"
+            self._config.write_text(text, "utf-8")
         self._process: subprocess.Popen[bytes] | None = None
         self.start()
 
@@ -63,9 +70,8 @@ class Broker:
         """Start it; a broker that is not installed is a failure that says so."""
         program = shutil.which("mosquitto", path=f"{os.environ.get('PATH', '')}:/usr/sbin")
         assert program, "mosquitto is not installed; ./dev setup installs it (apt: mosquitto)"
-        config = self._folder / "mosquitto.conf"
-        config.write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\n", "utf-8")
-        log = (self._folder / "mosquitto.log").open("ab")
+        config = self._config
+        log = (self.folder / "mosquitto.log").open("ab")
         with log:
             self._process = subprocess.Popen([program, "-c", str(config)], stdout=log, stderr=log)
         until(self._answers, "mosquitto listens")
@@ -154,7 +160,8 @@ class Speaker:
         self._client.loop_stop()
 
 
-def _free_port() -> int:
+def free_port() -> int:
+    """A port of this machine that nobody listens to."""
     with socket.socket() as one:
         one.bind(("127.0.0.1", 0))
         port: int = one.getsockname()[1]

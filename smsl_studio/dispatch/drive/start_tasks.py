@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.dispatch.drive.conduct import Conduct
 from smsl_studio.dispatch.drive.start import start_events
 from smsl_studio.dispatch.execution.desk import Desk, no_words
@@ -15,6 +16,9 @@ from smsl_studio.dispatch.people.board import ANSWERED, Closed
 from smsl_studio.dispatch.people.questions import start_task
 from smsl_studio.errors import RunRefused
 from smsl_studio.runlog.events import FactChanged
+
+WATCH = 3.0
+"""The longest time (s) that sources elsewhere are watched before the start is decided."""
 
 
 class StartTasks:
@@ -49,7 +53,7 @@ class StartTasks:
             self._accepted()
             return
         run = self._run
-        changes = run.senses.look()
+        changes = (*run.senses.look(), *self._watched())
         facts = in_checks(run, run.checks(run.configuration))
         if not facts:
             self._tell(changes)
@@ -62,6 +66,27 @@ class StartTasks:
                 advice="Run it where somebody answers, or by a script that does, or let sensors "
                 "say what it asks.",
             )
+
+    def _watched(self) -> tuple[FactChanged, ...]:
+        """Watch sources elsewhere for a while, if the start needs that. Return the changed facts.
+
+        A predicate with ``for`` or ``age`` cannot be known at the first look. Nothing moves yet.
+        """
+        run, elsewhere = self._run, self._run.opened.remote
+        if elsewhere is None:
+            return ()
+        measured = {(s.branch, s.digit) for s in run.opened.sensors if s.remote and s.unit}
+        until = elsewhere.clock() + WATCH
+        changes: list[FactChanged] = []
+        while measured & self._unknown() and elsewhere.clock() < until:
+            elsewhere.wait()
+            changes += run.senses.listen()
+        return tuple(changes)
+
+    def _unknown(self) -> set[FactKey]:
+        """Return the facts of the start that are unknown."""
+        checks = self._run.checks(self._run.configuration)
+        return {term.fact for check in checks for term in check.terms if term.truth is None}
 
     def _said(self, closed: tuple[Closed, ...]) -> None:
         no = no_words(closed)

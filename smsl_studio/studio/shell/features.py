@@ -24,6 +24,7 @@ from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.review.feature import ReviewFeature
+from smsl_studio.studio.features.room.feature import RoomFeature
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.settings.feature import SettingsFeature
 from smsl_studio.studio.features.start.feature import StartFeature
@@ -82,6 +83,9 @@ class Features(QObject):
         self.tour = TourFeature(parts, shell, self.help.show_first)
         self.run = RunFeature(parts, shell, windows.spare)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
+        self.room = RoomFeature(lambda: self.run.pane.run, parts.tokens)
+        self.room.disturb = self.monitor.toggle
+        self.run.further["Room"] = lambda: self.room.page
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
@@ -101,7 +105,7 @@ class Features(QObject):
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
-        yield from (self.people, self.monitor)
+        yield from (self.people, self.monitor, self.room)
         yield from (self.replay, self.tour, self.help, self.settings)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtWidgets import QWidget
 
 from smsl_studio.front.views.phase_words import outcome_words, phase_words
 from smsl_studio.studio.base.actions import Action
@@ -17,6 +18,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
+from smsl_studio.studio.features.run.run_pages import HOME, RunPages
 from smsl_studio.studio.running.run_actions import RunActions
 from smsl_studio.studio.running.window_parts import WindowParts
 
@@ -53,6 +55,10 @@ class RunFeature(Feature):
         """The dialog for a fault, after it was opened for the first time."""
         self.part = LatePart(self._make)
         self.pages = {"run": self._page}
+        self.body: RunPages | None = None
+        """The pages of the mode, after it was shown for the first time."""
+        self.further: dict[str, Callable[[], QWidget]] = {}
+        """What makes further pages, by the name on the tab."""
 
     @property
     def pane(self) -> RunPane:
@@ -66,7 +72,18 @@ class RunFeature(Feature):
         return self._warming
 
     def _page(self) -> Page:
-        return Page(self.pane, self.pane.canvas.canvas, self.pane.transport)
+        pane = self.pane
+        pages = self.body = RunPages(pane)
+        pane.run.changed.connect(self._offer_pages)
+        self._offer_pages()
+        return Page(pages, pane.canvas.canvas, pane.transport)
+
+    def _offer_pages(self) -> None:
+        """Offer further pages while the run listens to nodes, and as long as it is shown."""
+        if self.body is not None:
+            heard = self.pane.run.remote() is not None
+            for name, make in self.further.items():
+                self.body.offer(name, make, heard)
 
     def _make(self) -> RunPane:
         from smsl_studio.studio.features.run.pane import RunPane
@@ -98,7 +115,9 @@ class RunFeature(Feature):
     # What the actions of a run ask for.
 
     def play(self) -> None:
-        """Start a run, or continue the present one."""
+        """Start a run, or continue the present one. A stopped one asks on its own page."""
+        if self.body is not None and self.pane.run.phase == "stopped":
+            self.body.show_page(HOME)
         self.pane.play()
 
     def play_step(self, starts: tuple[str, ...], goal: str) -> str:

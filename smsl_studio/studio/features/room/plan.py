@@ -1,0 +1,381 @@
+"""The plan of a room: walls, sterile zone, things and persons, and a tag for each node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from smsl_studio.front.site_file import Room, SiteNode
+from smsl_studio.front.views.room_view import (
+    CONTESTED,
+    FRESH,
+    SILENT,
+    STALE,
+    NodeTag,
+    PersonMark,
+    RoomView,
+)
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.rows import TextInk, paint_text
+from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE, Tokens, mono_font, text_font
+from smsl_studio.studio.features.room.things import draw_patient, draw_thing
+
+TAG_WIDE, TAG_HIGH, GAP = 130.0, 36.0, 10.0
+WALL = 4.0
+DISC = 15.0
+STRETCH = 1.4
+"""How much wider than deep a metre may be drawn where there is room beside."""
+TABLE = 0.12, 0.34, 0.46, 0.26
+"""The table in the sterile zone: x, y, width and height as shares of it."""
+MARKS = {FRESH: "signal", STALE: "clock", SILENT: "unknown", CONTESTED: "layers"}
+
+
+class RoomPlan(QWidget):
+    """The plan. A click on a tag or a thing chooses its node, arrows the next one."""
+
+    chosen = Signal(str)
+    """str: the name of a node."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self._room = Room()
+        self._view: RoomView | None = None
+        self._hidden: frozenset[str] = frozenset()
+        self.node = ""
+        """The name of the chosen node."""
+        self.setMinimumSize(520, 300)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setAccessibleName("Plan of the room")
+
+    def sizeHint(self) -> QSize:
+        """The size in the design."""
+        return QSize(1044, 480)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        self.update()
+
+    def show_room(self, view: RoomView, room: Room, hidden: Iterable[str], node: str) -> None:
+        """Show a room. Nodes of the ``hidden`` kinds are left out, but never a silent one."""
+        self._view, self._room, self._hidden = view, room, frozenset(hidden)
+        self.node = node
+        said = ", ".join(f"{one.title}: {one.words}" for one in view.nodes)
+        self.setAccessibleDescription(plain_text(said))
+        self.update()
+
+    @property
+    def tags(self) -> tuple[NodeTag, ...]:
+        """The nodes that are shown."""
+        nodes = self._view.nodes if self._view is not None else ()
+        return tuple(one for one in nodes if one.kind not in self._hidden or one.standing == SILENT)
+
+    def tag_place(self, name: str) -> QRectF:
+        """Where the tag of a node is, in pixels."""
+        return self._places()[name]
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Choose the node of the tag or thing at the pointer."""
+        self.setFocus()
+        at = event.position()
+        for name, place in self._places().items():
+            if place.contains(at):
+                self.chosen.emit(name)
+                return
+        for tag in self.tags:
+            if tag.site is not None and (self._at(tag.site.place) - at).manhattanLength() < 40:
+                self.chosen.emit(tag.name)
+                return
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Left and Right choose the node before and after."""
+        step = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
+        names = [one.name for one in self.tags]
+        if step is None or not names:
+            super().keyPressEvent(event)
+            return
+        at = names.index(self.node) if self.node in names else -1
+        self.chosen.emit(names[(at + step) % len(names)])
+
+    # Places.
+
+    def _inside(self) -> QRectF:
+        """The room between the rows of tags, in pixels. A low plan is drawn wider than it is."""
+        free = QRectF(self.rect()).adjusted(24, 58, -24, -58)
+        wide, deep = self._room.size
+        scale = min(free.width() / wide, free.height() / deep)
+        size = QRectF(0, 0, min(free.width(), wide * scale * STRETCH), deep * scale)
+        size.moveCenter(free.center())
+        return size
+
+    def _at(self, place: tuple[float, float]) -> QPointF:
+        inside = self._inside()
+        return QPointF(
+            inside.left() + place[0] / self._room.size[0] * inside.width(),
+            inside.top() + place[1] / self._room.size[1] * inside.height(),
+        )
+
+    def _places(self) -> dict[str, QRectF]:
+        """The tags: those of the upper half at the upper wall, the others at the lower one, in the
+        order of their places. A row that is full gives to the other one."""
+        tags = self.tags
+        across = int((self.width() - 32 + GAP) // (TAG_WIDE + GAP)) or 1
+        rows: tuple[list[NodeTag], list[NodeTag]] = ([], [])
+        for at, tag in enumerate(tags):
+            low = (
+                tag.site.place[1] > self._room.size[1] / 2 if tag.site is not None else at % 2 == 1
+            )
+            rows[low if len(rows[low]) < across else not low].append(tag)
+        found: dict[str, QRectF] = {}
+        for row, top in zip(rows, (14.0, self.height() - 14.0 - TAG_HIGH), strict=True):
+            row.sort(key=lambda one: one.site.place[0] if one.site is not None else 0.0)
+            slot = (self.width() - 32.0) / max(len(row), 1)
+            wide = min(TAG_WIDE, slot - 4)
+            for at, tag in enumerate(row):
+                left = 16 + slot * at + (slot - wide) / 2
+                found[tag.name] = QRectF(left, top, wide, TAG_HIGH)
+        return found
+
+    # Painting.
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the room from the ground up."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        tokens = self._tokens
+        painter.fillRect(self.rect(), tokens.surf)
+        painter.setPen(QPen(tokens.tx2, WALL))
+        painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 3, 3)
+        view = self._view
+        if view is None:
+            return
+        self._zone(painter)
+        self._scale(painter)
+        places = self._places()
+        for tag in self.tags:
+            self._reach(painter, tag)
+        for tag in self.tags:
+            self._line(painter, tag, places[tag.name])
+        for tag in self.tags:
+            self._thing(painter, tag)
+        for person in view.persons:
+            self._person(painter, person)
+        for tag in self.tags:
+            self._tag(painter, tag, places[tag.name])
+
+    def _zone(self, painter: QPainter) -> None:
+        if self._room.sterile is None:
+            return
+        tokens = self._tokens
+        x, y, wide, deep = self._room.sterile
+        zone = QRectF(self._at((x, y)), self._at((x + wide, y + deep)))
+        painter.setPen(_dashed(tokens.ok, 1.4))
+        painter.setBrush(tokens.canvas)
+        painter.drawRoundedRect(zone, 6, 6)
+        a, b, c, d = TABLE
+        table = QRectF(
+            zone.left() + a * zone.width(), zone.top() + b * zone.height(),
+            c * zone.width(), d * zone.height(),
+        )  # fmt: skip
+        draw_patient(painter, table, tokens.nl, tokens.sunk)
+        words = QRectF(zone.left() + 10, zone.bottom() - 20, 120, 16)
+        paint_text(painter, words, "sterile zone", TextInk(tokens.ok, 11))
+        words = QRectF(table.right() - 60, table.bottom() - 18, 54, 16)
+        paint_text(painter, words, "Patient", TextInk(tokens.tx2, 11), right=True)
+
+    def _scale(self, painter: QPainter) -> None:
+        tokens, inside = self._tokens, self._inside()
+        metre = inside.width() / self._room.size[0]
+        at = QPointF(inside.left() + 0.3 * metre, inside.bottom() - 8)
+        painter.setPen(QPen(tokens.tx2, 1.4))
+        painter.drawLine(at, at + QPointF(metre, 0))
+        words = QRectF(at.x(), at.y() - 18, metre, 16)
+        paint_text(painter, words, "1 m", TextInk(tokens.tx2, 11))
+
+    def _reach(self, painter: QPainter, tag: NodeTag) -> None:
+        node = tag.site
+        if node is None or not node.reach:
+            return
+        tokens, at = self._tokens, self._at(node.place)
+        metre = self._inside().width() / self._room.size[0]
+        ink = tokens.acc if tag.standing == FRESH else self._ink(tag)
+        if node.draws == "tracker":
+            far = node.reach * metre
+            wedge = QPolygonF([at, at + QPointF(-far, -0.12 * far), at + QPointF(-far, 0.3 * far)])
+            ground = QColor(tokens.accs)
+            ground.setAlpha(150 if tag.standing == FRESH else 0)
+            painter.setPen(_dashed(ink, 1.2))
+            painter.setBrush(ground)
+            painter.drawPolygon(wedge)
+            return
+        painter.setPen(QPen(ink, 1, Qt.PenStyle.DotLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(at, max(node.reach * metre, 48), max(node.reach * metre, 48))
+
+    def _line(self, painter: QPainter, tag: NodeTag, place: QRectF) -> None:
+        if tag.site is None:
+            return
+        at = self._at(tag.site.place)
+        upper = place.top() < self.height() / 2
+        begin = QPointF(place.center().x(), place.bottom() if upper else place.top())
+        bend = QPointF(begin.x(), at.y()) if abs(begin.x() - at.x()) > 2 else at
+        fresh = tag.standing == FRESH
+        ink = self._tokens.acc if tag.name == self.node else self._tokens.nl
+        painter.setPen(QPen(ink if fresh else self._ink(tag), 1.2))
+        painter.drawPolyline(QPolygonF([begin, bend, at]))
+
+    def _thing(self, painter: QPainter, tag: NodeTag) -> None:
+        node = tag.site
+        if node is None:
+            return
+        tokens, at = self._tokens, self._at(node.place)
+        fresh = tag.standing == FRESH
+        ink = tokens.tx2 if fresh else self._ink(tag)
+        ground = tokens.surf if fresh else self._ground(tag)
+        painter.setPen(QPen(ink, 1.4) if fresh else _dashed(ink, 1.4))
+        draw_thing(painter, node.draws, at, ink, ground)
+        if node.draws == "tray":
+            self._tray(painter, tag, node, at)
+        if tag.name == self.node:
+            painter.setPen(QPen(tokens.acc, 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            wide, deep = (48, 28) if node.draws in ("tray", "arm") else (20, 22)
+            ring = QRectF(at.x() - wide, at.y() - deep, 2 * wide, 2 * deep)
+            painter.drawRoundedRect(ring, 8, 8)
+
+    def _tray(self, painter: QPainter, tag: NodeTag, node: SiteNode, at: QPointF) -> None:
+        """The slots of a tray: a filled square is a tag that is read, a dashed slot one that is
+        not. A reader that is silent leaves all of them hatched."""
+        tokens = self._tokens
+        counts = [one.said.value for one in tag.sources if one.said.source == "tags_read"]
+        read = _count(counts[0]) if counts else None
+        for slot in range(node.tags):
+            box = QRectF(at.x() - 34 + slot * (68 / max(node.tags, 1)), at.y() - 13, 12, 26)
+            if read is None:
+                painter.setPen(_dashed(tokens.unk, 1))
+                painter.setBrush(Qt.BrushStyle.BDiagPattern)
+            elif slot < node.tags - read:
+                painter.setPen(_dashed(tokens.acc, 1.2))
+                painter.setBrush(tokens.accs)
+            else:
+                painter.setPen(QPen(tokens.tx2, 1))
+                painter.setBrush(tokens.surf)
+            painter.drawRoundedRect(box, 3, 3)
+            if read is not None and slot >= node.tags - read:
+                painter.fillRect(QRectF(box.center().x() - 3, box.top() + 4, 6, 6), tokens.slate)
+        words = "tags not known" if read is None else f"{read} of {node.tags} tags read"
+        room = QRectF(at.x() - 70, at.y() - 42, 140, 16)
+        painter.setFont(text_font(11, 400))
+        painter.setPen(tokens.unk if read is None else tokens.tx)
+        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+
+    def _person(self, painter: QPainter, mark: PersonMark) -> None:
+        tokens, at = self._tokens, self._at(mark.site.place)
+        unknown = mark.words == "not known"
+        gone = mark.here is False
+        ink = tokens.unk if unknown else tokens.tx3 if gone else tokens.tx2
+        if mark.here and mark.sterile:
+            ink = tokens.ok
+        painter.setPen(_dashed(ink, 1.4) if unknown or gone else QPen(ink, 1.6))
+        painter.setBrush(tokens.oks if ink == tokens.ok else tokens.surf)
+        painter.drawEllipse(at, DISC, DISC)
+        box = QRectF(at.x() - 8, at.y() - 8, 16, 16)
+        if unknown:
+            painter.setFont(mono_font(13, 600))
+            painter.setPen(ink)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "?")
+        elif not gone:
+            draw(painter, "person", box, ink, tokens.surf)
+        painter.setFont(text_font(11, 600))
+        painter.setPen(tokens.tx)
+        centre = Qt.AlignmentFlag.AlignCenter
+        name = QRectF(at.x() - 80, at.y() + DISC + 2, 160, 15)
+        painter.drawText(name, centre, plain_text(mark.title))
+        painter.setFont(text_font(11, 400))
+        painter.setPen(ink)
+        painter.drawText(name.translated(0, 14), centre, mark.words)
+
+    def _tag(self, painter: QPainter, tag: NodeTag, place: QRectF) -> None:
+        tokens, fresh = self._tokens, tag.standing == FRESH
+        ink = self._ink(tag)
+        painter.setPen(QPen(tokens.nl, 1.2) if fresh else self._pen(tag))
+        painter.setBrush(self._ground(tag))
+        painter.drawRoundedRect(place, RADIUS_NODE - 3, RADIUS_NODE - 3)
+        if tag.standing == SILENT:
+            hatch = QColor(tokens.unk)
+            hatch.setAlpha(60)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(hatch)
+            painter.setBrush(_hatch(hatch))
+            painter.drawRoundedRect(place, RADIUS_NODE - 3, RADIUS_NODE - 3)
+        if tag.standing == CONTESTED:
+            corner = place.topRight()
+            cut = QPolygonF([corner, corner + QPointF(-11, 0), corner + QPointF(0, 11)])
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(tokens.bad)
+            painter.drawPolygon(cut)
+        if tag.name == self.node:
+            painter.setPen(QPen(tokens.acc, 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(place.adjusted(-3, -3, 3, 3), RADIUS_NODE, RADIUS_NODE)
+        name = place.adjusted(8, 2, -26, -17)
+        paint_text(painter, name, tag.title, TextInk(tokens.tx, 12, 600))
+        mark = QRectF(place.left() + 8, place.bottom() - 16, 12, 12)
+        draw(painter, MARKS[tag.standing], mark, tokens.ok if fresh else ink, tokens.surf)
+        words = place.adjusted(24, 17, -6, -2)
+        paint_text(painter, words, tag.words, TextInk(tokens.tx2 if fresh else ink, 11, 500))
+        count = QRectF(place.right() - 24, place.top() + 3, 16, 15)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(tokens.sunk)
+        painter.drawRoundedRect(count, RADIUS_CHIP, RADIUS_CHIP)
+        painter.setPen(tokens.tx)
+        painter.setFont(text_font(11, 500))
+        painter.drawText(count, Qt.AlignmentFlag.AlignCenter, str(len(tag.facts)))
+
+    def _ink(self, tag: NodeTag) -> QColor:
+        tokens = self._tokens
+        return {FRESH: tokens.ok, CONTESTED: tokens.bad}.get(tag.standing, tokens.unk)
+
+    def _ground(self, tag: NodeTag) -> QColor:
+        tokens = self._tokens
+        grounds = {SILENT: tokens.unks, CONTESTED: tokens.bads}
+        return grounds.get(tag.standing, tokens.surf)
+
+    def _pen(self, tag: NodeTag) -> QPen:
+        ink = self._ink(tag)
+        return QPen(ink, 1.4) if tag.standing == CONTESTED else _dashed(ink, 1.4)
+
+
+def _dashed(ink: QColor, wide: float) -> QPen:
+    pen = QPen(ink, wide)
+    pen.setDashPattern([4, 3])
+    return pen
+
+
+def _hatch(ink: QColor) -> QBrush:
+    return QBrush(ink, Qt.BrushStyle.BDiagPattern)
+
+
+def _count(text: str | None) -> int | None:
+    """A number of things, None if it is none."""
+    try:
+        number = float(text) if text is not None else -1.0
+    except ValueError:
+        return None
+    return int(number) if 0 <= number < 1000 else None

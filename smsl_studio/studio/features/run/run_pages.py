@@ -1,0 +1,80 @@
+"""The pages of Run, with a row of tabs while there is more than one. Stop stays in the mode bar."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+
+from smsl_studio.studio.base.controls import name_parts, row, rule
+from smsl_studio.studio.base.tabs import HEIGHT, tab_bar
+
+HOME = "One run"
+
+
+class RunPages(QWidget):
+    """The run itself, and further pages, each made when it is first shown."""
+
+    shown = Signal()
+    """Another page is shown."""
+
+    def __init__(self, home: QWidget) -> None:
+        super().__init__()
+        self._stack = QStackedWidget()
+        self._stack.addWidget(home)
+        self._make: dict[str, Callable[[], QWidget]] = {}
+        self._pages = {HOME: home}
+        self.bar = tab_bar()
+        self.bar.setAccessibleName("Pages of Run")
+        self.bar.addTab(HOME)
+        self.bar.currentChanged.connect(self._show)
+        self.top = QWidget()
+        self.top.setProperty("role", "panel")
+        across = row(self.bar)
+        across.setContentsMargins(12, 0, 12, 0)
+        across.addStretch(1)
+        self.top.setLayout(across)
+        self.top.setFixedHeight(HEIGHT)
+        self._line = rule()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.top)
+        column.addWidget(self._line)
+        column.addWidget(self._stack, 1)
+        name_parts(self)
+        self._fit()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names on the tabs."""
+        return tuple(self.bar.tabText(at) for at in range(self.bar.count()))
+
+    def offer(self, name: str, make: Callable[[], QWidget], offered: bool) -> None:
+        """Offer a page, or take its tab away. ``make`` is called when it is first shown."""
+        self._make[name] = make
+        if offered and name not in self.names:
+            self.bar.addTab(name)
+        elif not offered and name in self.names:
+            self.bar.removeTab(self.names.index(name))
+        self._fit()
+
+    def show_page(self, name: str) -> None:
+        """Show a page that is offered."""
+        if name in self.names:
+            self.bar.setCurrentIndex(self.names.index(name))
+
+    def _show(self, at: int) -> None:
+        name = self.bar.tabText(at) if at >= 0 else HOME
+        page = self._pages.get(name)
+        if page is None:
+            page = self._pages[name] = self._make[name]()
+            self._stack.addWidget(page)
+        self._stack.setCurrentWidget(page)
+        self.shown.emit()
+
+    def _fit(self) -> None:
+        several = self.bar.count() > 1
+        self.top.setVisible(several)
+        self._line.setVisible(several)
