@@ -71,6 +71,7 @@ PARTS = {
     "FindingsDialog": _window("other-programs"),
     "MapWindow": _window("map-of-branches"),
     "PictureDialog": _window("pictures-diagrams-paper"),
+    "RoomPage": HelpPlace("room.md", "the-page-room"),
     "MonitorPage": HelpPlace("monitoring.md", "the-monitor-page"),
     "PersonsDialog": _window("people", "Who answers"),
     "LevelEditor": HelpPlace("people.md", "levels"),

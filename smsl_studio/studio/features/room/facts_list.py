@@ -29,7 +29,7 @@ from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font
 from smsl_studio.studio.base.tips import tip_text
 
 COLUMNS = ("Fact", "Sensed", "Holds if", "Rests on", "Age", "Needed by")
-WIDTHS = (206, 58, 200, 134, 62, 200)
+WIDTHS = (224, 58, 200, 134, 62, 200)
 FACT, SENSED, HOLDS, RESTS, AGE, NEEDED = range(6)
 ROW = 30
 Index = QModelIndex | QPersistentModelIndex

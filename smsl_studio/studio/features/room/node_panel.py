@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.front.views.room_view import (
     CONTESTED,
@@ -15,6 +15,7 @@ from smsl_studio.front.views.room_view import (
 )
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.base.controls import Label, label, rule
+from smsl_studio.studio.base.focus_line import FocusLine
 from smsl_studio.studio.base.theme import Tokens
 
 NOTHING = "Choose a node on the plan"
@@ -44,17 +45,24 @@ class NodePanel(QWidget):
         top = QHBoxLayout()
         top.addWidget(self.title, 1)
         top.addWidget(self.standing)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(12, 10, 12, 12)
-        column.setSpacing(10)
-        column.addLayout(top)
-        column.addWidget(self.body)
-        column.addWidget(rule())
-        column.addWidget(self.facts)
-        column.addWidget(rule())
-        column.addWidget(self.refused)
-        column.addStretch(1)
-        column.addWidget(self.disturb)
+        inside, outside = QVBoxLayout(), QVBoxLayout(self)
+        inside.setContentsMargins(12, 0, 12, 0)
+        inside.setSpacing(10)
+        inside.addWidget(self.body)
+        inside.addWidget(rule())
+        inside.addWidget(self.facts)
+        inside.addWidget(rule())
+        inside.addWidget(self.refused)
+        inside.addStretch(1)
+        outside.setContentsMargins(0, 10, 0, 12)
+        outside.setSpacing(10)
+        top.setContentsMargins(12, 0, 12, 0)
+        outside.addLayout(top)
+        outside.addWidget(_scrolled(inside), 1)
+        below = QHBoxLayout()
+        below.setContentsMargins(12, 0, 12, 0)
+        below.addWidget(self.disturb)
+        outside.addLayout(below)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -118,3 +126,18 @@ class NodePanel(QWidget):
             return ""
         lines = "".join(f"<br>{markup(words)}" for words in view.refused[:6])
         return f"<b>Messages that count for nothing</b>{lines}"
+
+
+def _scrolled(column: QVBoxLayout) -> QScrollArea:
+    """A column that scrolls where the window is low."""
+    inside = QWidget()
+    inside.setProperty("role", "panel")
+    inside.setLayout(column)
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setAccessibleName("The chosen node")
+    area.setWidget(inside)
+    FocusLine(area)
+    return area

@@ -57,7 +57,7 @@ class RoomPlan(QWidget):
         self._hidden: frozenset[str] = frozenset()
         self.node = ""
         """The name of the chosen node."""
-        self.setMinimumSize(520, 300)
+        self.setMinimumSize(420, 240)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)

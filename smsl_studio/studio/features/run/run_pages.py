@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.controls import name_parts, row, rule
 from smsl_studio.studio.base.tabs import HEIGHT, tab_bar
@@ -71,6 +71,10 @@ class RunPages(QWidget):
         if page is None:
             page = self._pages[name] = self._make[name]()
             self._stack.addWidget(page)
+        # A hidden page must not make the shown one larger than its room.
+        for one in self._pages.values():
+            policy = QSizePolicy.Policy.Preferred if one is page else QSizePolicy.Policy.Ignored
+            one.setSizePolicy(policy, policy)
         self._stack.setCurrentWidget(page)
         self.shown.emit()
 
