@@ -12,8 +12,8 @@ from time import sleep
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import UsageError
-from smsl_studio.front.new_site import DAYS, LOGINS, PORT, make_site
-from smsl_studio.front.node_programs import LOOK, NodePrograms, open_nodes
+from smsl_studio.front.sites.new_site import DAYS, LOGINS, PORT, make_site
+from smsl_studio.front.sites.node_programs import LOOK, NodePrograms, open_nodes
 from smsl_studio.legible import one_line
 from smsl_studio.stop import heed, whole
 

@@ -33,8 +33,6 @@ if TYPE_CHECKING:
         sign_register,
     )
     from smsl_studio.front.logs import account, replay, verify
-    from smsl_studio.front.new_site import make_site
-    from smsl_studio.front.node_programs import open_nodes
     from smsl_studio.front.outputs import (
         convert,
         converted,
@@ -58,6 +56,8 @@ if TYPE_CHECKING:
     from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
     from smsl_studio.front.signatures import ApprovalRequest, approve
     from smsl_studio.front.single_edge import try_edge
+    from smsl_studio.front.sites.new_site import make_site
+    from smsl_studio.front.sites.node_programs import open_nodes
     from smsl_studio.front.store_shelf import add_blueprint, find_stored, shown_stored
     from smsl_studio.front.suitable_worlds import worlds_for
     from smsl_studio.front.sweeps import sweep
@@ -245,8 +245,8 @@ _HOMES = {
     "verify_approval": "verdicts",
     "list_keys": "key_ring",
     "make_key": "key_ring",
-    "make_site": "new_site",
-    "open_nodes": "node_programs",
+    "make_site": "sites.new_site",
+    "open_nodes": "sites.node_programs",
     "export_key": "key_ring",
     "import_key": "key_ring",
     "sign_register": "key_ring",

@@ -22,7 +22,7 @@ from smsl_studio.monitor.reception import Reception
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
-    from smsl_studio.front.site_file import Site
+    from smsl_studio.front.sites.site_file import Site
     from smsl_studio.monitor.login import Login
 
 PERIOD, MAX_AGE = 0.1, 0.3
@@ -77,7 +77,7 @@ def room_of(blueprint_file: str, file: BindingsFile) -> Site | None:
     if not file.mqtt.room:
         return None
     # Few runs have a room or a login.
-    from smsl_studio.front.site_file import read_site_file
+    from smsl_studio.front.sites.site_file import read_site_file
 
     project = project_of(blueprint_file)
     path = _beside(blueprint_file, file, "room", project)
@@ -88,7 +88,7 @@ def _login(request: RunRequest, file: BindingsFile) -> Login | None:
     """Return the login that the request or the bindings file names. None if there is none."""
     if not (request.login or file.mqtt.login):
         return None
-    from smsl_studio.front.login_file import read_login
+    from smsl_studio.front.sites.login_file import read_login
 
     if request.login:
         return read_login(Path(request.login))

@@ -15,8 +15,8 @@ import pytest
 
 from smsl_studio import front
 from smsl_studio.errors import PluginError
-from smsl_studio.front.node_programs import open_nodes
-from smsl_studio.front.site_file import read_site
+from smsl_studio.front.sites.node_programs import open_nodes
+from smsl_studio.front.sites.site_file import read_site
 from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Shell
 from tests.monitor.broker import PATIENCE, Broker, free_port, until

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.errors import RunRefused
-from smsl_studio.front.new_site import make_site
+from smsl_studio.front.sites.new_site import make_site
 from smsl_studio.monitor.login import Login
 from smsl_studio.runlog.events import Committed
 from tests.monitor.broker import Broker, free_port

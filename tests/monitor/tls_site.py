@@ -17,8 +17,8 @@ from paho.mqtt.enums import CallbackAPIVersion
 from smsl_studio import front
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.inputs import read
-from smsl_studio.front.login_file import read_login
-from smsl_studio.front.new_site import make_site
+from smsl_studio.front.sites.login_file import read_login
+from smsl_studio.front.sites.new_site import make_site
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.monitor.login import Login
 from smsl_studio.monitor.reception import RemoteView

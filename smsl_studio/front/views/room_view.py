@@ -12,7 +12,7 @@ from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
-from smsl_studio.front.site_file import Person, Site, SiteNode
+from smsl_studio.front.sites.site_file import Site, SiteNode, SitePerson
 from smsl_studio.monitor.bus import SourceKey
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.monitor.message import GONE
@@ -55,7 +55,7 @@ class PersonMark:
     """A person on the plan, by role. None means that it is not known."""
 
     title: str
-    site: Person
+    site: SitePerson
     here: bool | None
     sterile: bool | None
 
@@ -198,7 +198,7 @@ def _standing(heard: NodeState | None, own: Sequence[SourceState]) -> str:
     return STALE if heard.state in (FROZEN, GONE) else FRESH
 
 
-def _person(person: Person, sources: Mapping[SourceKey, SourceState]) -> PersonMark:
+def _person(person: SitePerson, sources: Mapping[SourceKey, SourceState]) -> PersonMark:
     here = _counts(person.here, person.least, sources)
     sterile = _counts(person.sterile, person.least_sterile, sources)
     return PersonMark(person.title, person, here, sterile)

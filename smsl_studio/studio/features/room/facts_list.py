@@ -49,7 +49,7 @@ def cells(fact: RoomFact) -> tuple[str, ...]:
     )
 
 
-class FactsModel(QAbstractTableModel):
+class RoomFactsModel(QAbstractTableModel):
     """The facts as a Qt model."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -94,7 +94,7 @@ class FactsModel(QAbstractTableModel):
         return fact if role == Qt.ItemDataRole.UserRole else None
 
 
-class _FactCells(QStyledItemDelegate):
+class _RoomFactCells(QStyledItemDelegate):
     """Paints chips and words."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
@@ -145,9 +145,9 @@ class RoomFacts(QTableView):
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
-        self.facts = FactsModel(self)
+        self.facts = RoomFactsModel(self)
         self.setModel(self.facts)
-        self._cells = _FactCells(tokens, self)
+        self._cells = _RoomFactCells(tokens, self)
         self.setItemDelegate(self._cells)
         self.setProperty("role", "table")
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QStackedWidget, QVBoxLay
 
 from smsl_studio.errors import StudioError
 from smsl_studio.front.elsewhere import room_of
-from smsl_studio.front.site_file import KINDS, Room, Site
+from smsl_studio.front.sites.site_file import KINDS, Site, SiteRoom
 from smsl_studio.front.views.room_view import RoomFact, RoomView, age_words, room_view
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.studio.base.controls import Elided, Label, label, rule
@@ -130,8 +130,8 @@ class RoomPage(QWidget):
         self.plan.setFocus()
 
     @property
-    def _room(self) -> Room:
-        return self._site.room if self._site is not None else Room()
+    def _room(self) -> SiteRoom:
+        return self._site.room if self._site is not None else SiteRoom()
 
     def _show_head(self, view: RoomView) -> None:
         tokens = self._tokens

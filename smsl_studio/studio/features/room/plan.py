@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from smsl_studio.front.site_file import Room, SiteNode
+from smsl_studio.front.sites.site_file import SiteNode, SiteRoom
 from smsl_studio.front.views.room_view import (
     CONTESTED,
     FRESH,
@@ -52,7 +52,7 @@ class RoomPlan(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self._tokens = tokens
-        self._room = Room()
+        self._room = SiteRoom()
         self._view: RoomView | None = None
         self._hidden: frozenset[str] = frozenset()
         self.node = ""
@@ -72,7 +72,7 @@ class RoomPlan(QWidget):
         self._tokens = tokens
         self.update()
 
-    def show_room(self, view: RoomView, room: Room, hidden: Iterable[str], node: str) -> None:
+    def show_room(self, view: RoomView, room: SiteRoom, hidden: Iterable[str], node: str) -> None:
         """Show a room. Nodes of the ``hidden`` kinds are left out, but never a silent one."""
         self._view, self._room, self._hidden = view, room, frozenset(hidden)
         self.node = node

@@ -18,7 +18,7 @@ from time import monotonic
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.errors import PluginError, UsageError, did_you_mean
-from smsl_studio.front.site_file import Site, SiteNode, read_site
+from smsl_studio.front.sites.site_file import Site, SiteNode, read_site
 from smsl_studio.shipped import samples_dir
 
 LEAVE = 3.0

@@ -61,11 +61,11 @@ Metres = Annotated[float, Field(ge=-1000, le=1000, allow_inf_nan=False)]
 Spot = tuple[Metres, Metres]
 
 
-class _Part(BaseModel):
+class _SitePart(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
-class Room(_Part):
+class SiteRoom(_SitePart):
     """The room: its size, the sterile zone (x, y, width, depth) and the door, in metres."""
 
     size: tuple[Annotated[float, Field(gt=0, le=1000)], Annotated[float, Field(gt=0, le=1000)]] = (
@@ -75,7 +75,7 @@ class Room(_Part):
     sterile: tuple[Metres, Metres, Metres, Metres] | None = None
 
 
-class Person(_Part):
+class SitePerson(_SitePart):
     """A person on the plan: a role, and never a name.
 
     ``here`` and ``sterile`` are sources, as ``SB/digit source``, that count persons.
@@ -89,7 +89,7 @@ class Person(_Part):
     least_sterile: int = Field(1, ge=1, le=100)
 
 
-class SiteNode(_Part):
+class SiteNode(_SitePart):
     """A node: who it is, what it tells, the program that plays it, and where its thing stands."""
 
     title: str = Field(max_length=60)
@@ -116,12 +116,12 @@ class SiteNode(_Part):
         return tuple(found)
 
 
-class _SiteFile(_Part):
+class _SiteFile(_SitePart):
     site: str = Field("local", min_length=1, max_length=200)
     run: str = Field("main", min_length=1, max_length=200)
-    room: Room = Room()
+    room: SiteRoom = SiteRoom()
     node: dict[str, SiteNode] = Field({}, max_length=MOST_NODES)
-    person: dict[str, Person] = Field({}, max_length=MOST_NODES)
+    person: dict[str, SitePerson] = Field({}, max_length=MOST_NODES)
 
 
 @dataclass(frozen=True)
@@ -132,8 +132,8 @@ class Site:
     name: str = "local"
     run: str = "main"
     nodes: Mapping[str, SiteNode] = field(default_factory=dict)
-    room: Room = field(default_factory=Room)
-    persons: Mapping[str, Person] = field(default_factory=dict)
+    room: SiteRoom = field(default_factory=SiteRoom)
+    persons: Mapping[str, SitePerson] = field(default_factory=dict)
     text: TomlText = field(default_factory=lambda: TomlText("", ()))
 
     def topics(self, node: str) -> tuple[str, ...]:

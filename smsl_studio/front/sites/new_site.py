@@ -18,14 +18,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from smsl_studio.errors import SaveError, UsageError
-from smsl_studio.front.broker_files import (
+from smsl_studio.front.sites.broker_files import (
     STUDIO,
     configuration,
     login_file,
     password_file,
     rights,
 )
-from smsl_studio.front.site_file import FILE, Site, read_site
+from smsl_studio.front.sites.site_file import FILE, Site, read_site
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.disk import write_new
 

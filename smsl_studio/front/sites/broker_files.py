@@ -12,7 +12,7 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from smsl_studio.front.site_file import Site
+from smsl_studio.front.sites.site_file import Site
 from smsl_studio.monitor.topics import START, StatusTopic, written
 
 STUDIO = "studio"
