@@ -1,7 +1,7 @@
 """Makes pictures of the window: Draw and Run modes, three samples, two themes, three sizes.
 
     ./dev pictures [--out FOLDER] [--sample NAME]
-        [--mode draw|run|supervise|safe|people|monitor|replay|panels|dense]
+        [--mode start|draw|run|supervise|safe|people|monitor|replay|panels|dense]
 
 They come into ``build/pictures``. The twelve that the documentation shows are kept in docs/images.
 A new one goes there by hand (``--out docs/images`` writes all of them).
@@ -59,7 +59,18 @@ from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
-MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay", "panels", "dense")
+MODES = (
+    "start",
+    "draw",
+    "run",
+    "supervise",
+    "safe",
+    "people",
+    "monitor",
+    "replay",
+    "panels",
+    "dense",
+)
 FRONT = (1440, 900)
 UNDER_WAY = 1.2
 """Simulated seconds after which the operation of the picture is well under way."""
@@ -114,6 +125,8 @@ def main() -> int:
             studio.take_replay(Path(folder))
         if asked.mode in (None, "panels"):
             studio.take_panels(asked.sample or "hanoi")
+        if asked.mode in (None, "start"):
+            studio.take_start()
         if asked.mode in (None, "dense"):
             studio.take_dense(Path(folder))
             studio.take_bedside(Path(folder))
@@ -201,6 +214,12 @@ class Studio:
         window.session.select((Address("ROTMS", "State_11000"),))
         self._take_dressed(window, "dense")
         window.session.history.setClean()
+        window.close()
+
+    def take_start(self) -> None:
+        """The start page, as it is seen before a file is opened."""
+        window = make_window(self._windows)
+        self._take_dressed(window, "start")
         window.close()
 
     def take_bedside(self, folder: Path) -> None:

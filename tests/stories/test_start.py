@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import DARK
 from smsl_studio.studio.document.files.dialogs import Dialogs
+from smsl_studio.studio.features.help.pages import HelpPlace
 from smsl_studio.studio.features.start.page import StartPage
 from smsl_studio.studio.features.start.recent import RecentRow
 from smsl_studio.studio.features.start.tile import Tile
@@ -310,6 +311,14 @@ def test_the_link_shows_the_folder_of_the_samples(
     person = sit(begin=False)
     person.click(page_of(person.window).column.links.folder)
     assert asked == [str(SAMPLES)]
+
+
+def test_a_link_leads_to_the_page_for_engineers(sit: Sit) -> None:
+    person = sit(begin=False)
+    person.click(page_of(person.window).column.links.help)
+    (window,) = person.window.features.help.windows
+    assert window.page.place == HelpPlace("engineer.md")
+    window.close()
 
 
 def test_a_name_is_shown_as_it_is(sit: Sit, home: Path, tmp_path: Path) -> None:

@@ -28,10 +28,8 @@ BESIDE = 1180
 """In a page narrower than this the samples stand under the recent files."""
 STACKED = 700
 """In a column narrower than this the cards stand below each other."""
-TITLE = "Draw a procedure as states and operations. Check it, then run it."
-WHO = (
-    "Engineers draw it, one person supervises it, and a run steps through it in a simulated world."
-)
+TITLE = "Draw a procedure as states and operations. Check it, then run it in physics."
+WHO = "Engineers draw it, clinicians review it, and a run steps through it in a simulated world."
 HINTS = (
     ("", "Arrows move"),
     ("Enter", "opens"),
@@ -46,6 +44,7 @@ class Column(QWidget):
     new_wanted = Signal()
     open_wanted = Signal()
     try_wanted = Signal()
+    help_wanted = Signal()
     file_wanted = Signal(Path)
     sample_wanted = Signal(Path)
     removed = Signal(Path)
@@ -90,6 +89,7 @@ class Column(QWidget):
         new.clicked.connect(self.new_wanted)
         opened.clicked.connect(self.open_wanted)
         tried.clicked.connect(self.try_wanted)
+        self.links.help.clicked.connect(self.help_wanted)
         self.show_all.clicked.connect(self._show_all)
         for card in self.samples:
             card.clicked.connect(partial(self.sample_wanted.emit, card.path))

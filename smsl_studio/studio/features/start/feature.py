@@ -39,6 +39,7 @@ class StartFeature(Feature):
         column.new_wanted.connect(self._actions["new"].trigger)
         column.open_wanted.connect(self._actions["open"].trigger)
         column.try_wanted.connect(self._actions["first_steps"].trigger)
+        column.help_wanted.connect(self._actions["help_pages"].trigger)
         column.file_wanted.connect(lambda path: files.open(path))
         column.sample_wanted.connect(lambda path: files.open_copy(path))
         for changed in (files.changed, files.refused):

@@ -21,9 +21,10 @@ class LinkCard(QWidget):
         super().__init__(parent)
         self._tokens = tokens
         self.setAccessibleName("More")
+        self.help = Link("The first blueprint, as a page", "file", tokens, self)
         self.folder = Link("Show the samples folder", "folder", tokens, self)
         self.folder.clicked.connect(show_samples_folder)
-        self.tiles = (self.folder,)
+        self.tiles = (self.help, self.folder)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme for the frame."""
