@@ -15,7 +15,7 @@ def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.is
 TYPES = {list: "candidates details facts faults goals met misses operations options reasons "
 	"refusals sensed sensors subs unknown", dict: "answers candidate closed configuration costs facts "
 	"parameters refusal start", int: "cost deadline digit operations persons seed t", float:
-	"cost deadline t"}; raw_of = base64.b64decode
+	"cost deadline t taken"}; raw_of = base64.b64decode
 def fits(name, v):  # text, if TYPES says nothing else; a list holds what its singular is
 	kinds = [k for k in TYPES if name in TYPES[k].split()] or [str]
 	if float in kinds: no(abs(v) >= 2**53)
@@ -95,15 +95,15 @@ def take(s, e):  # 3 THE STORY is told again, event by event: when it may not co
 	no(not all(fits(k, v) for k, v in e.items() if (k, v) != ("value", None)), "of another type")
 	e, kind, c = types.SimpleNamespace(**e), e["event"], s.cause
 	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.by_hand or not s.began
-	no(s.over or s.start and kind not in ("left_out", "fact_changed", "state_checked") or
+	no(s.over or s.start and kind not in {"measured", *IDLE[:1], "fact_changed", "state_checked"} or
 		e.t < s.t or e.t > s.t and not (waits or {*s.goals.values()} & {*s.conf.items()}))
-	own = vars(c) | vars(e) if kind in CAUSES else {}  # as its command says, where it says it
+	own = vars(c) | vars(e) if kind in CAUSES else {}  # as its command says
 	no(own and ((c.t, c.command, c.by, c.address) != (e.t, CAUSES[kind], own["by"], own["address"]) or
-		c.refused and kind != "task_answered" and "the world is gone" not in c.refused))
-	s.t = e.t; kind in IDLE or globals()["on_" + kind](s, e); s.last, c.t = e, -1 if own else c.t
-	if kind != "state_checked": s.checked = {}
-	if kind not in ("fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
-def on_within(s, e):  # what it runs tells a story of its own
+		c.refused and kind != "task_answered" and "the world is gone" not in c.refused)); s.t = e.t
+	kind in IDLE + ["measured"] or globals()["on_" + kind](s, e); c.t = -1 if own else c.t
+	if kind != "measured": s.last, s.checked = e, s.checked if kind == "state_checked" else {}
+	if kind not in ("measured", "fact_changed", "costs_changed", "goal_reached"): s.busy = e.t
+def on_within(s, e):  # what it runs has its own story
 	op, one = running(s, e.operation)[-1], read(raw := e.told.encode()); run = op.note["binding"]
 	h, closure = s.h | {"goals": [run["goal"]], "levels": {}}, s.h["procedures"][run["blueprint"]]
 	op.below = op.below or story(s.known, closure, h, one.get("start", {}))
@@ -150,7 +150,7 @@ def on_operation_ended(s, e, goal="goal_reached"):  # what it runs is there
 	no(not bad and op.function and "blueprint" in op.note.get("binding", ()) and op.below.over != goal)
 	no(op.outcome or s.failing or how != "cancelled" and not (op.function or op.answer) or not bad and
 		op.answer != "done" and (op.answer != 0 or e.t <= op.t)); op.outcome, s.failing = how, bad
-def on_committed(s, e):  # all have ended well, and were checked just before
+def on_committed(s, e):  # all ended well, and were checked
 	ops = [s.begun.pop(s.begun.index(running(s, a)[0])) for a in e.operations]
 	new = {b: at for op in ops for b, at in op.new.items()}; at = s.conf | new
 	no(not ops or s.failing or s.last.t != e.t or e.configuration != new or broken(s, at) or any(
@@ -196,9 +196,9 @@ def on_task_opened(s, e):  # it asks those whom the blueprint names
 	no(e.task in s.names or e.role != ", ".join(filter(None, roles)) or e.persons != len(roles))
 	if kind == "operation": running(s, e.address)[-1].answer = "open"
 	s.tasks[e.task], s.names = Story(e=e, roles=roles, given={}, also=""), {*s.names, e.task}
-def on_task_escalated(s, e): s.tasks[e.task].also = e.role  # another role may answer, too
+def on_task_escalated(s, e): s.tasks[e.task].also = e.role
 def same(name): return "".join(unicodedata.normalize("NFKC", name).casefold().split())
-def each(wishes, offers, fits):  # whether each wish gets an offer of its own
+def each(wishes, offers, fits):  # each wish gets its own offer
 	return any(all(map(fits, wishes, some)) for some in itertools.permutations(offers, len(wishes)))
 def on_task_answered(s, e):  # another person, in a role
 	if no(s.cause.refused != e.refused or s.cause.value not in ("", e.task)) or e.refused: return
@@ -263,7 +263,7 @@ def judge(known, log, bot={"automatic", "recorder"}):
 	told = [opened(one, keys) for f in files("records/*") for one in read(f.read_bytes())["records"]]
 	day = when(log["wall_time"] if log else read(told[-1][0])["predicate"]["time"])
 	days = dt.timedelta(policy.get("valid_days", 1e5))
-	for body, key in told:  # the last word of each person counts
+	for body, key in told:  # each person's last word counts
 		say, sums = read(body)["predicate"], [one["digest"] for one in read(body)["subject"]]
 		at, who, may, met = when(say["time"]), same(key["person"]), {*map(same, key["roles"])}, say["met"]
 		no(at <= before, "order"); before, my = at, sums[0]

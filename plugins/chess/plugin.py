@@ -16,6 +16,7 @@ from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
 from .board import BLOCKS, GROUND, HEIGHT, HELD, NOWHERE, PIECES, PITCH, Board
+from .sensors import register_sensors
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -109,10 +110,7 @@ def register(library: OperationLibrary) -> None:
     def arrange(board: Board, facts: Mapping[tuple[str, int], str]) -> None:
         board.arrange({PIECES[digit]: value for (_, digit), value in facts.items()})
 
-    @library.sensor("piece_{n}_block", fact="{n}", words={HELD: "held", NOWHERE: "nowhere"})
-    def piece_block(board: Board, n: int) -> str | None:
-        return board.reading(PIECES[n - 1])
-
+    register_sensors(library)
     for piece in PIECES:
         for block in BLOCKS:
             name = f"move-{piece}-chess-to-block-{words(block)}"

@@ -15,7 +15,8 @@ from smsl_studio.errors import WorldError
 from .faults import register_faults
 from .moves import carry
 from .recovery import recover
-from .table import HELD, NOWHERE, Table
+from .sensors import register_sensors
+from .table import Table
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -43,9 +44,7 @@ def register(library: OperationLibrary) -> None:
         pegs = {table.disk(digit + 1): value for (_, digit), value in facts.items()}
         table.arrange(pegs)
 
-    @library.sensor("disk_{n}_peg", fact="{n}", words={HELD: "held", NOWHERE: "nowhere"})
-    def disk_peg(table: Table, n: int) -> str | None:
-        return table.reading(table.disk(n))
+    register_sensors(library)
 
     @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)
     def move_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,6 +36,23 @@ SIGHT = ((0.0, 1.0), (-0.6, 0.6), (-0.05, 1.0))
 """The part of the room (m) that the camera sees."""
 
 
+@dataclass(frozen=True)
+class Stack:
+    """How a ring and those under it on its peg lie: the largest distance (m) of one from where it
+    would rest, the largest tilt (deg), and how many lie on a ``smaller`` one.
+    """
+
+    gap: float
+    tilt: float
+    smaller: int
+
+    def with_one(self, other: Stack, on_smaller: bool) -> Stack:
+        """Return the stack with one more ring on top."""
+        return Stack(
+            max(self.gap, other.gap), max(self.tilt, other.tilt), self.smaller + on_smaller
+        )
+
+
 class Table:
     """A Panda, three pegs and the rings of one game in a physical world."""
 
@@ -43,6 +62,8 @@ class Table:
         self.seed = seed
         self._readings: dict[int, str] = {}
         self._read_at = -1
+        self._stacks: dict[int, Stack] = {}
+        self._stacked_at = -1
 
     def furnish(self) -> None:
         """Put all bodies into the empty world, with all rings on peg a."""
@@ -79,13 +100,50 @@ class Table:
         The reading is a peg only if the ring rests there with only larger rings under it. It is
         None if the ring is out of sight.
         """
-        position, _ = self.world.pose(disk.name)
-        if not all(low < here < high for here, (low, high) in zip(position, SIGHT, strict=True)):
+        if not self.in_sight(disk):
             return None
         if self._read_at != self.world.revision:
             self._readings = self._read()
             self._read_at = self.world.revision
         return self._readings[disk.number]
+
+    def measured(self, number: int, measure: Callable[[], float]) -> float | None:
+        """Return what is measured of a ring, None if the ring is out of sight."""
+        return measure() if self.in_sight(self.disk(number)) else None
+
+    def in_sight(self, disk: Disk) -> bool:
+        """Return whether the camera sees a ring."""
+        position, _ = self.world.pose(disk.name)
+        return all(low < here < high for here, (low, high) in zip(position, SIGHT, strict=True))
+
+    def distance(self, disk: Disk, peg: str) -> float:
+        """Return the distance (m) of a ring's middle from the axis of a peg, seen from above."""
+        (x, y, _), _ = self.world.pose(disk.name)
+        return float(np.hypot(x - PEGS[peg][0], y - PEGS[peg][1]))
+
+    def stack(self, disk: Disk) -> Stack:
+        """Return how a ring and the rings under it lie. A ring that is around no peg, or in the
+        hand, has none under it."""
+        if self._stacked_at != self.world.revision:
+            self._stacks = dict(self._stacked())
+            self._stacked_at = self.world.revision
+        return self._stacks.get(disk.number) or self._lies(disk, 0.0)
+
+    def _stacked(self) -> Iterator[tuple[int, Stack]]:
+        """Yield how each ring around a peg lies, with those under it."""
+        for peg in PEGS:
+            height, under, so_far = 0.0, len(self.disks) + 1, Stack(0.0, 0.0, 0)
+            for disk in self.on_peg(peg):
+                so_far = so_far.with_one(self._lies(disk, height), disk.number > under)
+                yield disk.number, so_far
+                height, under = height + disk.thickness, disk.number
+
+    def _lies(self, disk: Disk, height: float) -> Stack:
+        """Return how one ring lies. It should rest at this height (m)."""
+        (_, _, z), (qx, qy, _, _) = self.world.pose(disk.name)
+        upright = abs(1.0 - 2.0 * (qx * qx + qy * qy))  # upside down it is the same ring
+        tilt = math.degrees(math.acos(min(upright, 1.0)))
+        return Stack(abs(z - disk.thickness / 2 - height), tilt, 0)
 
     def on_peg(self, peg: str) -> list[Disk]:
         """Return the rings around a peg that are not held, at any height, lowest first."""

@@ -18,6 +18,7 @@ from .faults import register_faults
 from .moves import digitize
 from .navigation import GOOD
 from .phantom import COUNT
+from .sensors import register_sensors
 from .site import DIGITIZED, Site
 
 if TYPE_CHECKING:
@@ -158,14 +159,7 @@ def register(library: OperationLibrary) -> None:
     def arrange(site: Site, facts: Mapping[tuple[str, int], str]) -> None:
         site.arrange(facts)
 
-    @library.sensor("navigation_{n}", fact="{n}")
-    def navigation(site: Site, n: int) -> str | None:
-        return site.reading(site.meaning(site.root, n - 1))
-
-    @library.sensor("digitization_{n}", fact="DIGITIZATION/{n}")
-    def digitization(site: Site, n: int) -> str | None:
-        return site.reading(DIGITIZED)
-
+    register_sensors(library)
     for function, names in OPERATIONS.items():
         for name in names:
             library.operation(name, stop="hold", timeout=120.0)(function)

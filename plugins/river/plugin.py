@@ -15,6 +15,7 @@ from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
 from .crossing import BANKS, GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing
+from .sensors import register_sensors
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -93,10 +94,7 @@ def register(library: OperationLibrary) -> None:
     def arrange(crossing: Crossing, facts: Mapping[tuple[str, int], str]) -> None:
         crossing.arrange({ITEMS[digit]: value for (_, digit), value in facts.items()})
 
-    @library.sensor("item_{n}_place", fact="{n}", words={HELD: "held", NOWHERE: "nowhere"})
-    def item_place(crossing: Crossing, n: int) -> str | None:
-        return crossing.reading(ITEMS[n - 1])
-
+    register_sensors(library)
     for item in ITEMS:
         for start, end in (("0", "B"), ("B", "0"), ("B", "1"), ("1", "B")):
             name = f"move_{item}_from_{PLACES[start]}_to_{PLACES[end]}"

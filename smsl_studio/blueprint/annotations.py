@@ -50,6 +50,8 @@ class FactNote(_Note):
     people."""
     range: dict[str, tuple[float, float]] = field(default_factory=dict)
     """The least and the largest number that a source can measure, in its unit."""
+    log_rate: Annotated[float, Gt(0), Le(100)] = 10.0
+    """How often (Hz) the log of a run keeps what its sources measure, while its value stays."""
     aggregation: Literal["single", "all", "any", "k_of_n", "priority", "human"] = "single"
     k: Annotated[int, Ge(1)] | None = None
     max_age: Annotated[float, Gt(0)] | None = None

@@ -44,6 +44,7 @@ WORDS: dict[str, dict[str, str]] = {
         "predicate": "For each value the condition on the sources, such as: force > 2 N for 0.5 s. "
         "A text is only for people.",
         "range": "The least and the largest number that a source can measure, in its unit.",
+        "log_rate": "How many times a second the log of a run keeps what its sources measure.",
         "aggregation": "How several sensors become one fact.",
         "k": "How many sensors must agree, if the aggregation is k_of_n.",
         "max_age": "Seconds after which a reading counts as unknown.",

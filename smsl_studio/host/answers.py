@@ -10,6 +10,7 @@ from typing import Any
 
 from smsl_studio import errors
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.predicates.predicate_text import LONGEST as LONGEST_PREDICATE
 from smsl_studio.blueprint.predicates.units import LONGEST as LONGEST_UNIT
 from smsl_studio.errors import StudioError
 from smsl_studio.host.brief import FAR, VALUE
@@ -98,6 +99,7 @@ class RunAnswers:
             aggregation=one_of([*MODES, "human"]),
             words=mapping(text(1000), sentence(200), 1000),
             unit=text(LONGEST_UNIT),
+            predicate=mapping(text(1000), text(LONGEST_PREDICATE), 64),
         )
 
         def known(told: SensorInfo) -> SensorInfo:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final, NoReturn
 
+from smsl_studio.blueprint.predicates.predicate_text import LONGEST as LONGEST_PREDICATE
 from smsl_studio.blueprint.predicates.units import LONGEST as LONGEST_UNIT
 from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
@@ -21,10 +22,10 @@ from smsl_studio.library.operation_library import (
     FaultEntry,
     OperationEntry,
     OperationLibrary,
-    SensorEntry,
     WorldEntry,
 )
 from smsl_studio.library.pattern import Pattern, read_pattern
+from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.signature import Signature
 from smsl_studio.library.survey import FoundPlugin
 from smsl_studio.world.engines import ENGINES
@@ -97,6 +98,8 @@ SENSOR = mapped(
         PATIENCE,
         mapping(text(1000), sentence(200), 200),
         text(LONGEST_UNIT),
+        mapping(text(1000), text(LONGEST_PREDICATE), 64),
+        text(1000),
     ),
     lambda one: (
         one.pattern.text,
@@ -106,6 +109,8 @@ SENSOR = mapped(
         one.max_age,
         one.words,
         one.unit,
+        one.predicate,
+        one.otherwise,
     ),
     lambda told: SensorEntry(
         AbsentCode(told[0]), _pattern(told[0], told[2]), _pattern(told[1], told[2]), *told[2:]

@@ -377,4 +377,7 @@ def _info(sensor: BoundSensor) -> SensorInfo:
         sensor.aggregation,
         dict(sensor.words),
         unit=sensor.unit,
+        predicate={one.value: one.text for one in sensor.default.sense.predicates}
+        if sensor.default
+        else {},
     )

@@ -77,6 +77,8 @@ class SensorInfo:
     words: Mapping[str, str] = field(default_factory=dict)
     remote: bool = False
     unit: str = ""
+    predicate: Mapping[str, str] = field(default_factory=dict)
+    """The default predicates by which the plugin decides its value, if it does so."""
 
 
 class Elsewhere(Protocol):

@@ -9,11 +9,12 @@ from typing import Any
 
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.predicates.measure import measure_text
 from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.host.brief import invalid, words_of
+from smsl_studio.host.default_decision import decided
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
-from smsl_studio.monitor.measured import measure_text
 from smsl_studio.monitor.sample import BAD, GOOD, LONGEST, Sample, SensorRound, sample_of
 
 _REMEMBERED = 1000
@@ -165,6 +166,8 @@ class SensorSchedule:
 
 def _ready(sensor: BoundSensor) -> Callable[[Any], Any]:
     """Return the function of a sensor with its arguments, to be called with the world."""
+    if sensor.default is not None:
+        return decided(sensor.default)
     plain = partial(sensor.function, **sensor.arguments) if sensor.arguments else sensor.function
     return partial(_measured, plain, sensor.scale) if sensor.unit else plain
 

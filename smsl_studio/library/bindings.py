@@ -31,8 +31,10 @@ from smsl_studio.library.bound import (
     leaf_facts,
     noted_touches,
 )
+from smsl_studio.library.fact_default import FactDefault, default_of
 from smsl_studio.library.loaded import Loaded, Plugin
-from smsl_studio.library.operation_library import CostEntry, OperationEntry, SensorEntry
+from smsl_studio.library.operation_library import CostEntry, OperationEntry
+from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.table import table_bindings
 from smsl_studio.world.engines import TABLE
 
@@ -305,7 +307,21 @@ class _Binder:
             plugin.location,
             entry.words,
             entry.unit,
+            default=self._default(code, f"fact {branch.name}/{digit}", texts),
         )
+
+    def _default(
+        self, code: tuple[Plugin, SensorEntry], subject: str, texts: Mapping[str, str]
+    ) -> FactDefault | None:
+        """Return the predicates of a sensor, None if it has none or they cannot be read."""
+        plugin, entry = code
+        if not entry.predicate:
+            return None
+        try:
+            return default_of(entry.predicate, entry.otherwise, texts, plugin.library.sensors)
+        except PluginError as error:
+            self._fault(subject, error)
+            return None
 
     def unknown_keys(self) -> Iterator[BindingFault]:
         """Yield a fault for each key of the bindings file that names no element of the

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.annotations import OperationNote
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place
+from smsl_studio.library.fact_default import FactDefault
 from smsl_studio.library.operation_library import Availability
 
 
@@ -55,6 +56,8 @@ class BoundSensor:
     unit: str = ""
     scale: float = 1.0
     """A sensor with a ``unit`` measures. Its numbers times ``scale`` are in this unit."""
+    default: FactDefault | None = None
+    """The predicates that decide its value in place of ``function``."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,11 +31,12 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Any, TypeVar
 
 from smsl_studio.errors import PluginError, did_you_mean
+from smsl_studio.library.fact_default import default_entry
 from smsl_studio.library.pattern import Pattern, read_pattern
+from smsl_studio.library.sensor_entry import NO_WORDS, SensorEntry
 from smsl_studio.library.signature import Signature, signature_of
 from smsl_studio.library.terms import (
     proper_name,
@@ -50,7 +51,6 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 _TERMS = ("name", "stop", "timeout", "resumes", "touches", "available", "recovery")
 STOP_MODES = ("abort", "hold", "finish")
-NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,24 +111,6 @@ class OperationEntry:
             return None
         whole = f"{branch}/{operation}" if "/" in self.pattern.text else operation
         return self.pattern.match(whole)
-
-
-@dataclass(frozen=True, slots=True)
-class SensorEntry:
-    """A sensing function with the patterns of its sensors' names and of their facts.
-
-    ``period`` and ``max_age`` are in simulated seconds. With a ``unit`` it measures: it returns a
-    number, and the predicates of a blueprint decide what it means.
-    """
-
-    function: Callable[..., Any]
-    pattern: Pattern
-    fact: Pattern
-    signature: Signature
-    period: float
-    max_age: float
-    words: Mapping[str, str]
-    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -252,6 +234,21 @@ class OperationLibrary:
             return function
 
         return keep
+
+    def fact(
+        self, name: str, fact: str, predicate: Mapping[str, str], otherwise: str = "", **terms: Any
+    ) -> None:
+        """Register the predicates that decide facts where the blueprint writes none (paper, Eq. 5).
+
+        ``predicate`` has for each value a condition on sensors of this plugin that measure, with
+        the parameters in braces that ``name`` and ``fact`` have. These sensors come first. A run
+        sees one sensor called ``name``, as if a function had returned the value. ``otherwise`` is
+        the value if every condition is false. ``terms`` are ``period``, ``max_age`` and ``words``,
+        as those of a sensor.
+        """
+        self.sensors.append(
+            default_entry(self.sensors, (name, fact), (predicate, otherwise), terms)
+        )
 
     def operation(
         self,

@@ -77,6 +77,17 @@ def words_of_values(words: Mapping[str, str]) -> dict[str, str]:
     return found
 
 
+def conditions_of(predicate: object) -> dict[str, str]:
+    """Return the condition of each value. PluginError if they are no texts, or none."""
+    if not isinstance(predicate, Mapping) or not predicate:
+        raise PluginError('predicate is no map, such as {"0": "force < 1 N"}')
+    found = {proper_name(value, "a value"): text for value, text in predicate.items()}
+    for value, text in found.items():
+        if type(text) is not str:
+            raise PluginError(f"the predicate of {value} is no text")
+    return found
+
+
 def unit_of_measure(value: object, fact: str) -> str:
     """Return the unit of a sensor that measures, empty for any other. PluginError if it is no unit,
     or if the sensor also names a ``fact``, whose values are no numbers.

@@ -14,6 +14,7 @@ from operator import ge, gt, le, lt
 from typing import Any
 
 from smsl_studio.blueprint.predicates import FactSense, Unit
+from smsl_studio.blueprint.predicates.measure import Measure
 from smsl_studio.blueprint.predicates.predicate import unit_of
 from smsl_studio.blueprint.predicates.terms import (
     AbsTerm,
@@ -31,7 +32,6 @@ from smsl_studio.blueprint.predicates.terms import (
     Threshold,
 )
 from smsl_studio.blueprint.predicates.units import SECOND
-from smsl_studio.monitor.measured import Measure
 from smsl_studio.monitor.speaker import HAIR
 
 Amount = Callable[[], float | None]

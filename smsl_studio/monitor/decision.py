@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from math import inf
 
 from smsl_studio.blueprint.predicates import FactSense
+from smsl_studio.blueprint.predicates.measure import Measure
 from smsl_studio.monitor.aggregate import Aggregate
 from smsl_studio.monitor.clauses import Look, truth_of
-from smsl_studio.monitor.measured import Measure
 from smsl_studio.monitor.speaker import HAIR
 
 NO_SOURCE = "this world has no such source"

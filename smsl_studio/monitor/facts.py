@@ -180,6 +180,11 @@ class FactMonitor:
         said = SourceValue(who, value, "" if value is not None else NOBODY, human=True)
         fact.answer = (said, now)
 
+    @property
+    def sensed(self) -> Mapping[FactKey, SensedFact]:
+        """The facts that predicates decide."""
+        return {key: one.sensed for key, one in self._facts.items() if one.sensed is not None}
+
     def answered(self) -> tuple[FactKey, ...]:
         """Return the facts that have an answer of a person."""
         return tuple(key for key, fact in self._facts.items() if _says(fact))

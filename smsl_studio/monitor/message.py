@@ -15,7 +15,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from smsl_studio.monitor.measured import measure_text
+from smsl_studio.blueprint.predicates.measure import measure_text
 from smsl_studio.monitor.sample import BAD, GOOD, UNCERTAIN, Sample
 from smsl_studio.monitor.topics import FactTopic
 from smsl_studio.seal.strict_json import strict_decoder

@@ -7,12 +7,21 @@ from functools import partial
 from typing import NamedTuple
 
 from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.predicates.measure import BAD, GOOD, UNCERTAIN
+
+__all__ = [
+    "BAD",
+    "GOOD",
+    "LONGEST",
+    "UNCERTAIN",
+    "Sample",
+    "SampleFields",
+    "SensorRound",
+    "sample_of",
+]
 
 LONGEST = 1000
 """The largest length of a name, a value or a reason, in characters."""
-
-GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
-"""The quality that a source gives to its own reading. Only a good reading is evidence."""
 
 
 class Sample(NamedTuple):

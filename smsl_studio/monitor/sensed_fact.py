@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from smsl_studio.blueprint.predicates import FactSense
+from smsl_studio.blueprint.predicates.measure import measure_of
 from smsl_studio.monitor.aggregate import Aggregate
 from smsl_studio.monitor.decision import Decider
 from smsl_studio.monitor.ledger import Ledger
-from smsl_studio.monitor.measured import measure_of
 from smsl_studio.monitor.sample import GOOD, Sample
 
 DECIDED = "predicate"
@@ -23,9 +23,12 @@ class SensedFact:
         self._read = [
             (name, ledger, positions[name]) for name, ledger in ledgers.items() if name in positions
         ]
+        self.sense = sense
         ages = {name: ledger.max_age for name, ledger, _ in self._read}
         self._decider = Decider(sense, ages)
         self._seen: dict[str, Sample | None] = dict.fromkeys(ages)
+        self.newest: dict[str, Sample | None] = dict.fromkeys(ages)
+        """The newest sample of each source at the last look, whatever it is worth."""
         self.contested = False
         """Whether several programs spoke for one of its sources at the last look."""
 
@@ -41,6 +44,7 @@ class SensedFact:
                 clock = live
         self.contested = False
         for (name, _, position), (sample, age, doubt) in zip(self._read, heard, strict=True):
+            self.newest[name] = sample
             if doubt:
                 self.contested = True
                 self._seen[name] = None

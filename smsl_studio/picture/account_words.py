@@ -169,6 +169,14 @@ def _fact(event: run.FactChanged, names: HeaderNames) -> str:
     return f"{names.fact(event.branch, event.digit)} of {event.branch} {reads}{why}"
 
 
+def measured_words(event: run.Measured) -> str:
+    """Return what a source has measured, or why it has no measure."""
+    said = f"measures {event.value}" if event.value is not None else "measures nothing"
+    why = f" ({event.reason})" if event.reason else ""
+    quality = "" if event.quality == "good" else f", {event.quality}"
+    return f"{event.source} of {fact_text(event.branch, event.digit)} {said}{quality}{why}"
+
+
 def _committed(event: run.Committed) -> str:
     return f"{', '.join(event.operations)} became true: {states(event.configuration)}"
 
@@ -204,6 +212,7 @@ def _plainly(event: Event) -> str:
 _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
         run.RunStarted: _started,
+        run.Measured: measured_words,
         run.RoutePlanned: _route,
         run.SubsBypassed: lambda e: f"{e.sentence} ({e.address})",
         run.OperationStarted: _operation,

@@ -143,6 +143,14 @@ def _fact_changed(fold: RunFold, event: run.FactChanged) -> None:
         fold.history.sense(event.t, key, event.value)
 
 
+def _measured(fold: RunFold, event: run.Measured) -> None:
+    if fold.history is not None:
+        source = (event.branch, event.digit), event.source
+        good = event.quality == "good"
+        reason = event.reason or ("" if good else f"its reading is {event.quality}")
+        fold.history.measure(event.t, source, event.value if good else None, reason)
+
+
 def _risky(fold: RunFold, event: run.OperationRisky) -> None:
     _fail(fold, event.t)
     fold.risky[event.address] = event.reason
@@ -247,6 +255,7 @@ _CHANGES: Mapping[type[Event], Callable[[RunFold, Any], None]] = MappingProxyTyp
         run.Mismatch: _mismatch,
         run.Held: _held,
         run.FactChanged: _fact_changed,
+        run.Measured: _measured,
         run.OperationRisky: _risky,
         run.OperationPruned: _pruned,
         run.OperationRestored: _restored,

@@ -42,6 +42,7 @@ __all__ = [
     "HazardMet",
     "Held",
     "LeftOut",
+    "Measured",
     "Mismatch",
     "OperationEnded",
     "OperationPruned",
@@ -215,6 +216,27 @@ class FactChanged(Event):
     branch: str
     digit: int
     value: str | None
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured(Event):
+    """A source of a fact that predicates decide has measured something.
+
+    ``value`` is the number in the unit of the source, or three for a position, as text that gives
+    the same doubles again. None means no valid measure; ``quality`` and ``reason`` say why.
+    ``taken`` is the time (s) on the clock of the source. A source is told when its fact changes,
+    and else as often as the fact's ``log_rate`` says.
+    """
+
+    event: ClassVar[str] = "measured"
+    sparse: ClassVar[tuple[str, ...]] = ("reason",)
+    branch: str
+    digit: int
+    source: str
+    value: str | None
+    quality: str
+    taken: float
     reason: str = ""
 
 

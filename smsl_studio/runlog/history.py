@@ -5,6 +5,7 @@ Only the fold writes it (``changes``). So a recorded run shows the same as the l
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import chain, takewhile
@@ -30,6 +31,12 @@ class Span:
     good: bool = True
 
 
+MEASURES = 4096
+"""The largest number of measures of a source that a history keeps: more than 30 s of any."""
+Measures = deque[tuple[float, str | None, str]]
+"""For each measure its time (simulated s), its text or None, and why there is none."""
+
+
 class RunHistory:
     """The history of a run up to now.
 
@@ -48,6 +55,8 @@ class RunHistory:
         """For each function: after how many events it succeeded, and how long it took (simulated
         s).
         """
+        self.measures: dict[tuple[FactKey, str], Measures] = {}
+        """The newest measures of each source of a fact, in order of time."""
         self.functions: dict[str, str] = {}
         self._open: dict[str, Span] = {}
         """The operations that are under way, by address. Each SB has one at most."""
@@ -64,6 +73,15 @@ class RunHistory:
         """Note the new value of a fact. None means unknown."""
         words = "?" if value is None else value
         _next(self.facts.setdefault(key, []), time, words, value is not None)
+
+    def measure(
+        self, time: float, source: tuple[FactKey, str], value: str | None, reason: str
+    ) -> None:
+        """Note what a source of a fact has measured."""
+        kept = self.measures.get(source)
+        if kept is None:
+            kept = self.measures[source] = deque(maxlen=MEASURES)
+        kept.append((time, value, reason))
 
     def begin(self, index: int, time: float, address: str, function: str) -> None:
         """Note that an operation has begun. Operations of a base and of its sub-SB may be under way

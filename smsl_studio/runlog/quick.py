@@ -14,6 +14,7 @@ from smsl_studio.runlog.event import Event
 from smsl_studio.runlog.events import (
     Committed,
     FactChanged,
+    Measured,
     OperationEnded,
     OperationStarted,
     StateChecked,
@@ -47,3 +48,5 @@ operation_ended: Callable[[float, str, str, str], OperationEnded] = maker(Operat
 state_checked: Callable[[float, str, str, tuple[str, ...], tuple[str, ...]], StateChecked]
 state_checked = maker(StateChecked)
 committed: Callable[[float, tuple[str, ...], Mapping[str, str]], Committed] = maker(Committed)
+measured: Callable[[float, str, int, str, str | None, str, float, str], Measured]
+measured = maker(Measured)

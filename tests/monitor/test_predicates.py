@@ -8,9 +8,9 @@ import pytest
 
 from smsl_studio.blueprint.check import Reading
 from smsl_studio.blueprint.predicates import sense_of
+from smsl_studio.blueprint.predicates.measure import measure_of, measure_text
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.facts import FactMonitor
-from smsl_studio.monitor.measured import measure_of, measure_text
 from smsl_studio.monitor.sample import UNCERTAIN, Sample
 from tests.monitor.predicate_stories import FACT, JUNK, Source, told_apart
 

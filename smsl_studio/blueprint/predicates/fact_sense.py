@@ -21,6 +21,8 @@ from smsl_studio.blueprint.predicates.units import Unit, read_unit
 from smsl_studio.errors import FormulaError
 
 Json = Any
+LOG_RATE, HIGHEST = 10.0, 100.0
+"""How often (Hz) a log keeps what a source measures: where nothing is written, and at most."""
 MOST = 64
 """The largest number of sources, and of predicates, of one fact."""
 
@@ -62,6 +64,8 @@ class FactSense:
     sources: tuple[SourceSpec, ...]
     predicates: tuple[ValuePredicate, ...]
     faults: tuple[SenseFault, ...] = field(default=(), compare=False)
+    log_rate: float = LOG_RATE
+    """How often (Hz) the log of a run keeps the measures while the value stays."""
 
     @property
     def fault(self) -> SenseFault | None:
@@ -108,7 +112,7 @@ def sense_of(raw: Json) -> FactSense | None:
         for name, unit in units.items()
         if name in used
     )
-    return FactSense(specs, predicates, tuple(faults))
+    return FactSense(specs, predicates, tuple(faults), _log_rate(raw.get("log_rate")))
 
 
 _ANY = (-inf, inf)
@@ -182,6 +186,12 @@ def _is_range(pair: Json) -> bool:
         return False
     numbers = all(isinstance(one, int | float) and type(one) is not bool for one in pair)
     return numbers and all(map(isfinite, pair)) and pair[0] <= pair[1]
+
+
+def _log_rate(raw: Json) -> float:
+    """Return the rate of the log. What does not fit is told with the notes, and does not count."""
+    number = isinstance(raw, int | float) and type(raw) is not bool
+    return float(raw) if number and 0 < raw <= HIGHEST else LOG_RATE
 
 
 def _predicates(

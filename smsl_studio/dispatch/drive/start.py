@@ -13,11 +13,12 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.hazard_guard import met, met_words
 from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.senses import SensedEvent
 from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
 from smsl_studio.dispatch.route.goals import goals_of
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
-from smsl_studio.runlog.events import Event, FactChanged, LeftOut, RunStarted, StateChecked
+from smsl_studio.runlog.events import Event, LeftOut, RunStarted, StateChecked
 
 
 def begin_run(
@@ -60,7 +61,7 @@ def _refuse_hazards(hazards: Sequence[GuardHazard]) -> None:
 
 
 def start_events(
-    run: LiveRun, seed: int, goals: Sequence[Address], changes: Sequence[FactChanged]
+    run: LiveRun, seed: int, goals: Sequence[Address], changes: Sequence[SensedEvent]
 ) -> tuple[Event, ...]:
     """Return the first events of a run. ``changes`` are the first changes of facts.
 

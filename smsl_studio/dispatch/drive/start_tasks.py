@@ -11,11 +11,11 @@ from smsl_studio.dispatch.drive.start import start_events
 from smsl_studio.dispatch.execution.desk import Desk, no_words
 from smsl_studio.dispatch.execution.needed import in_checks
 from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.senses import SensedEvent
 from smsl_studio.dispatch.execution.trouble import Hold
 from smsl_studio.dispatch.people.board import ANSWERED, Closed
 from smsl_studio.dispatch.people.questions import start_task
 from smsl_studio.errors import RunRefused
-from smsl_studio.runlog.events import FactChanged
 
 WATCH = 3.0
 """The longest time (s) that sources elsewhere are watched before the start is decided."""
@@ -97,7 +97,7 @@ class StartTasks:
         except RunRefused as refused:
             self._conduct.finish("refused", refused.words, refused.told)
 
-    def _tell(self, changes: tuple[FactChanged, ...]) -> None:
+    def _tell(self, changes: tuple[SensedEvent, ...]) -> None:
         self._run.emit(*start_events(self._run, self._seed, self._goals, changes))
         self.told = True
         self._accepted()

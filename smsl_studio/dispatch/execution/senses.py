@@ -13,9 +13,10 @@ from smsl_studio.host.protocol import Host, OpenedWorld, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.bus import FactBus
 from smsl_studio.monitor.facts import FactMonitor, SourceState
+from smsl_studio.monitor.measure_record import MeasureRecord
 from smsl_studio.monitor.sample import Sample
-from smsl_studio.runlog.events import FactChanged
-from smsl_studio.runlog.quick import fact_changed
+from smsl_studio.runlog.events import FactChanged, Measured
+from smsl_studio.runlog.quick import fact_changed, measured
 
 
 @dataclass(slots=True)
@@ -47,6 +48,9 @@ class Moment(NamedTuple):
     live: float
 
 
+SensedEvent = Measured | FactChanged
+
+
 class Senses:
     """The time, the scene, and the last sensed value of every fact of one run.
 
@@ -64,6 +68,9 @@ class Senses:
         self.bus = FactBus()
         self._inbox = self.bus.subscribe()
         self._monitor = FactMonitor(opened.sensors, rules)
+        sensed = self._monitor.sensed
+        self._record = MeasureRecord(sensed) if sensed else None
+        """What the log keeps of measures, None if no fact is decided from any."""
         self._told: dict[FactKey, str | None] = {}
         self._compared = NOTHING_SENSED
         """The readings that were last compared with what was told."""
@@ -73,18 +80,18 @@ class Senses:
         self.whole = False
         self._disturbed = False
 
-    def look(self) -> tuple[FactChanged, ...]:
+    def look(self) -> tuple[SensedEvent, ...]:
         """Read every sensor once, and return the changed facts."""
         samples = self._host.sense()
         if samples:
             self.time = max((self.time, *map(_TIME, samples)))
         return self._take(samples)
 
-    def listen(self) -> tuple[FactChanged, ...]:
+    def listen(self) -> tuple[SensedEvent, ...]:
         """Return the facts that remote sensors have changed while simulated time stands still."""
         return self._take(()) if self._remote is not None else ()
 
-    def tick(self) -> tuple[Tick, tuple[FactChanged, ...]]:
+    def tick(self) -> tuple[Tick, tuple[SensedEvent, ...]]:
         """Make one tick of the host. Return its result and the changed facts."""
         tick = self._host.tick()
         self.time = tick.time
@@ -126,20 +133,20 @@ class Senses:
 
     def answer(
         self, branch: str, digit: int, value: str | None, who: str
-    ) -> tuple[FactChanged, ...]:
+    ) -> tuple[SensedEvent, ...]:
         """Take the value that a person tells for a fact. Return the changed facts."""
         self._monitor.answer(branch, digit, value, who, self.time)
         self._doubts.pop((branch, digit), None)
         return self._take(())
 
-    def forget(self, facts: Iterable[FactKey]) -> tuple[FactChanged, ...]:
+    def forget(self, facts: Iterable[FactKey]) -> tuple[SensedEvent, ...]:
         """Forget what people have told about these facts. They must be asked again."""
         said = set(self._monitor.answered()) & set(facts)
         for branch, digit in said:
             self._monitor.answer(branch, digit, None, "", self.time)
         return self._take(()) if said else ()
 
-    def doubt(self, facts: Iterable[FactKey], reason: str) -> tuple[FactChanged, ...]:
+    def doubt(self, facts: Iterable[FactKey], reason: str) -> tuple[SensedEvent, ...]:
         """Make facts unknown until they are sensed again. Return the changed facts.
 
         Every source that has sent samples of a fact must send a new one. A fact that nobody senses
@@ -170,7 +177,7 @@ class Senses:
         self._doubts = {key: doubt for key, doubt in self._doubts.items() if doubt.counted}
         self._take(())
 
-    def _take(self, samples: Sequence[Sample]) -> tuple[FactChanged, ...]:
+    def _take(self, samples: Sequence[Sample]) -> tuple[SensedEvent, ...]:
         if samples:
             self.bus.publish(samples)
         if self._remote is not None:
@@ -182,7 +189,19 @@ class Senses:
         self.scene = self._monitor.scene(self.time, live)
         if self._doubts:
             self._dispel()
-        return self._changes() if self.scene.readings is not self._compared else ()
+        changes = self._changes() if self.scene.readings is not self._compared else ()
+        return changes if self._record is None else self._with_measures(self._record, changes)
+
+    def _with_measures(
+        self, record: MeasureRecord, changes: tuple[FactChanged, ...]
+    ) -> tuple[SensedEvent, ...]:
+        """Return the changed facts, after the measures that the log keeps now."""
+        changed = [(one.branch, one.digit) for one in changes]
+        told = (
+            measured(self.time, *one[:4], one.quality, round(one.time, 6), one.reason)
+            for one in record.keep(changed, self.time)
+        )
+        return (*told, *changes)
 
     def _dispel(self) -> None:
         """Remove the doubts whose sources have all sent new samples. Facts with other doubts are

@@ -67,6 +67,7 @@ _FIELDS = {
     "sources": "what measures it",
     "predicate": "how it is measured",
     "range": "what its sources can measure",
+    "log_rate": "how often the log keeps what its sources measure",
     "aggregation": "how its sensors become one value",
     "k": "how many sensors must agree",
     "max_age": "the age after which it is unknown",

@@ -50,6 +50,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.RunStarted: EventRow(bounds.run_started),
         run.LeftOut: EventRow(bounds.left_out, before=False, starting=True),
         run.FactChanged: EventRow(scene.fact_changed, starting=True),
+        run.Measured: EventRow(scene.measured, starting=True),
         run.StateChecked: EventRow(operations.state_checked, before=False, starting=True),
         run.RoutePlanned: EventRow(operations.route_planned, before=False),
         run.SubsBypassed: EventRow(operations.subs_bypassed, before=False),
@@ -109,6 +110,11 @@ class Grammar:
         memory.now = event.t
         if isinstance(event, run.Within):
             why = self._within(event)
+            self._over = bool(why)
+            take(memory.fold, event)
+            return why
+        if isinstance(event, run.Measured):
+            why = next(_measured(memory, event), "")
             self._over = bool(why)
             take(memory.fold, event)
             return why
@@ -191,16 +197,33 @@ def _wrong(memory: Memory, event: Event) -> Iterator[str]:
     yield from row.wrong(memory, event)
 
 
+def _measured(memory: Memory, event: run.Measured) -> Iterator[str]:
+    """Yield the reasons why nothing can be measured here. Measures may stand between any two
+    events of the run, and change nothing in what may follow.
+    """
+    if memory.last is None:
+        yield from misshapen(memory.header)
+    yield from _in_time(memory, event)
+    yield from scene.measured(memory, event)
+
+
+def _in_time(memory: Memory, event: Event) -> Iterator[str]:
+    """Yield the reasons why an event cannot come at its time."""
+    fold, word = memory.fold, event.event.replace("_", " ")
+    if fold.finished is not None:
+        yield f"{word} comes after the end of the run"
+    if event.t < fold.time:
+        yield f"the time goes back from {fold.time:g} s to {event.t:g} s"
+    if event.t > fold.time and _at_once(memory):
+        yield f"time passes until {event.t:g} s, but nothing in the run takes time"
+
+
 def _always(memory: Memory, event: Event, row: EventRow) -> Iterator[str]:
     """Yield the reasons why an event of any kind cannot stand here."""
     fold, last, word = memory.fold, memory.last, event.event.replace("_", " ")
     if last is None:
         yield from misshapen(memory.header)
-    if fold.finished is not None:
-        yield f"{word} comes after the end of the run"
-    before = last.t if last is not None else 0.0
-    if event.t < before:
-        yield f"the time goes back from {before:g} s to {event.t:g} s"
+    yield from _in_time(memory, event)
     if not fold.begun and not row.before:
         yield f"{word} comes before the beginning of the run"
     if memory.unchecked and not row.starting:
@@ -214,8 +237,6 @@ def _always(memory: Memory, event: Event, row: EventRow) -> Iterator[str]:
         yield f"{last.address} is risky, and the scene is not looked at"
     if isinstance(last, run.Mismatch) and not isinstance(event, _SETTLES):
         yield "the scene and the believed facts differ, but the run goes on"
-    if event.t > before and _at_once(memory):
-        yield f"time passes until {event.t:g} s, but nothing in the run takes time"
     if memory.doomed and not (isinstance(event, run.RunFinished) and event.reason == "failed"):
         yield "the run holds in the middle of an operation, or while it is latched, and goes on"
     if memory.owed and memory.owed != event.event and _overdue(memory, event):

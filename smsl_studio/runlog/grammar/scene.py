@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from smsl_studio.blueprint.address import split_fact
+from smsl_studio.blueprint.predicates.measure import GOOD, QUALITIES, measure_of
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.grammar.memory import Memory, parts
 
@@ -25,6 +26,21 @@ def fact_changed(memory: Memory, event: run.FactChanged) -> Iterator[str]:
         yield f"{event.branch}/{event.digit} is no fact that is sensed"
     if event.value is not None and event.reason:
         yield f"{event.branch}/{event.digit} has a value, and also a reason why it has none"
+
+
+def measured(memory: Memory, event: run.Measured) -> Iterator[str]:
+    """Check that something of this run was measured, as a number or with a reason."""
+    word = f"{event.source} of {event.branch}/{event.digit}"
+    if event.digit < 0 or not event.branch or not memory.knows(event.branch):
+        yield f"{event.branch}/{event.digit} is no fact of this run"
+    if not memory.evidence.can_tell(event.branch, event.digit, None):
+        yield f"{event.branch}/{event.digit} is no fact that is sensed"
+    if not event.source or event.quality not in QUALITIES:
+        yield f"{word} is measured by nothing, or in quality {event.quality!r}"
+    if event.value is not None and isinstance(measure_of(event.value, None), str):
+        yield f"{word} has measured {event.value[:40]!r}, which is no number"
+    if event.value is None and event.quality == GOOD:
+        yield f"{word} has measured nothing, in good quality"
 
 
 def mismatch(memory: Memory, event: run.Mismatch) -> Iterator[str]:

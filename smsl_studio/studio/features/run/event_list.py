@@ -12,7 +12,7 @@ from smsl_studio.studio.base.controls import NameDelegate
 from smsl_studio.studio.base.theme import mono_font
 from smsl_studio.studio.base.tips import tip_text
 
-QUIET = (run.FactChanged,)
+QUIET = (run.FactChanged, run.Measured)
 LONGEST = 5000
 """The most lines in the list; the log has all events."""
 

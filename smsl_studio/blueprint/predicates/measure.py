@@ -7,6 +7,9 @@ import re
 from collections.abc import Sequence
 from math import isfinite
 
+GOOD, UNCERTAIN, BAD = QUALITIES = ("good", "uncertain", "bad")
+"""The quality that a source gives to its own reading. Only a good reading is evidence."""
+
 Measure = float | tuple[float, float, float]
 
 _NUMBER = r"-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
