@@ -10,6 +10,7 @@ from smsl_studio.inspection.reading.controls import controls
 from smsl_studio.inspection.reading.duties import duties, watched
 from smsl_studio.inspection.reading.line_keys import keyed
 from smsl_studio.inspection.reading.line_sources import with_sources
+from smsl_studio.inspection.reading.paper_notation import in_notation
 from smsl_studio.inspection.reading.plain_names import PlainNames, untitled
 from smsl_studio.inspection.reading.preparation import preparation
 from smsl_studio.inspection.reading.procedure import Procedure
@@ -26,7 +27,8 @@ def written_reading(
     """Return a blueprint as sentences for people who have never seen a state machine.
 
     Nothing is invented: each sentence repeats a title, an annotation, or an answer of the engine in
-    ``grounds``. With ``identifiers`` the names in the file stand behind the titles.
+    ``grounds``. With ``identifiers`` the names in the file stand behind the titles, and everything
+    stands once more in the notation of the paper.
     """
     names = PlainNames(blueprint, identifiers)
     words = StepWords(names)
@@ -42,6 +44,8 @@ def written_reading(
         duties(words),
         watched(words),
     ]
+    if identifiers:
+        sections.append(in_notation(blueprint))
     if grounds.difference is not None:
         sections.insert(0, since(names, grounds.difference, grounds.former))
     title, purpose = _purpose(blueprint)

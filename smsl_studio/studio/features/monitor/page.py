@@ -9,6 +9,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidget
 
+from smsl_studio.blueprint.address import fact_text
+from smsl_studio.blueprint.notation import notation_of
+from smsl_studio.front.views.measure_traces import traces_of
 from smsl_studio.front.views.monitor_rows import (
     Estimates,
     MonitorRow,
@@ -31,6 +34,7 @@ from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.monitor.checks import Checks
 from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
 from smsl_studio.studio.features.monitor.fault_bar import FaultBar
+from smsl_studio.studio.features.monitor.measure_plot import MeasurePlot
 from smsl_studio.studio.features.monitor.network import network_rows
 from smsl_studio.studio.features.monitor.table import MonitorTable
 from smsl_studio.studio.running.frames import head, split
@@ -77,7 +81,8 @@ class MonitorPage(QDialog):
         self._pages = QStackedWidget()
         self._pages.addWidget(self.table)
         self._pages.addWidget(empty)
-        self.table.row_chosen.connect(lambda _: self._show_bar())
+        self.plot = MeasurePlot(tokens)
+        self.table.row_chosen.connect(self._choose)
         self.table.disturb_wanted.connect(self._open_menu)
         self.bar.wanted.connect(self._disturb)
         self.faults.wanted.connect(self._inject)
@@ -89,7 +94,7 @@ class MonitorPage(QDialog):
         top = row(self.words, self._refusal, self._time, self.phase, self.stop)
         top.setContentsMargins(12, 8, 12, 8)
         left, column = empty_panel()
-        for part in (self._pages, rule(), self.bar, rule(), self.faults):
+        for part in (self._pages, self.plot, rule(), self.bar, rule(), self.faults):
             column.addWidget(part, 1 if part is self._pages else 0)
         side = split(
             Qt.Orientation.Vertical,
@@ -139,6 +144,7 @@ class MonitorPage(QDialog):
         self.words.setText(f"{summary(rows)}{over}")
         self._time.setText(f"at {status.time:.1f} s")
         self._show_bar()
+        self._show_plot()
 
     def _show_nothing(self) -> None:
         self._pages.setCurrentIndex(1)
@@ -148,6 +154,7 @@ class MonitorPage(QDialog):
         self.words.setText("Opening the world" if self._run.exists else "No run")
         self._time.setText("")
         self._show_bar()
+        self._show_plot()
 
     def _show_network(self) -> None:
         run = self._run
@@ -155,13 +162,31 @@ class MonitorPage(QDialog):
         rows = network_rows(world, run.exists, run.sensors, run.remote())
         self.network.show_rows(rows)
 
+    def _choose(self, row: MonitorRow | None) -> None:
+        """Show what the chosen row is about."""
+        self._show_bar()
+        self._show_plot()
+        if row is not None and len(row.key) > 2:
+            self.plot.choose(row.key[2])
+
+    def _show_plot(self) -> None:
+        """Plot the sources of the chosen fact, if predicates decide it."""
+        run, row = self._run, self.table.chosen
+        if run.blueprint is None or row is None or len(row.key) < 2:
+            self.plot.show_fact(None, (), 0.0)
+            return
+        fact = row.key[0], int(row.key[1])
+        traces = traces_of(run.blueprint, fact, run.story.history, run.time)
+        notation = notation_of(run.blueprint, fact_text(*fact)) if traces else ()
+        self.plot.show_fact(fact, traces, run.time, notation)
+
     def _show_bar(self) -> None:
         self.bar.show_row(self.table.chosen, self._run.exists)
         self.faults.show_faults(self._run.faults, self._run.exists)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (self.table, self.network, self.checks, self.stop):
+        for part in (self.table, self.plot, self.network, self.checks, self.stop):
             part.set_tokens(tokens)
         self.refresh()
 

@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.editing import change_notes
@@ -23,6 +24,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
+from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import (
     NoteEntry,
     NoteForm,
@@ -117,6 +119,8 @@ class FactForm(NoteForm):
             NumberBounds(0, most=60), "s", "at once"))  # fmt: skip
         self.asking = AskingLines(self, "What the person who says it is asked", "What is it?")
         self.column.addWidget(self.odd)
+        self.notation = NotationPart()
+        self.column.addWidget(self.notation)
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
         """The keys that neither a line of this form nor the table of values shows."""
@@ -144,6 +148,7 @@ class FactForm(NoteForm):
         self._said.say(_value_misfits(misfits))
         self.name.setPlaceholderText(f"Fact {digit + 1}")
         self._show_source(blueprint, branch, note, written)
+        self.notation.show_element(blueprint, fact_text(name, digit))
 
     def who(self) -> str:
         """The fact in the words of an undo step."""

@@ -31,6 +31,7 @@ from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
+from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm
 from smsl_studio.studio.features.draw.panels.operation_entries import entries_of, noted_edges
 from smsl_studio.studio.features.draw.panels.try_alone import TryAlone
@@ -141,6 +142,8 @@ class OperationForm(NoteForm):
         self.column.addWidget(self.odd)
         self.alone = TryAlone(self._session)
         self.column.addWidget(self.alone)
+        self.notation = NotationPart()
+        self.column.addWidget(self.notation)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -176,6 +179,7 @@ class OperationForm(NoteForm):
             self._show_target(branch)
             self._show_start()
         self.alone.show_edges(edges)
+        self.notation.show_element(blueprint, str(one or ""))
         self._show_details()
 
     def who(self) -> str:

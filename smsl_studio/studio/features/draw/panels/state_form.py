@@ -28,6 +28,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.kept import KeptValues
+from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import (
     NoteEntry,
     NoteForm,
@@ -92,6 +93,8 @@ class StateForm(NoteForm):
         self.column.addWidget(self._none)
         self.notes = StateNotes()
         self.column.addWidget(self.notes)
+        self.notation = NotationPart()
+        self.column.addWidget(self.notation)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -117,6 +120,7 @@ class StateForm(NoteForm):
             self.chips.show_states(branch, [at.state for at in states])
         fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
         self.kept.show_values(fields)
+        self.notation.show_element(blueprint, str(one or ""))
         if one is None:
             self._none.hide()
             self.operations.hide()

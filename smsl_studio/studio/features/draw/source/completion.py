@@ -9,6 +9,8 @@ from dataclasses import dataclass, fields
 
 from smsl_studio.blueprint.annotations import DrawnNote, FactNote, OperationNote, StateNote
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.predicates.predicate_text import written_source
+from smsl_studio.blueprint.predicates.units import symbols
 from smsl_studio.studio.features.draw.source.around import HEADER, Around
 
 MOST = 200
@@ -74,6 +76,8 @@ def _all(blueprint: Blueprint, library: Sequence[str], here: Around) -> Iterator
         yield from _in_header(blueprint, branch, here)
     elif path[1:2] and path[1].startswith("_"):
         yield from _in_note(branch, library, here)
+        if path[1] == "_facts" and len(path) > 2:
+            yield from _of_sensing(branch, here)
     elif len(path) == 1 and not here.is_value:
         yield from _in_branch(branch)
     elif len(path) == 2:
@@ -117,8 +121,45 @@ def _in_note(
         yield from _states(branch)
     elif here.path[1] == "_operations":
         yield from _operations(branch, library)
-    elif here.path[1] == "_facts" and branch is not None:
+    elif here.path[1:] == ("_facts",) and branch is not None:
         yield from (Completion(str(at), branch.fact_name(at)) for at in range(branch.num_facts))
+
+
+def _of_sensing(branch: StateBranch | None, here: Around) -> Iterator[Completion]:
+    """In an entry of ``_facts``: sources, their units, ranges, and the values of predicates."""
+    fact = here.path[2]
+    digit = int(fact) if branch is not None and fact.isdecimal() and len(fact) < 7 else -1
+    within = here.path[3] if len(here.path) > 3 else ""
+    if here.is_value:
+        if within == "sources" or (here.key == "unit" and not within):
+            yield from (Completion(unit, "a unit") for unit in symbols())
+        elif within == "predicate" and branch is not None:
+            yield from _conditions(branch, digit)
+    elif within == "sources" and branch is not None:
+        yield from _sources(branch)
+    elif within == "range" and branch is not None:
+        note = branch.fact_note(digit)
+        named = note.sources.items() if note is not None else ()
+        yield from (Completion(name, f"in {unit}") for name, unit in named)
+    elif within == "predicate" and branch is not None and 0 <= digit < len(branch.alphabet):
+        yield from (Completion(value, "a value") for value in branch.alphabet[digit])
+
+
+def _sources(branch: StateBranch) -> Iterator[Completion]:
+    """Yield the sources that other facts of the SB have."""
+    named = {
+        name: unit for note in branch.notes.facts.values() for name, unit in note.sources.items()
+    }
+    yield from (Completion(name, f"in {unit}") for name, unit in sorted(named.items()))
+
+
+def _conditions(branch: StateBranch, digit: int) -> Iterator[Completion]:
+    """Yield the beginnings of conditions on the sources of a fact, to go on from."""
+    note = branch.fact_note(digit)
+    for name, unit in note.sources.items() if note is not None else ():
+        word = written_source(name)
+        number = "0" if unit == "1" else f"0 {unit}"
+        yield from (Completion(f"{word} {sign} {number}", "a condition") for sign in "<>")
 
 
 def _states(branch: StateBranch | None) -> Iterator[Completion]:

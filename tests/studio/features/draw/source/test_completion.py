@@ -122,3 +122,36 @@ def test_names_are_written_as_native_text_writes_them(at_text: At) -> None:
     writer.pane.settle()
     assert writer.session.broken is None
     assert writer.session.blueprint["SB1"].table["State_1"] == {"Op": "a b"}
+
+
+SENSED = """{
+    "SB": {
+        "_facts": {"0": {"sources": {"force": "N", "far-away": "mm"}, "range": {"force": [0, 9]},
+                         "predicate": {"0": "force < 1 N"}}, "1": {"sources": {"count": "1"}}},
+        "State_01": {"Go": "State_10"}, "State_10": {}
+    }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("entry", "wanted"),
+    [
+        ('"sources": {"f|', ["force", "far-away"]),
+        ('"sources": {"force": "kP|', ["kPa"]),
+        ('"sources": {"force": "|', ["mm", "N", "deg", "1"]),
+        ('"unit": "mm|', ["mm", "mmHg"]),
+        ('"range": {"f|', ["force", "far-away"]),
+        ('"predicate": {"|', ["0", "1"]),
+        ('"predicate": {"0": "f|', ["force < 0 N", "force > 0 N", "'far-away' < 0 mm"]),
+        ('"na|', ["name"]),
+        ('"name": "|', []),
+    ],
+)
+def test_sources_units_and_conditions_of_a_fact(entry: str, wanted: list[str]) -> None:
+    lines = [f'{{"SB": {{"_facts": {{"0": {{{entry}']
+    column = lines[0].index("|")
+    here = around([lines[0].replace("|", "")], 0, column, "json")
+    found = [one.name for one in offers(read(SENSED), (), here)]
+    assert set(wanted) <= set(found)
+    assert bool(wanted) == bool(found)

@@ -1,0 +1,183 @@
+"""The plot of what the sources of a fact have measured, with the thresholds of its predicates."""
+
+from __future__ import annotations
+
+from math import isnan
+
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.front.views.measure_traces import AXES, SPAN, MeasureTrace
+from smsl_studio.legible import markup, plain_text
+from smsl_studio.studio.base.controls import Combo, Elided, Label, label
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+HEIGHT = 230
+MARGIN = 0.12
+"""The part of the shown range that stays free above and below."""
+
+
+class MeasurePlot(QWidget):
+    """A plot of one source at a time, and the fact in the notation of the paper below it.
+
+    It is hidden while there is nothing to plot.
+    """
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self._traces: tuple[MeasureTrace, ...] = ()
+        self._fact: FactKey | None = None
+        self._now = 0.0
+        self.source = Combo()
+        self.source.setAccessibleName("Source that is plotted")
+        self.source.setMinimumWidth(140)
+        self.source.currentIndexChanged.connect(lambda _: self._draw())
+        self.newest = Elided()
+        self._legend = Label(rich=True)
+        self.notation = Label()
+        self.notation.setProperty("role", "mono")
+        self.notation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notation.setContentsMargins(12, 4, 12, 6)
+        self.plot = pg.PlotWidget()
+        self.plot.setAccessibleName("Measures of the last 30 s")
+        self.plot.setFrameShape(QFrame.Shape.NoFrame)
+        self.plot.setMinimumHeight(120)
+        self.plot.hideButtons()
+        self.plot.setMenuEnabled(False)
+        self.plot.setMouseEnabled(x=False, y=False)
+        self._curves: list[pg.PlotDataItem] = []
+        self._lines: list[pg.InfiniteLine] = []
+        across = QHBoxLayout()
+        across.setContentsMargins(12, 6, 12, 4)
+        across.setSpacing(8)
+        for part in (label("Last 30 s of", "second"), self.source, self._legend):
+            across.addWidget(part)
+        across.addWidget(self.newest, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(across)
+        column.addWidget(self.plot, 1)
+        column.addWidget(self.notation)
+        self.setFixedHeight(HEIGHT)
+        self.set_tokens(tokens)
+        self.hide()
+
+    def show_fact(
+        self,
+        fact: FactKey | None,
+        traces: tuple[MeasureTrace, ...],
+        now: float,
+        notation: tuple[str, ...] = (),
+    ) -> None:
+        """Show the sources of a fact as they are at ``now`` (simulated s).
+
+        ``notation`` are the lines of the fact in the notation of the paper.
+        """
+        self._traces, self._now = traces, now
+        if fact != self._fact or self.source.count() != len(traces):
+            self._fact = fact
+            self.source.blockSignals(True)
+            self.source.clear()
+            for trace in traces:
+                self.source.addItem(plain_text(trace.source))
+            self.source.blockSignals(False)
+        self.notation.setText("\n".join(map(plain_text, notation)))
+        self.setFixedHeight(HEIGHT + max(0, len(notation) - 3) * 16)
+        self.setVisible(bool(traces))
+        self._draw()
+
+    def choose(self, source: str) -> None:
+        """Plot this source, if the fact has it."""
+        names = [one.source for one in self._traces]
+        if source in names:
+            self.source.setCurrentIndex(names.index(source))
+
+    @property
+    def shown(self) -> MeasureTrace | None:
+        """The source that is plotted."""
+        at = self.source.currentIndex()
+        return self._traces[at] if 0 <= at < len(self._traces) else None
+
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """The heights of the lines that are drawn."""
+        return tuple(float(line.value()) for line in self._lines)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        self.plot.setBackground(tokens.surf)
+        for side in ("left", "bottom"):
+            axis = self.plot.getAxis(side)
+            axis.setPen(pg.mkPen(tokens.line2))
+            axis.setTextPen(pg.mkPen(tokens.tx2))
+            axis.setTickFont(text_font(11))
+        self._remake()
+
+    def _remake(self) -> None:
+        """Draw anew all that has colours."""
+        for item in (*self._curves, *self._lines):
+            self.plot.removeItem(item)
+        self._curves, self._lines = [], []
+        self._draw()
+
+    def _draw(self) -> None:
+        trace = self.shown
+        if trace is None:
+            return
+        inks = (self._tokens.acc, self._tokens.ok, self._tokens.risk)
+        while len(self._curves) < len(trace.lines):
+            pen = pg.mkPen(inks[len(self._curves)], width=1.6)
+            self._curves.append(self.plot.plot([], [], pen=pen, connect="finite"))
+        for curve in self._curves[len(trace.lines) :]:
+            curve.setData([], [])
+        ago = [time - self._now for time in trace.times]
+        for curve, line in zip(self._curves, trace.lines, strict=False):
+            # A measure stays as it is until the next one, and until now.
+            curve.setData([*ago, 0.0] if ago else [], [*line, *line[-1:]])
+        self._place_lines(trace)
+        self._fit(trace)
+        unit = "" if trace.unit == "1" else trace.unit
+        self.plot.setLabel("left", unit, color=self._tokens.tx2.name())
+        self.plot.setLabel("bottom", "s before now", color=self._tokens.tx2.name())
+        self.newest.setText(f"now {trace.newest}" if trace.times else "nothing measured yet")
+        many = len(trace.lines) if len(trace.lines) > 1 else 0
+        named = zip(AXES[:many], inks, strict=False)
+        words = (f'<span style="color:{ink.name()}">{markup(axis)}</span>' for axis, ink in named)
+        self._legend.setText(" ".join(words))
+        said = "; ".join(one.words for one in trace.thresholds)
+        self.plot.setAccessibleDescription(
+            plain_text(f"{trace.source}: {self.newest.text()}; thresholds: {said or 'none'}")
+        )
+
+    def _place_lines(self, trace: MeasureTrace) -> None:
+        """Draw the thresholds. They stay the same for a source, so mostly nothing is to do."""
+        wanted = [(one.at, plain_text(one.words)) for one in trace.thresholds]
+        if [(line.value(), line.label.format) for line in self._lines] == wanted:
+            return
+        for line in self._lines:
+            self.plot.removeItem(line)
+        tokens = self._tokens
+        ink = QColor(tokens.bad)
+        pen = pg.mkPen(ink, width=1.2, style=Qt.PenStyle.DashLine)
+        self._lines = []
+        for number, (at, words) in enumerate(wanted):
+            above = [(0.5, 1.0), (0.5, 1.0)]
+            options = {"position": 0.06 + 0.2 * (number % 4), "color": ink, "anchors": above}
+            line = pg.InfiniteLine(at, angle=0, pen=pen, label=words, labelOpts=options)
+            self._lines.append(line)
+            self.plot.addItem(line)
+
+    def _fit(self, trace: MeasureTrace) -> None:
+        """Show all of the last 30 s, and every threshold."""
+        values = [value for line in trace.lines for value in line if not isnan(value)]
+        values += [one.at for one in trace.thresholds]
+        low, high = (min(values), max(values)) if values else (0.0, 1.0)
+        room = MARGIN * (high - low) or abs(high) * MARGIN or 1.0
+        self.plot.setXRange(-SPAN, 0.0, padding=0)
+        self.plot.setYRange(low - room, high + room, padding=0)
