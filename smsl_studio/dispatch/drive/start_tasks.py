@@ -67,8 +67,8 @@ class StartTasks:
                 "say what it asks.",
             )
 
-    def _watched(self) -> tuple[FactChanged, ...]:
-        """Watch sources elsewhere for a while, if the start needs that. Return the changed facts.
+    def _watched(self) -> tuple[SensedEvent, ...]:
+        """Watch sources elsewhere for a while, if the start needs that. Return what they told.
 
         A predicate with ``for`` or ``age`` cannot be known at the first look. Nothing moves yet.
         """
@@ -77,7 +77,7 @@ class StartTasks:
             return ()
         measured = {(s.branch, s.digit) for s in run.opened.sensors if s.remote and s.unit}
         until = elsewhere.clock() + WATCH
-        changes: list[FactChanged] = []
+        changes: list[SensedEvent] = []
         while measured & self._unknown() and elsewhere.clock() < until:
             elsewhere.wait()
             changes += run.senses.listen()
