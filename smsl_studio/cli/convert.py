@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.imported_files import KEY as IMPORTS
 from smsl_studio.blueprint.model import Blueprint
@@ -21,8 +21,6 @@ from smsl_studio.smsl.forms import SUFFIXES
 
 if TYPE_CHECKING:
     from smsl_studio.exchange.findings import ExchangeFinding
-
-Json = Any
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -76,7 +74,7 @@ def _write(blueprint: Blueprint, output: str) -> None:
 def _tell(options: argparse.Namespace, findings: Sequence[ExchangeFinding], out: Output) -> None:
     """Tell what the form does not hold: on standard error, or as JSON."""
     if options.format == "json":
-        told: list[Json] = [one._asdict() for one in findings]
+        told = [one.plain for one in findings]
         out.json({"file": options.file, "output": options.output, "findings": told})
         return
     for one in findings:

@@ -22,6 +22,11 @@ class ExchangeFinding(NamedTuple):
     line: int = 0
     column: int = 0
 
+    @property
+    def plain(self) -> dict[str, str | int]:
+        """The finding as an object of JSON."""
+        return self._asdict()
+
 
 class ExchangeFindings:
     """Collects findings. Equal ones are told once."""
