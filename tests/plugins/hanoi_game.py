@@ -9,6 +9,8 @@ from plugins.hanoi.plugin import register
 from plugins.hanoi.table import Table
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.host.default_decision import decided
+from smsl_studio.library.fact_default import default_of
 from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.smsl.files import read_document
 from smsl_studio.world.bullet import BulletWorld
@@ -37,14 +39,20 @@ class Game:
         self.world = BulletWorld("hanoi")
         entry = self.library.worlds["hanoi"]
         self.table: Table = entry.build(self.world, sample(FILES[count]), seed)
+        sensors = self.library.sensors
+        fact = next(one for one in sensors if one.predicate)
+        self._pegs = [
+            decided(default_of(fact.predicate, fact.otherwise, {"n": str(disk.number)}, sensors))
+            for disk in self.table.disks
+        ]
 
     def put(self, pegs: str) -> None:
         facts = {("SB1", digit): peg for digit, peg in enumerate(pegs)}
         self.library.arrangers["hanoi"](self.table, facts)
 
     def read(self) -> str:
-        sensor = self.library.sensors[0].function
-        return "".join(sensor(self.table, disk.number) or "?" for disk in self.table.disks)
+        """The pegs that the default predicates decide from what the sensors measure."""
+        return "".join(peg(self.table) or "?" for peg in self._pegs)
 
     def start(self, operation: str) -> Any:
         """The generator of an operation such as ``2b``."""
