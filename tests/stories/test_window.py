@@ -198,7 +198,10 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
     person = sit(HANOI)
     person.ctrl(Key.Key_2)
     window = person.window
-    assert window.body.pages.currentWidget() is window.features.run.pane
+    shown = window.body.pages.currentWidget()
+    assert shown is not None
+    assert shown.isAncestorOf(window.features.run.pane)
+    assert window.features.run.pane.isVisible()
     assert not window.docks.left.isVisible()
     assert window.focusWidget() is window.features.run.pane.canvas.canvas
     person.ctrl(Key.Key_1)

@@ -13,9 +13,10 @@ from smsl_studio.shipped import docs_dir
 GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("First steps", ("engineer.md", "clinician.md", "shown.md", "plugin-author.md")),
     ("The window", ("window.md", "access.md", "gestures.md", "pictures.md")),
-    ("Blueprints", ("language.md", "inspection.md", "drilling.md", "procedures.md", "approval.md")),
-    ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "failures.md",
-              "record.md", "evidence.md")),
+    ("Blueprints", ("language.md", "inspection.md", "drilling.md", "procedures.md", "approval.md",
+                    "text.md")),
+    ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "predicates.md",
+              "room.md", "failures.md", "record.md", "evidence.md")),
     ("Commands and plugins", ("command-line.md", "plugins.md")),
     ("How it is built", ("architecture.md", "decisions/README.md", "decisions/canvas.md",
                          "decisions/child.md", "decisions/operations.md", "decisions/splice.md",
