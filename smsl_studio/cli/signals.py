@@ -13,7 +13,15 @@ from contextlib import contextmanager
 from importlib.machinery import ExtensionFileLoader
 from types import FrameType
 
-from smsl_studio.stop import GRACE, BrokenOff, Stopped, heeding, is_graceful, is_whole
+from smsl_studio.stop import (
+    GRACE,
+    BrokenOff,
+    Stopped,
+    heeding,
+    is_graceful,
+    is_whole,
+    spare_the_old,
+)
 
 AGAIN = 1.0
 """The wall time (s) after which a stop without effect is raised again."""
@@ -72,18 +80,22 @@ class Signals:
         """Break off the work, unless it must be whole. Such work checks for a stop at its end."""
         if not self.asked or self._over or is_whole():
             return
-        if _loads_a_library(frame):
+        if _ends_first(frame):
             signal.setitimer(signal.ITIMER_REAL, SOON, AGAIN)
             return
         raise BrokenOff
 
 
-def _loads_a_library(frame: FrameType | None) -> bool:
-    """Whether a library in C is being loaded. Some libraries crash on an exception at that time.
+def _ends_first(frame: FrameType | None) -> bool:
+    """Whether something runs that an exception must not leave.
 
-    A library may import Python modules while it is loaded, and a signal may come in them.
+    This is a library in C that is being loaded: some crash then, also by a signal in a Python
+    module that they import. And it is what Python calls at the garbage collection: an exception in
+    it is lost, but printed.
     """
     while frame is not None:
+        if frame.f_code is spare_the_old.__code__:
+            return True
         if frame.f_code.co_name in ("exec_module", "create_module") and isinstance(
             frame.f_locals.get("self"), ExtensionFileLoader
         ):

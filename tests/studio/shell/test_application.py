@@ -56,7 +56,7 @@ def test_the_window_runs_until_it_is_closed(
     windows: list[QWidget] = []
 
     def execute(self: QApplication) -> int:
-        windows.extend(w for w in self.topLevelWidgets() if w.isVisible())
+        windows.extend(w for w in self.topLevelWidgets() if w.isVisible() and w.windowTitle())
         return 0
 
     monkeypatch.setattr(QApplication, "exec", execute)
