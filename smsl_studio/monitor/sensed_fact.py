@@ -28,7 +28,7 @@ class SensedFact:
         self._decider = Decider(sense, ages)
         self._seen: dict[str, Sample | None] = dict.fromkeys(ages)
         self.newest: dict[str, Sample | None] = dict.fromkeys(ages)
-        """The newest sample of each source at the last look, whatever it is worth."""
+        """The newest sample of each source at the last look, also an invalid or old one."""
         self.contested = False
         """Whether several programs spoke for one of its sources at the last look."""
 

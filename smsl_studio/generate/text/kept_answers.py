@@ -117,7 +117,7 @@ class KeptAnswers:
 
 
 def read_kept(path: str) -> KeptAnswers:
-    """Return the provider of a file of kept answers. ReadError if it is none."""
+    """Return a provider that gives the answers kept in a file. ReadError if it holds none."""
     place = Place(path, 1, 1)
     try:
         raw = read_ordinary(path, LARGEST).raw

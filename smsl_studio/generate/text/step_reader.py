@@ -331,7 +331,7 @@ def _cautions(part: TextPart) -> Iterator[Caution]:
 
 
 def _title(text: str) -> str:
-    """Return a heading without its number."""
+    """Return the words of a heading, without a number such as "2.1" before them."""
     lead, _, rest = text.partition(" ")
     return rest.strip() if rest and lead.strip(".):").replace(".", "").isdigit() else text
 

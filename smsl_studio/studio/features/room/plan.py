@@ -155,7 +155,7 @@ class RoomPlan(QWidget):
     # Painting.
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the room from the ground up."""
+        """Paint the floor, then the nodes with their tags, then what is chosen."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         tokens = self._tokens
