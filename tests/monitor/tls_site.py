@@ -235,6 +235,11 @@ class AtSite:
         (found,) = (one for one in self.dispatcher.status.sources if one.said.source == name)
         return found
 
+    def newest(self, name: str) -> int:
+        """The sequence of the newest sample of a source that was read."""
+        sample = self.source(name).sample
+        return -1 if sample is None else sample.sequence
+
     @property
     def view(self) -> RemoteView:
         opened = self.dispatcher.opened

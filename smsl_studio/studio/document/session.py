@@ -63,6 +63,8 @@ class Session(QObject):
     """The files in ``aside`` changed."""
     edited_changed = Signal(bool)
     """bool: whether there are unsaved changes."""
+    stepped = Signal(int)
+    """int: the place in the history after a new step, an undo or a redo."""
 
     def __init__(self, blueprint: Blueprint, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -89,8 +91,10 @@ class Session(QObject):
         self.afterwards = Afterwards(self)
         """What is shown a moment after an edit: forms, lists and the enabled actions."""
         self.history = QUndoStack(self)
-        # A method and not a lambda, because Qt disconnects it before the history is deleted.
+        # A method and a signal of this object, because Qt disconnects them before it deletes the
+        # history, which tells of its own end.
         self.history.cleanChanged.connect(self._clean_changed)
+        self.history.indexChanged.connect(self.stepped)
         self.adds_step = False
         """Whether the step that is carried out is new, and no undo or redo."""
 

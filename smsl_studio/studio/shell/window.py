@@ -152,7 +152,7 @@ class Window(QMainWindow):
         actions.later = session.afterwards.show
         session.afterwards.follow(
             actions.refresh, session.blueprint_changed, session.selection_changed,
-            session.branch_changed, session.history.indexChanged)  # fmt: skip
+            session.branch_changed, session.stepped)  # fmt: skip
         self.files.settling.connect(self.settle)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)

@@ -34,7 +34,7 @@ class AutoSave(QObject):
         self._timer.setSingleShot(True)
         self._timer.setInterval(wait)
         self._timer.timeout.connect(self.save)
-        session.history.indexChanged.connect(lambda _: self._timer.start())
+        session.stepped.connect(lambda _: self._timer.start())
 
     def save(self) -> bool:
         """Save now if that is wanted and needs no question; returns whether it was saved."""

@@ -197,7 +197,7 @@ class DrawFeature(Feature):
         session.opened.connect(self.canvas.setFocus)
         session.opened.connect(self.canvas.collapse.forget)
         session.jumped.connect(self._jumped)
-        session.history.indexChanged.connect(lambda _: self._parts.toast.edited())
+        session.stepped.connect(lambda _: self._parts.toast.edited())
         self.editor.views.told.connect(lambda words: self._parts.toast.of_step(words, ""))
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)

@@ -19,7 +19,7 @@ class StepTold:
         self._session, self._canvas, self._said = session, canvas, False
         self._at = session.history.index()
         views.told.connect(self._told)
-        session.history.indexChanged.connect(self._tell)
+        session.stepped.connect(self._tell)
 
     def _told(self, _: str) -> None:
         self._said = True

@@ -43,7 +43,7 @@ class StepViews(QObject):
         self._former: Blueprint | None = None
         session.opened.connect(self._forget)
         session.blueprint_changed.connect(self._changed)
-        session.history.indexChanged.connect(self._went)
+        session.stepped.connect(self._went)
 
     def keep(self, before: CameraStand) -> None:
         """Let an undo of the last step show the view as it was ``before``, and a redo as it is."""
