@@ -13,7 +13,12 @@ from smsl_studio.blueprint.comparison.file_level import changed_fields, kind_of,
 from smsl_studio.blueprint.comparison.sides import BranchSides
 from smsl_studio.blueprint.comparison.values import fields_that_differ, merged
 from smsl_studio.blueprint.drawn import GROUPS, LAYOUT, NOTES, written_groups
-from smsl_studio.blueprint.meaning import AS_WRITTEN, MEANING_FIELDS, notes_meaning
+from smsl_studio.blueprint.meaning import (
+    AS_WRITTEN,
+    MEANING_FIELDS,
+    note_meaning,
+    notes_meaning,
+)
 from smsl_studio.blueprint.model import StateBranch
 
 Json = Any
@@ -67,13 +72,32 @@ def _compare_table(
 ) -> None:
     names = _new_keys(pair, table, one, other)
     back = {new: old for old, new in names.items()}
+    edges = _renamed_edges(pair) if table == "_operations" else {}
+    back = edges | back
     for key in merged([names[old] for old in one], list(other)):
         old = back.get(key, key)
         was, now = _mapped(pair, one.get(old, {})), other.get(key, {})
         if _goes_with_it(pair, table, (old, key), old in one):
             continue
+        if key in edges and (old in one) is not (key in other):
+            # One edge got a name of its own: what it had from the name alone stands in its entry.
+            was, now = _mapped(pair, _whole(pair.before, old)), _whole(pair.after, key)
         for word, had, has in fields_that_differ(was, now):
             _entry(pair, table, (old, key), word, (had, has), (was, now))
+
+
+def _renamed_edges(pair: BranchSides) -> dict[str, str]:
+    """Return the earlier key of each edge that has another name now."""
+    return {
+        note_key(new, pair.state(state)): note_key(old, state)
+        for (state, old), new in pair.operations.items()
+    }
+
+
+def _whole(branch: StateBranch, key: str) -> dict[str, Json]:
+    """Return all that the entry of an edge says, with what it has from its name."""
+    names = Address.split(key)
+    return note_meaning(branch.notes.operation(*names)) if len(names) == 2 else {}
 
 
 def _compare_misfits(pair: BranchSides, one: Mapping[str, str], other: Mapping[str, str]) -> None:
@@ -112,7 +136,7 @@ def _entry(
     what = "fact" if table == "_facts" else "note"
     said = f"The {word} of {_subject(pair, table, key)}"
     paths: list[Path] = [
-        (side.name, table, own, word) if stands else ()
+        (side.name, table, _written_at(side, table, own, word), word) if stands else ()
         for side, own, stands in zip((pair.before, pair.after), keys, sides, strict=True)
     ]
     pair.add(
@@ -129,6 +153,13 @@ def _entry(
             paths[1],
         )
     )
+
+
+def _written_at(branch: StateBranch, table: str, key: str, word: str) -> str:
+    """Return the key of the entry with this word: that of an edge, or that of its name."""
+    if table != "_operations" or word in branch.notes.written.get(key, ()):
+        return key
+    return note_key(Address.split(key)[-1])
 
 
 def _goes_with_it(pair: BranchSides, table: str, keys: tuple[str, str], here: bool) -> bool:

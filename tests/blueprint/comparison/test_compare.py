@@ -263,6 +263,28 @@ def test_notes_are_told_by_what_they_say() -> None:
     assert "which does not fit" in misfit.words
 
 
+def test_details_of_an_operation_that_got_another_name_in_one_state_are_told() -> None:
+    table = {"HEADER": {"INITIAL": "A", "ACTIVATING": "B"}, "B": {"go": "A"}}
+    common = {"go": {"title": "Go on", "timeout": 9}}
+    before = of({"S": {**table, "A": {"go": "B"}, "_operations": common}})
+
+    def after(**own: object) -> Blueprint:
+        noted = {**common, "A/walk": own}
+        return of({"S": {**table, "A": {"walk": "B"}, "_operations": noted}})
+
+    kept = compare(before, after(title="Go on", timeout=9))
+    assert [change.kind.value for change in kept.changes] == ["renamed"]
+    walked = after(title="Walk", cost=4)
+    for one, other, gone in ((before, walked, "removed"), (walked, before, "added")):
+        come = "added" if gone == "removed" else "removed"
+        renamed, *told = compare(one, other).changes
+        assert renamed.kind.value == "renamed"
+        assert {(change.kind.value, change.field.rsplit("/", 1)[1]) for change in told} == {
+            ("changed", "title"), (gone, "timeout"), (come, "cost"),
+        }  # fmt: skip
+
+
+
 def test_what_differs_beside_the_known_keys_is_told_with_its_place() -> None:
     before = of({"S": {"HEADER": {"COLOUR": "red", "_h": 1}, "A": {"_s": 1}}, "_f": True})
     after = of({"S": {"HEADER": {"_h": 2}, "A": {"_s": 2}, "_b": 3}, "_f": 1})
