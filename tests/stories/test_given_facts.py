@@ -87,3 +87,22 @@ def test_short_names_need_no_key_where_the_names_stand(sit: Sit, tmp_path: Path)
     assert canvas.sheet is not None
     assert canvas.sheet.compact
     assert canvas.overlays.key.rows == ()
+
+
+def test_values_that_nobody_gave_are_called_a_proposal(sit: Sit, tmp_path: Path) -> None:
+    facts = {"Idle": ["0", "0"], "Ready": ["1", "1"]}
+    notes = {name: {"facts": values} for name, values in facts.items()}
+    path = tmp_path / "arm.json"
+    path.write_text(json.dumps({"SB1": {**{name: {} for name in facts}, "_states": notes}}))
+    person = sit(path)
+    form = person.window.properties.state
+    line = form.line("facts")
+    add(person, "Third", QPoint(60, 80))
+    person.select("SB1/Third")
+    assert (form.values.text(), line.hint.text()[:8]) == ("0, 1", "Proposed")
+    person.write(form.name, "Last")
+    assert line.hint.text() == "Proposed for the new state. Type those that hold."
+    person.write(form.values, "1, 0")
+    assert line.hint.text() == "Given here."
+    person.select("SB1/Idle")
+    assert line.hint.text() == "Given here."

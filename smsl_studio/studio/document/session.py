@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
@@ -22,6 +21,7 @@ from smsl_studio.studio.document.broken import Broken, Reading, read_text, texts
 from smsl_studio.studio.document.history_steps import EditStep, GiveUpStep, Stand
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.document.renamed import branch_now, first_branch, now_named, same_branch
+from smsl_studio.studio.document.unwritten import Unwritten
 
 __all__ = ["Broken", "Fact", "Session"]
 
@@ -84,10 +84,10 @@ class Session(QObject):
         self._newly_chosen = False
         """Whether the selection is newer than the last step of the history."""
         self._branch = first_branch(blueprint)
-        self._kept = _drawn(blueprint)
-        """The SBs that the file had when it was opened or saved last, without those begun since."""
         self.places = Places()
         """The automatic places of states, the same in every view of the file."""
+        self.unwritten = Unwritten(self.places, blueprint)
+        """What holds by default, and what an edit therefore writes."""
         self.afterwards = Afterwards(self)
         """What is shown a moment after an edit: forms, lists and the enabled actions."""
         self.history = QUndoStack(self)
@@ -153,21 +153,17 @@ class Session(QObject):
         """Carry out one undoable edit; False (and ``refused``) if it is refused.
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
-        changes nothing makes no step. Some things hold by default, without being written: the
-        places of states, which state is activating, the facts of states, and which value of a fact
-        with a sub-SB counts as on. If the edit would change them, they are written. While a text is
-        broken every edit is refused, because its result would replace the broken text. Edits of the
-        same ``run`` right after each other become one step.
+        changes nothing makes no step. What holds without being written is written if the edit would
+        change it (``Unwritten``). While a text is broken every edit is refused, because its result
+        would replace the broken text. Edits of the same ``run`` right after each other become one
+        step.
         """
         self.settling.emit()
         try:
             if self._broken is not None:
                 raise self._broken.refusal
             before = self._blueprint
-            after = editing.keep_activating(before, change(before), self._kept)
-            after = editing.keep_facts(before, after)
-            after = editing.keep_on(before, editing.give_facts(before, after))
-            after = self.places.completed(before, after)
+            after = self.unwritten.written(before, change(before))
         except StudioError as error:
             self.refused.emit(error)
             return False
@@ -210,7 +206,7 @@ class Session(QObject):
         """
         self.afterwards.catch_up()
         before, self._blueprint = self._blueprint, blueprint
-        self._kept = _drawn(blueprint)
+        self.unwritten.follow(blueprint)
         told = self._broken is not broken
         self._broken = broken
         self._aside = NOTHING
@@ -229,7 +225,7 @@ class Session(QObject):
     def saved(self, blueprint: Blueprint) -> None:
         """Mark the history as clean after a save, perhaps under another name."""
         self.history.setClean()
-        self._kept = _drawn(blueprint)
+        self.unwritten.follow(blueprint)
         before = self._blueprint
         # Under the same name nothing changed, so an inspection in progress stays valid.
         if before.file != blueprint.file:
@@ -395,8 +391,3 @@ class Session(QObject):
         if (kept == self._selection != former) or self._fact != fact:
             self.selection_changed.emit(kept)
         self._choose(kept, self._fact)
-
-
-def _drawn(blueprint: Blueprint) -> tuple[str, ...]:
-    """The SBs with more than one state."""
-    return tuple(branch.name for branch in blueprint if len(branch.table) > 1)

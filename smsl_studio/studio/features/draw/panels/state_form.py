@@ -108,7 +108,7 @@ class StateForm(NoteForm):
         self._heading.setText("State" if one else counted(len(states), "state"))
         self._name.setText(_short(one.state, 24) if one else "")
         self._name.setToolTip(tip_text(one.state if one else ""))
-        source = _source_of_facts(blueprint[one.branch], one.state) if one else ""
+        source = self._source_of_facts(blueprint[one.branch], one.state) if one else ""
         self._lines["facts"].remark = source
         self.show_entries(_entries(blueprint, states))
         for widget in (self.naming, self._out, self.notes):
@@ -158,6 +158,24 @@ class StateForm(NoteForm):
         step = f"Set fact values of {self.who()} to {line.said(wanted)}"
         return self.edit(step, change, line.refuse)
 
+    def _source_of_facts(self, branch: StateBranch, state: str) -> str:
+        """A sentence that says where the fact values of a state come from."""
+        shape, note = branch.shape, branch.state_note(state)
+        given = note is not None and bool(note.facts)
+        if shape.width == 0 and not shape.opaque:
+            if self._session.unwritten.proposes(branch, state):
+                return "Proposed for the new state. Type those that hold."
+            return "Given here."
+        if given:
+            return "They count when every state has values."
+        if shape.opaque:
+            return "None: the name is its only fact."
+        if not told_facts(branch):
+            return "None yet. Type its values."
+        if is_read_by_letters(branch, state):
+            return "The letters of the name. Type its values."
+        return "From the name."
+
     def _rename(self, new: Any) -> None:
         address, name = self._states[0], str(new or "")
         if name == address.state:
@@ -196,23 +214,6 @@ def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]
         standard = replace(PLAIN, facts=named) if named else PLAIN
         found.append(NoteEntry(at.branch, at.state, note, standard, written, misfits=misfits))
     return found
-
-
-def _source_of_facts(branch: StateBranch, state: str) -> str:
-    """A sentence that says where the fact values of a state come from."""
-    shape, note = branch.shape, branch.state_note(state)
-    given = note is not None and bool(note.facts)
-    if shape.width == 0 and not shape.opaque:
-        return "Given here."
-    if given:
-        return "They count when every state has values."
-    if shape.opaque:
-        return "None: the name is its only fact."
-    if not told_facts(branch):
-        return "None yet. Type its values."
-    if is_read_by_letters(branch, state):
-        return "The letters of the name. Type its values."
-    return "From the name."
 
 
 def _operation_row(branch: StateBranch, state: str, name: str) -> ListRow:
