@@ -15,6 +15,8 @@ from PySide6.QtWidgets import QApplication, QLabel
 import smsl_studio as smsl
 from smsl_studio.errors import ReadError
 from smsl_studio.front.recordings import open_recording, recordings_in
+from smsl_studio.front.views.states import short_name
+from smsl_studio.front.views.timeline_lanes import present_blocks
 from smsl_studio.studio.features.replay.pane import ReplayPane
 from smsl_studio.studio.features.replay.replay import Replay
 from tests.stories.at_run import AtRun
@@ -273,3 +275,23 @@ def test_what_is_no_log_is_refused(sit: Sit, tmp_path: Path) -> None:
     person.window.features.replay.verbs.open(path)
     assert not person.window.features.replay.verbs.is_open
     assert "no run log" in person.window.toast.words
+
+
+def test_the_timeline_marks_what_the_shown_event_says(tmp_path: Path) -> None:
+    recording = open_recording(_recorded(tmp_path), smsl.read(HANOI))
+    (branch,) = recording.blueprint
+    (states,) = (row for row in recording.lanes if row.kind == "state")
+    operations = [row for row in recording.lanes if row.kind == "operation"]
+    twice = 0
+    for index in range(len(recording.playback) + 1):
+        moment = recording.playback.at(index)
+        marked = present_blocks(recording.blueprint, recording.lanes, moment)
+        shown = {recording.lanes[row].blocks[at].words for row, at in marked}
+        state = moment.configuration.get(branch.name)
+        twice += sum(block.start == moment.time for block in states.blocks) > 0
+        running = moment.running.rpartition("/")[2]
+        assert shown == {short_name(branch, one) for one in [state] if one} | (
+            {running} if running else set()
+        )
+    assert twice > len(states.blocks), "several events have the time of a new state"
+    assert operations

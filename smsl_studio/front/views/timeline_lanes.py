@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -12,6 +14,7 @@ from smsl_studio.front.views.run_marks import expected_duration
 from smsl_studio.front.views.states import short_name
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog.history import RunHistory, Span, Story
+from smsl_studio.runlog.moment import RunMoment
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,34 @@ def lanes(
                 label = f"{branch.name} {name}" if several else name
                 found.append(Lane(label, "fact", tuple(_facts(branch, digit, spans, words))))
     return tuple(found)
+
+
+def present_blocks(
+    blueprint: Blueprint, rows: Sequence[Lane], moment: RunMoment
+) -> frozenset[tuple[int, int]]:
+    """Return the blocks of a whole run that last at a moment of it: (number of the row, of the
+    block).
+
+    They follow the events, as all else that shows the moment. Several states may have the same
+    time, so a time alone does not say which of them the run is in.
+    """
+    running = Address.read(moment.running) if moment.running else None
+    found = []
+    for number, row in enumerate(rows):
+        at: tuple[float, str] | None = None
+        if row.kind == "state":
+            branch = blueprint[row.label if len(blueprint) > 1 else next(iter(blueprint)).name]
+            if branch.name in moment.configuration and branch.name in moment.entered:
+                state = short_name(branch, moment.configuration[branch.name])
+                at = moment.entered[branch.name].since, state
+        elif row.kind == "operation" and running is not None and moment.running_since is not None:
+            at = moment.running_since, running.operation
+        if at is not None:
+            first = bisect_left(row.blocks, at[0], key=lambda block: block.start)
+            same = takewhile(lambda one, at=at: one[1].start == at[0],  # type: ignore[misc]
+                             enumerate(row.blocks[first:], first))  # fmt: skip
+            found += [(number, one) for one, block in same if block.words == at[1]][-1:]
+    return frozenset(found)
 
 
 def _soon(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Block, ...]:

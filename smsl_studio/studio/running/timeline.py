@@ -80,13 +80,22 @@ class Timeline(QScrollArea):
         """The plot that draws the lanes."""
         return self._plot
 
-    def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
-        """Show these lanes; ``time`` is the present in simulated seconds."""
+    def show_lanes(
+        self,
+        lanes: tuple[Lane, ...],
+        time: float,
+        present: frozenset[tuple[int, int]] = frozenset(),
+    ) -> None:
+        """Show these lanes; ``time`` is the present in simulated seconds.
+
+        ``present`` are the past blocks that last at a moment of a recorded run (see
+        ``present_blocks``).
+        """
         if [lane.label for lane in lanes] != [lane.label for lane in self._lanes.lanes]:
             self._labels.show_lanes(lanes)
             self._inner.setMinimumHeight(AXIS + sum(PITCH[lane.kind] for lane in lanes) + 4)
         self._time = time
-        self._lanes.show_lanes(lanes, time)
+        self._lanes.show_lanes(lanes, time, present)
         self._now.setPos(time)
         self._now.setVisible(bool(lanes))
         self._axis.setVisible(bool(lanes))
@@ -271,13 +280,16 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.lanes: tuple[Lane, ...] = ()
         self._starts: list[list[float]] = []
         self.time = 0.0
+        self.present: frozenset[tuple[int, int]] = frozenset()
 
-    def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
+    def show_lanes(
+        self, lanes: tuple[Lane, ...], time: float, present: frozenset[tuple[int, int]]
+    ) -> None:
         """Show other lanes; ``time`` is the present in simulated seconds."""
         self.prepareGeometryChange()
         if lanes is not self.lanes:
             self._starts = [[block.start for block in lane.blocks] for lane in lanes]
-        self.lanes, self.time = lanes, time
+        self.lanes, self.time, self.present = lanes, time, present
         self.update()
 
     def boundingRect(self) -> QRectF:
@@ -298,7 +310,7 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.setClipRect(clip)
         top = 0.0
         pixel = NARROW / max(transform.m11(), 1e-12)
-        for lane, starts in zip(self.lanes, self._starts, strict=True):
+        for row, (lane, starts) in enumerate(zip(self.lanes, self._starts, strict=True)):
             narrow = self._colours(lane.kind, "past")[0]
             last = len(lane.blocks) - 1
             pitch = float(PITCH[lane.kind])
@@ -313,7 +325,7 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
                     painter.fillRect(room.adjusted(0, 2, NARROW, -2), narrow)
                     continue
                 past = block.look == "past" and lane.kind != "fact"
-                look = "now" if past and self._holds(block) else block.look
+                look = "now" if past and (row, at) in self.present else block.look
                 self._paint(painter, room, clip, lane.kind, block, look)
             top += pitch
         painter.restore()
@@ -346,10 +358,6 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         left = max(room.right(), room.left() + NARROW) + BESIDE
         words = QRectF(left, room.top(), words_width(kind, block.words), room.height())
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, plain_text(block.words))
-
-    def _holds(self, block: Block) -> bool:
-        """Whether a past moment is shown and the block covers it."""
-        return block.end is not None and block.start <= self.time < block.end
 
     def _paint(
         self, painter: QPainter, room: QRectF, clip: QRectF, kind: str, block: Block, look: str

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.recordings import ANOTHER, Recording
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check
 from smsl_studio.front.views.phase_words import phase_words
+from smsl_studio.front.views.timeline_lanes import present_blocks
 from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.panels import panel
@@ -131,7 +132,9 @@ class ReplayPane(QWidget):
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         self.events.show_index(replay.index)
         self._count.setText(f"{replay.index:,} of {replay.count:,}")
-        self.timeline.show_lanes(replay.recording.lanes, replay.time)
+        rows = replay.recording.lanes
+        present = present_blocks(blueprint, rows, replay.story.moment)
+        self.timeline.show_lanes(rows, replay.time, present)
         self.said.emit()
 
     @property
