@@ -76,6 +76,13 @@ def test_a_diagram_that_mermaid_refuses_is_told(sit: Sit, tmp_path: Path) -> Non
     copied(person, "Copied SB1 as Mermaid. Mermaid draws 500 operations unless")
 
 
+def test_what_a_diagram_leaves_out_is_told(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-digitization.json")
+    person.window.actions_table["copy_mermaid"].trigger()
+    copied(person, "Copied ")
+    assert "titles, facts and other details are left out" in person.window.toast.words
+
+
 def test_a_long_copy_is_called_off(sit: Sit, monkeypatch: pytest.MonkeyPatch) -> None:
     person = sit(SAMPLES / "hanoi.json")
     QGuiApplication.clipboard().setText("before")

@@ -41,7 +41,7 @@ class ReviewAuthor:
         """
         if at.line.open_point and not note.strip():
             raise UsageError(
-                f"“{at.line.heading}” is open, so approving it needs a note",
+                f"“{at.line.heading}” is open, so approving it needs a remark",
                 advice="Write why it may stay as it is, or write a comment.",
             )
         when = self._after(review, now)

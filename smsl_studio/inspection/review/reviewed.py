@@ -105,7 +105,7 @@ class ReviewedReading:
             yield f"{counted(self.left, 'line')} {verb} no approval of yours."
         if open_points:
             verb = "needs" if open_points == 1 else "need"
-            yield f"{counted(open_points, 'open point')} {verb} your note."
+            yield f"{counted(open_points, 'open point')} {verb} your remark."
 
     def _reviewed(
         self, section: ReadingSection, line: ReadingLine, moved: tuple[ReviewComment, ...]

@@ -46,7 +46,7 @@ def all_approved(by: ReviewAuthor = SURGEON, review: Review | None = None) -> Re
 
 def test_a_person_can_sign_when_every_line_has_an_answer() -> None:
     assert seen(Review()).why_not_signed() == (
-        "3 lines have no approval of yours.", "1 open point needs your note."
+        "3 lines have no approval of yours.", "1 open point needs your remark."
     )  # fmt: skip
     assert seen(all_approved()).why_not_signed() == ()
     # Somebody else's answers are not one's own.
@@ -104,7 +104,7 @@ def test_the_last_word_counts_even_if_the_clock_went_back() -> None:
 
 def test_an_open_point_needs_a_note_also_when_the_file_says_it_is_approved() -> None:
     hazard = seen(Review()).lines[2]
-    with pytest.raises(UsageError, match="needs a note"):
+    with pytest.raises(UsageError, match="needs a remark"):
         SURGEON.approve(Review(), hazard, " ", NOON)
     closed = replace(hazard, line=replace(HAZARD, open_point=False))
     (plain,) = SURGEON.approve(Review(), closed, now=NOON)

@@ -20,6 +20,8 @@ from smsl_studio.studio.base.toast import Toast
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.export.subject import SELECTION, Subject
 
+MORE = ("_states", "_operations", "_facts")
+"""What a text of a diagram leaves out."""
 SVG, PNG = "image/svg+xml", "image/png"
 Data = Callable[[], QMimeData]
 
@@ -62,6 +64,8 @@ class CopyVerbs(QObject):
     ) -> None:
         subject = self._subject()
         said = f"Copied {_what(subject)} as {name}."
+        if any(part.picture.branch.fields.get(key) for part in subject.parts() for key in MORE):
+            said += " It has names and arrows; titles, facts and other details are left out."
         edges = sum(len(part.edges) for part in subject.parts())
         if most is not None and edges > most:
             said += f" {name} draws {most} operations unless its settings allow more."

@@ -176,7 +176,7 @@ class LineCard(QFrame):
         comment = next((one for one in self.reviewed.comments if one.entry.id == to), None)
         if kind == NOTE:
             question = "This point is open. Write why it may stay as it is"
-            field = AnswerField(question, "Approve with this note")
+            field = AnswerField(question, "Approve with this remark")
             field.given.connect(self.approve_wanted)
         elif comment is not None:
             field = AnswerField(f"Answer {comment.entry.person}", "Keep the answer")
@@ -232,7 +232,7 @@ class LineCard(QFrame):
         self._add_meta(line)
         self._add_inner(line, 0)
         if one.approval is not None and one.approval.text:
-            self._text.addWidget(_wrapped(f"Your note: {one.approval.text}", "readSmall"))
+            self._text.addWidget(_wrapped(f"Your remark: {one.approval.text}", "readSmall"))
         for other in one.others:
             note = f": {other.text}" if other.text else ""
             self._text.addWidget(_wrapped(f"Approved by {signed(other)}{note}", "readSmall"))
@@ -245,7 +245,7 @@ class LineCard(QFrame):
 
     def _flags(self) -> Iterator[tuple[str, str]]:
         if self.reviewed.line.open_point:
-            yield "open: needs a note", "flagOpen"
+            yield "open: needs a remark", "flagOpen"
         if self._looks.changed:
             yield "changed since signed", "flagChanged"
         elif self.reviewed.was_approved:
@@ -294,7 +294,7 @@ def spoken(one: ReviewedLine, changed: bool) -> str:
     parts = [
         f"Step {one.line.mark}" if one.line.mark.isdigit() else "",
         state.get(state_of(one), "not answered"),
-        "open, needs a note" if one.line.open_point else "",
+        "open, needs a remark" if one.line.open_point else "",
         "changed since signed" if changed else "",
         *(words for words in one.line.words if words != one.line.mark),
         *(told(comment) for comment in one.comments),

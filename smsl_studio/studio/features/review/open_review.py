@@ -100,7 +100,7 @@ class OpenReview(QObject):
         return self._files.path is not None
 
     def approve(self, one: ReviewedLine, note: str = "") -> bool:
-        """Approve a line. An open point needs a note. Like each answer, it returns whether the
+        """Approve a line. An open point needs a remark. Like each answer, it returns whether the
         answer is kept."""
         return self._do(lambda: self.author.approve(self.review, one, note))
 

@@ -140,7 +140,7 @@ class SideColumn(QWidget):
         words = line.text[-1] if line.open_point and line.text else " ".join(line.text[-3:-1])
         if line.open_point:
             words = next((text for text in line.text if text.startswith("Open:")), words)
-            words += " Noted." if one.approval is not None else " Your note is needed."
+            words += " Noted." if one.approval is not None else " Your remark is needed."
         else:
             words = next(
                 (text for text in line.text if text in ("Controlled.", "Shown to hold.")), words

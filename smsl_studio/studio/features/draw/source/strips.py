@@ -135,7 +135,7 @@ class YamlStrip(Strip):
     agreed = Signal()
 
     def __init__(self) -> None:
-        super().__init__("warning", "Note about YAML")
+        super().__init__("warning", "About YAML")
         self.said.setText(f"{YAML_NOTE}.")
         self.edit_button = self.button("Edit anyway")
         self.buttons.addStretch(1)
