@@ -284,7 +284,6 @@ def test_details_of_an_operation_that_got_another_name_in_one_state_are_told() -
         }  # fmt: skip
 
 
-
 def test_what_differs_beside_the_known_keys_is_told_with_its_place() -> None:
     before = of({"S": {"HEADER": {"COLOUR": "red", "_h": 1}, "A": {"_s": 1}}, "_f": True})
     after = of({"S": {"HEADER": {"_h": 2}, "A": {"_s": 2}, "_b": 3}, "_f": 1})
