@@ -5,9 +5,9 @@ A ``FactKey`` identifies a fact: the name of the SB, and the digit counted from 
 
 from __future__ import annotations
 
-from collections.abc import Collection, ItemsView, Mapping
+from collections.abc import Callable, Collection, ItemsView, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -17,9 +17,9 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 FactKey = tuple[str, int]
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """The reading of one fact: its value, or None (unknown) with the reason.
+class Reading(NamedTuple):
+    """The reading of one fact: its value, or None (unknown) with the reason. It is a light value,
+    because a fact that changes is read anew at every tick.
 
     ``age`` is in seconds of the receiver's clock. ``sensed`` is false if nobody senses the fact, so
     that it is believed from the configuration.
@@ -29,6 +29,12 @@ class Reading:
     reason: str = ""
     age: float = 0.0
     sensed: bool = True
+
+
+reading_of: Callable[[tuple[str | None, str, float, bool]], Reading] = partial(
+    tuple.__new__, Reading
+)
+"""Return the reading with these fields, in a third of the time of a call with names."""
 
 
 @lru_cache(maxsize=256)

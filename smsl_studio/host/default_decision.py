@@ -9,7 +9,7 @@ from typing import Any
 
 from smsl_studio.blueprint.predicates.measure import Measure
 from smsl_studio.library.fact_default import FactDefault
-from smsl_studio.monitor.clauses import Look, truth_of
+from smsl_studio.monitor.clauses import Look, PresentMeasure, truth_of
 
 
 def decided(default: FactDefault) -> Callable[[Any], str | None]:
@@ -17,17 +17,16 @@ def decided(default: FactDefault) -> Callable[[Any], str | None]:
 
     ValueError if a sensor returns no finite number, or if two values are true at once.
     """
-    many = len(default.measures)
-    look = Look([None] * many, [0.0] * many, [True] * many)
+    sources = {one.name: PresentMeasure(good=0.0) for one in default.sense.sources}
+    look = Look(sources)
     truths = [(one.value, truth_of(one.clause, default.sense, look))
               for one in default.sense.predicates]  # fmt: skip
     measures = [partial(one.function, **one.arguments) for one in default.measures]
-    names = [one.name for one in default.sense.sources]
 
     def read(subject: Any) -> str | None:
         """Measure everything, and decide."""
-        for at, measure in enumerate(measures):
-            look.present[at] = _number(measure(subject), names[at])
+        for (name, source), measure in zip(sources.items(), measures, strict=True):
+            source.present = _number(measure(subject), name)
         said = [(value, truth()) for value, truth in truths]
         true = [value for value, truth in said if truth]
         if len(true) > 1:

@@ -49,38 +49,35 @@ class Mailbox:
     def __init__(self, bus: FactBus) -> None:
         self._bus = bus
         self._waiting: dict[SourceKey, list[Sample]] = {}
-        self._round: SensorRound | None = None
-        """All that waits, if it is one round of sensors. This is so nearly always."""
+        self._whole: tuple[Sample, ...] | None = None
+        """All that waits, if it was published together and each is of another source. This is so
+        nearly always."""
 
     def take(self) -> tuple[Sample, ...]:
         """Return the newest sample of every speaker since the last call, in the order in which the
         sources first sent samples."""
-        if self._round is None and not self._waiting:
+        if self._whole is None and not self._waiting:
             return ()
         with self._bus.lock:
-            whole, self._round = self._round, None
+            whole, self._whole = self._whole, None
             waiting, self._waiting = self._waiting, {}
         return tuple(chain.from_iterable(waiting.values())) if whole is None else whole
 
     def close(self) -> None:
         """End the subscription. A second call does nothing."""
         self._bus.forget(self)
-        self._waiting, self._round = {}, None
+        self._waiting, self._whole = {}, None
 
-    def put(self, samples: Collection[Sample]) -> list[tuple[str, SourceKey]]:
+    def put(self, samples: tuple[Sample, ...]) -> list[tuple[str, SourceKey]]:
         """Add waiting samples, while the bus holds its lock. Return a pair (kind of loss, source)
         for each sample that was left out."""
         left_out: list[tuple[str, SourceKey]] = []
-        if self._round is not None:
-            self._waiting, self._round = {one[:3]: [one] for one in self._round}, None
-        if not self._waiting and len(samples) <= MOST_SOURCES:
-            if isinstance(samples, SensorRound):
-                self._round = samples
-                return left_out
-            # Nearly always they are all that waits, and each is of another source.
-            alone = {sample[:3]: [sample] for sample in samples}
-            if len(alone) == len(samples):
-                self._waiting = alone
+        if self._whole is not None:
+            self._waiting, self._whole = {one[:3]: [one] for one in self._whole}, None
+        if not self._waiting and samples and len(samples) <= MOST_SOURCES:
+            apart = isinstance(samples, SensorRound)
+            if apart or len({sample[:3] for sample in samples}) == len(samples):
+                self._whole = samples
                 return left_out
         waiting = self._waiting
         for sample in samples:
@@ -185,9 +182,8 @@ def _all_short(samples: Collection[Sample]) -> bool:
     are short. Those of a round are, by its promise."""
     if isinstance(samples, SensorRound):
         return True
-    for sample in samples:
-        texts = len(sample.branch) + len(sample.source) + len(sample.reason) + len(sample.node)
-        if texts + len(sample.value or "") > LONGEST:
+    for branch, _, source, value, _, _, _, reason, _, _, node in samples:
+        if len(branch) + len(source) + len(value or "") + len(reason) + len(node) > LONGEST:
             return False
     return True
 

@@ -5,10 +5,9 @@ All three truths count: a comparison with an unknown measure is unknown, and unk
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
 from math import dist, inf, isfinite
 from operator import ge, gt, le, lt
 from typing import Any
@@ -38,29 +37,30 @@ Amount = Callable[[], float | None]
 Truth = Callable[[], bool | None]
 
 
-@dataclass(slots=True)
-class Look:
-    """What the conditions of a fact look at, by the places of its sources.
-
-    ``present`` are the measures that count at ``now`` (s), ``since_good`` the ages (s) of the
-    newest good samples, ``there`` says which sources exist. ``began`` is the first look (s).
-    ``former`` is the time of the look before, if it is so long ago that nothing is known between.
+class PresentMeasure:
+    """What one source measures: the measure that is ``present`` now, None if none counts, and the
+    time (s) at which its newest ``good`` sample came. ``there`` says that the source exists.
     """
 
-    present: list[Measure | None]
-    since_good: list[float | None]
-    there: list[bool]
+    __slots__ = ("good", "present", "there")
+
+    def __init__(self, there: bool = True, good: float | None = None) -> None:
+        self.there, self.good = there, good
+        self.present: Measure | None = None
+
+
+@dataclass(slots=True)
+class Look:
+    """What the conditions of a fact look at: its sources by their names, at ``now`` (s).
+
+    ``began`` is the first look (s). ``former`` is the time of the look before, if it is so long ago
+    that nothing is known between.
+    """
+
+    sources: Mapping[str, PresentMeasure]
     now: float = 0.0
     began: float | None = None
     former: float | None = None
-
-    def move(self, now: float, longest: float) -> None:
-        """Begin the look at ``now``. A break of more than ``longest`` (s) hides what was
-        between."""
-        if self.began is None:
-            self.began = self.now = now
-        self.former = self.now if now - self.now > longest else None
-        self.now = now
 
 
 def truth_of(clause: Clause, sense: FactSense, look: Look) -> Truth:
@@ -72,8 +72,8 @@ class _Clauses:
     """Makes the functions of one predicate."""
 
     def __init__(self, sense: FactSense, look: Look) -> None:
-        self._sense, self._look = sense, look
-        self._places = {one.name: at for at, one in enumerate(sense.sources)}
+        self._look, self._sources = look, look.sources
+        self._units = sense.units
 
     def truth(self, clause: Clause) -> Truth:
         """Return the function of a condition."""
@@ -90,14 +90,16 @@ class _Clauses:
                 return _Watch(self._look, self.truth(part), seconds).truth
 
     def _threshold(self, one: Threshold) -> Truth:
-        unit = unit_of(one.part, self._sense.units)
+        unit = unit_of(one.part, self._units)
         limit = float(Fraction(one.number) * one.unit.to(unit))
+        if isinstance(one.part, SourceTerm):
+            return _plainly_compared(self._sources[one.part.name], one.sign, limit)
         compared = _compared(self._amount(one.part, unit), one.sign, limit)
         if not isinstance(one.part, AgeTerm):
             return compared
-        return self._waited(self._places[one.part.name], compared, one.sign, limit)
+        return self._waited(self._sources[one.part.name], compared, one.sign, limit)
 
-    def _waited(self, place: int, compared: Truth, sign: str, limit: float) -> Truth:
+    def _waited(self, source: PresentMeasure, compared: Truth, sign: str, limit: float) -> Truth:
         """The truth about an age. Before the first good sample the age is at least the time since
         the first look, because none came in that time."""
 
@@ -105,9 +107,9 @@ class _Clauses:
 
         def truth() -> bool | None:
             """Compare the age, or the least that it can be."""
-            if look.since_good[place] is not None:
+            if source.good is not None:
                 return compared()
-            if look.began is None or not look.there[place]:
+            if look.began is None or not source.there:
                 return None
             waited = look.now - look.began
             beyond = waited > limit if sign in (">", "<=") else waited >= limit
@@ -119,13 +121,13 @@ class _Clauses:
         """Return a function that computes an expression in a unit."""
         match part:
             case SourceTerm(name):
-                return _scaled(self._look.present, self._places[name], self._scale(name, unit))
+                return _scaled(self._sources[name], self._scale(name, unit))
             case AgeTerm(name):
-                return _scaled(self._look.since_good, self._places[name], float(SECOND.to(unit)))
+                return _age(self._look, self._sources[name], float(SECOND.to(unit)))
             case DistanceTerm(first, second):
-                pair = self._places[first.name], self._places[second.name]
+                pair = self._sources[first.name], self._sources[second.name]
                 scales = self._scale(first.name, unit), self._scale(second.name, unit)
-                return _distance(self._look.present, pair, scales)
+                return _distance(pair, scales)
             case AbsTerm(inner):
                 return _absolute(self._amount(inner, unit))
             case ExtremeTerm(parts, largest):
@@ -134,7 +136,7 @@ class _Clauses:
                 return _sum(self._amount(left, unit), self._amount(right, unit), minus)
 
     def _scale(self, name: str, unit: Unit) -> float:
-        return float(self._sense.sources[self._places[name]].unit.to(unit))
+        return float(self._units[name].to(unit))
 
 
 class _Watch:
@@ -143,6 +145,8 @@ class _Watch:
     It was false until ``_false_until``, and has had its present truth since ``_since``.
     """
 
+    __slots__ = ("_false_until", "_look", "_part", "_seconds", "_since", "_truth")
+
     def __init__(self, look: Look, part: Truth, seconds: float) -> None:
         self._look, self._part, self._seconds = look, part, seconds
         self._truth: bool | None = None
@@ -150,10 +154,11 @@ class _Watch:
 
     def truth(self) -> bool | None:
         """Look at the condition now. True: it held for all of the time; false: it did not."""
-        now, former, truth = self._look.now, self._look.former, self._part()
-        if former is not None:
+        look, truth = self._look, self._part()
+        now = look.now
+        if look.former is not None:
             if self._truth is False:
-                self._false_until = former
+                self._false_until = look.former
             self._truth = None
         if truth is not self._truth:
             if self._truth is False:
@@ -165,22 +170,28 @@ class _Watch:
         return True if truth and long else None
 
 
-def _scaled(values: list[Any], place: int, scale: float) -> Amount:
-    if scale == 1.0:
-        return partial(values.__getitem__, place)
-
+def _scaled(source: Any, scale: float) -> Amount:
     def amount() -> float | None:
         """Return the number in another unit."""
-        value = values[place]
+        value = source.present
         return None if value is None else value * scale
 
     return amount
 
 
-def _distance(values: list[Any], pair: tuple[int, int], scales: tuple[float, float]) -> Amount:
+def _age(look: Look, source: PresentMeasure, scale: float) -> Amount:
+    def amount() -> float | None:
+        """Return the time since the newest good sample."""
+        at = source.good
+        return None if at is None else (look.now - at) * scale
+
+    return amount
+
+
+def _distance(pair: tuple[Any, Any], scales: tuple[float, float]) -> Amount:
     def amount() -> float | None:
         """Return the distance of the two positions."""
-        one, other = values[pair[0]], values[pair[1]]
+        one, other = pair[0].present, pair[1].present
         if one is None or other is None:
             return None
         found = dist([x * scales[0] for x in one], [x * scales[1] for x in other])
@@ -223,11 +234,26 @@ def _sum(left: Amount, right: Amount, minus: bool) -> Amount:
 
 
 def _compared(part: Amount, sign: str, limit: float) -> Truth:
-    compare = {"<": lt, "<=": le, ">": gt, ">=": ge}[sign]
+    compare = _SIGNS[sign]
 
     def truth() -> bool | None:
         """Compare the number with its limit."""
         value = part()
+        return None if value is None else compare(value, limit)
+
+    return truth
+
+
+_SIGNS = {"<": lt, "<=": le, ">": gt, ">=": ge}
+
+
+def _plainly_compared(source: Any, sign: str, limit: float) -> Truth:
+    """As ``_compared`` for the number of a source, in its own unit. Most conditions are such."""
+    compare = _SIGNS[sign]
+
+    def truth() -> bool | None:
+        """Compare the newest number with its limit."""
+        value = source.present
         return None if value is None else compare(value, limit)
 
     return truth

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import inf
 
+from smsl_studio.blueprint.check import Reading, fresh_reading, reading_of
 from smsl_studio.blueprint.predicates import FactSense
-from smsl_studio.blueprint.predicates.measure import Measure
-from smsl_studio.monitor.aggregate import Aggregate
-from smsl_studio.monitor.clauses import Look, truth_of
+from smsl_studio.blueprint.predicates.fact_sense import SourceSpec
+from smsl_studio.blueprint.predicates.measure import Measure, measure_of
+from smsl_studio.monitor.clauses import Look, PresentMeasure, truth_of
+from smsl_studio.monitor.sample import GOOD, Sample
 from smsl_studio.monitor.speaker import HAIR
 
 NO_SOURCE = "this world has no such source"
@@ -21,116 +23,83 @@ TOLD = 3
 """The largest number of sources that a reason names."""
 
 
-class Decider:
-    """Makes the value of one fact from the measures of its sources.
+class Heard(PresentMeasure):
+    """What one source has measured: its newest ``sample`` that was taken, the ``newest`` measure if
+    that is one, and when the sample came (``time``).
 
-    ``max_ages`` has the largest age (s) of a measure of each source that there is. Sources without
-    one do not exist, so what needs them is unknown. All times are seconds of the fact's clock.
+    ``most`` is the largest age (s) at which it counts. All times are seconds of the fact's clock.
     """
 
-    def __init__(self, sense: FactSense, max_ages: Mapping[str, float]) -> None:
-        self.sense = sense
-        self._places = {one.name: at for at, one in enumerate(sense.sources)}
-        many = len(sense.sources)
-        self._max_ages = [max_ages.get(one.name, 0.0) for one in sense.sources]
-        self._longest = max(max_ages.values(), default=0.0)
-        self._newest: list[Measure | None] = [None] * many
-        self._whys = [NEVER if one.name in max_ages else NO_SOURCE for one in sense.sources]
-        self._times = [-inf] * many
-        """When the newest sample of each source came, good or not."""
-        self._good = [-inf] * many
-        """When the newest good sample of each source came."""
-        self._look = Look(
-            [None] * many, [None] * many, [one.name in max_ages for one in sense.sources]
-        )
-        self._last: tuple[str, float] | None = None
-        """The value that was decided last, and when. None if the fact was unknown since."""
-        self._truths = () if sense.fault else tuple(
-            (one.value, truth_of(one.clause, sense, self._look)) for one in sense.predicates
-        )  # fmt: skip
+    __slots__ = (
+        "_high",
+        "_low",
+        "_number",
+        "_position",
+        "_why",
+        "most",
+        "newest",
+        "sample",
+        "spec",
+        "time",
+    )
 
-    def take(self, source: str, measure: Measure | None, at: float, reason: str = "") -> None:
-        """Take the newest sample of a source, which came at ``at``. None says that it measures
-        nothing, for a reason. A measure outside the range of the source is none either.
-        """
-        place = self._places[source]
-        if measure is not None:
-            reason = self._outside(place, measure)
-        if reason or measure is None:
-            self._newest[place], self._whys[place] = None, reason or "no valid reading"
+    def __init__(self, spec: SourceSpec, max_age: float | None) -> None:
+        super().__init__(there=max_age is not None)
+        self.spec = spec
+        self._position = spec.position if spec.valued else None
+        self._number, self._low, self._high = not spec.position, spec.low, spec.high
+        self.sample: Sample | None = None
+        self.most = (max_age or 0.0) + HAIR
+        self.newest: Measure | None = None
+        self.time = -inf
+        self._why = NEVER if self.there else NO_SOURCE
+
+    def take(self, sample: Sample, at: float) -> None:
+        """Take the newest sample, which came at ``at``. A measure outside the range of the source
+        is none."""
+        self.sample, self.time = sample, at
+        value = sample.value
+        if value is None or sample.quality != GOOD:
+            self.newest, self._why = None, sample.reason or f"its reading is {sample.quality}"
+            return
+        measure = measure_of(value, self._position)
+        if type(measure) is float and self._number and self._low <= measure <= self._high:
+            self.newest, self.good = measure, at
+            return
+        why = measure if isinstance(measure, str) else self._outside(measure)
+        if why or isinstance(measure, str):
+            self.newest, self._why = None, why
         else:
-            self._newest[place], self._good[place] = measure, at
-        self._times[place] = at
+            self.newest, self.good = measure, at
 
-    def look(self, now: float) -> Aggregate:
-        """Return the value of the fact at ``now``, or None with the reason. Time never goes
-        back."""
-        if self.sense.fault is not None:
-            return Aggregate(None, f"it cannot be decided: {self.sense.fault.sentence}")
-        self._look.move(now, self._longest + HAIR)
-        age = self._refresh(now)
-        said = [(value, truth()) for value, truth in self._truths]
-        found = self._verdict(said, age)
-        if found.value is None:
-            self._last = None
-        return found
+    def doubt(self, reason: str, at: float) -> None:
+        """Note at ``at`` that it is not known which sample counts, for a reason."""
+        self.sample, self.newest, self._why, self.time = None, None, reason, at
 
-    def _refresh(self, now: float) -> float:
-        """Find out which measures count now. Return the age of the oldest of them."""
-        oldest = 0.0
-        newest, present = self._newest, self._look.present
-        times, ages = self._times, self._max_ages
-        for place, measure in enumerate(newest):
-            age = now - times[place]
-            if age > ages[place] + HAIR:
-                present[place] = None
-            else:
-                present[place] = measure
-                if measure is not None and age > oldest:
-                    oldest = age
-            good = now - self._good[place]
-            self._look.since_good[place] = good if good < inf else None
-        return oldest
+    def count(self, now: float) -> float:
+        """Make its measure present if it counts at ``now``. Return the age (s) of the measure, 0 if
+        none counts."""
+        age = now - self.time
+        if age > self.most:
+            self.present = None
+            return 0.0
+        self.present = measure = self.newest
+        return 0.0 if measure is None else age
 
-    def _verdict(self, said: list[tuple[str, bool | None]], age: float) -> Aggregate:
-        true = [value for value, truth in said if truth]
-        if len(true) > 1:
-            words = " and ".join(true)
-            return Aggregate(None, f"{len(true)} values are true at once: {words}", age, True)
-        if any(truth is None for _, truth in said):
-            return Aggregate(None, self._missing(), age)
-        if true:
-            self._last = true[0], self._look.now
-            return Aggregate(true[0], "", age)
-        if self._last is None:
-            return Aggregate(None, "its measures mean none of its values", age)
-        value, at = self._last
-        held = self._look.now - at
-        if held > self._longest + HAIR:
-            words = f"its measures are between those of its values for {held:.1f} s"
-            return Aggregate(None, words, age)
-        return Aggregate(value, "", max(age, held))
+    def missing(self, now: float) -> str:
+        """Return why it does not count at ``now``. An empty text means that it does."""
+        spec = self.spec
+        if not spec.valued:
+            return "" if self.good is not None else f"{spec.name}: {self._why}"
+        if self.present is not None:
+            return ""
+        age = now - self.time
+        if age == inf or (self.newest is None and age <= self.most):
+            return f"{spec.name}: {self._why}"
+        return f"{spec.name}: no reading for {age:.1f} s"
 
-    def _missing(self) -> str:
-        """Return why it is not known which value is true."""
-        reasons = []
-        for place, spec in enumerate(self.sense.sources):
-            if spec.valued and self._look.present[place] is None:
-                reasons.append(f"{spec.name}: {self._why(place)}")
-            elif not spec.valued and self._look.since_good[place] is None:
-                reasons.append(f"{spec.name}: {self._whys[place]}")
-        more = f"; and {len(reasons) - TOLD} more" if len(reasons) > TOLD else ""
-        words = "; ".join(reasons[:TOLD]) + more
-        return words or "it was not watched for long enough yet"
-
-    def _why(self, place: int) -> str:
-        age = self._look.now - self._times[place]
-        if age == inf or (self._newest[place] is None and age <= self._max_ages[place] + HAIR):
-            return self._whys[place]
-        return f"no reading for {age:.1f} s"
-
-    def _outside(self, place: int, measure: Measure) -> str:
-        spec = self.sense.sources[place]
+    def _outside(self, measure: Measure) -> str:
+        spec = self.spec
         numbers = measure if isinstance(measure, tuple) else (measure,)
         if spec.valued and isinstance(measure, tuple) != spec.position:
             return "it measures a position" if not spec.position else "it measures no position"
@@ -139,3 +108,78 @@ class Decider:
                 unit = "" if spec.unit.text == "1" else f" {spec.unit.text}"
                 return f"{number:g}{unit} is outside {spec.low:g} to {spec.high:g}{unit}"
         return ""
+
+
+class Decider:
+    """Makes the value of one fact from the measures of its sources.
+
+    ``max_ages`` has the largest age (s) of a measure of each source that there is. Sources without
+    one do not exist, so what needs them is unknown. ``heard`` has the sources, in the order of the
+    sense. All times are seconds of the fact's clock.
+    """
+
+    __slots__ = ("_fault", "_last", "_longest", "_look", "_truths", "heard")
+
+    def __init__(self, sense: FactSense, max_ages: Mapping[str, float]) -> None:
+        self._fault = sense.fault
+        self.heard = {one.name: Heard(one, max_ages.get(one.name)) for one in sense.sources}
+        self._longest = max(max_ages.values(), default=0.0) + HAIR
+        self._look = Look(self.heard)
+        self._last: tuple[str, float] | None = None
+        """The value that was decided last, and when. None if the fact was unknown since."""
+        self._truths = () if self._fault else tuple(
+            (one.value, truth_of(one.clause, sense, self._look)) for one in sense.predicates
+        )  # fmt: skip
+
+    def look(self, now: float, age: float) -> Reading:
+        """Return the value of the fact at ``now``, or None with the reason. Time never goes back.
+
+        It is known which measures are ``present``, and ``age`` is that of the oldest of them.
+        """
+        look = self._look
+        if look.began is None:
+            look.began = look.now = now
+        look.former = look.now if now - look.now > self._longest else None
+        look.now = now
+        true: tuple[str, ...] = ()
+        known = not self._fault
+        for value, truth in self._truths:
+            found = truth()
+            if found:
+                true += (value,)
+            elif found is None:
+                known = False
+        if known:
+            if len(true) == 1:
+                value = true[0]
+                self._last = value, now
+                return reading_of((value, "", age, True)) if age else fresh_reading(value)
+            if not true and self._last is not None:
+                value, at = self._last
+                held = now - at
+                if held <= self._longest:
+                    age = held if held > age else age
+                    return reading_of((value, "", age, True)) if age else fresh_reading(value)
+        unknown = Reading(None, self._doubt(true, known, now), age)
+        self._last = None
+        return unknown
+
+    def _doubt(self, true: tuple[str, ...], known: bool, now: float) -> str:
+        """Return why the fact is unknown, where these values are true."""
+        if self._fault is not None:
+            return f"it cannot be decided: {self._fault.sentence}"
+        if len(true) > 1:
+            return f"{len(true)} values are true at once: {' and '.join(true)}"
+        if not known:
+            return self._missing(now)
+        if self._last is None:
+            return "its measures mean none of its values"
+        held = now - self._last[1]
+        return f"its measures are between those of its values for {held:.1f} s"
+
+    def _missing(self, now: float) -> str:
+        """Return why it is not known which value is true."""
+        reasons = [why for one in self.heard.values() if (why := one.missing(now))]
+        more = f"; and {len(reasons) - TOLD} more" if len(reasons) > TOLD else ""
+        words = "; ".join(reasons[:TOLD]) + more
+        return words or "it was not watched for long enough yet"

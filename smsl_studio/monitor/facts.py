@@ -9,8 +9,9 @@ a source.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from types import MappingProxyType
 from typing import Protocol
 
@@ -136,18 +137,31 @@ class FactMonitor:
                 fact.alone = next(iter(fact.sources.values()))
         self.whole = not self._facts
         self._lone = all(fact.alone is not None for fact in self._facts.values())
+        self._reads = tuple((key, _read_of(fact)) for key, fact in self._facts.items())
 
     def accept(self, samples: Sequence[Sample], now: float) -> None:
         """Take in samples, at ``now`` (s) on the clock of the run."""
         if self._lone:
-            whole = self._rounds.take(samples, now)
-            if whole is not None:
-                if self._values != whole.values:
-                    self._fresh = dict(zip(whole.facts, whole.values, strict=True))
-                    self._values = whole.values
-                self._fresh_at = now
-                return
-            self._rounds.end()
+            self._accept_lone(samples, now)
+            return
+        ledgers = self._ledgers
+        for sample in samples:
+            ledger = ledgers.get(sample[:3])
+            if ledger is not None:
+                ledger.take(sample, now)
+            else:
+                self.strangers += 1
+
+    def _accept_lone(self, samples: Sequence[Sample], now: float) -> None:
+        """Take in samples if every fact has one source that is enough for it."""
+        whole = self._rounds.take(samples, now)
+        if whole is not None:
+            if self._values != whole.values:
+                self._fresh = dict(zip(whole.facts, whole.values, strict=True))
+                self._values = whole.values
+            self._fresh_at = now
+            return
+        self._rounds.end()
         fresh = dict(self._fresh) if self._fresh_at == now else {}
         self._fresh, self._fresh_at, self._values = fresh, now, None
         ledgers = self._ledgers
@@ -163,7 +177,7 @@ class FactMonitor:
                 fresh[sample[:2]] = value
             else:
                 fresh.pop(sample[:2], None)
-        if self._lone and len(found) == len(ledgers):
+        if len(found) == len(ledgers):
             self._rounds.begin(samples, found, now)
 
     def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
@@ -203,7 +217,7 @@ class FactMonitor:
         if self.whole:
             return Scene(self._fresh_readings(), now)
         self._rounds.write()
-        readings = {key: _reading(fact, now, live) for key, fact in self._facts.items()}
+        readings = {key: read(now, live) for key, read in self._reads}
         return Scene(MappingProxyType(readings), now)
 
     def _fresh_readings(self) -> Mapping[FactKey, Reading]:
@@ -274,16 +288,24 @@ def _answered(fact: _Fact, now: float) -> SourceValue:
     return SourceValue(said.source, said.value, said.reason, age, human=True)
 
 
-def _reading(fact: _Fact, now: float, live: float) -> Reading:
-    alone = fact.alone
-    if alone is not None:
-        newest = alone.said_now(now)
-        if newest is not None:
-            return fresh_reading(newest.value)
-        only = alone.said(now, live)
-        return Reading(only.value, only.reason, only.age)
-    if fact.sensed is not None:
-        return _sensed(fact, fact.sensed, now, live)
+def _read_of(fact: _Fact) -> Callable[[float, float], Reading]:
+    """Return the function that reads a fact at an instant, on both clocks (s)."""
+    if fact.alone is not None:
+        return partial(_said_alone, fact.alone)
+    if fact.sensed is None:
+        return partial(_aggregated, fact)
+    return partial(_shared, fact, fact.sensed) if fact.rule.people else fact.sensed.decided
+
+
+def _said_alone(alone: Ledger, now: float, live: float) -> Reading:
+    newest = alone.said_now(now)
+    if newest is not None:
+        return fresh_reading(newest.value)
+    only = alone.said(now, live)
+    return Reading(only.value, only.reason, only.age)
+
+
+def _aggregated(fact: _Fact, now: float, live: float) -> Reading:
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
     verdict = aggregate(fact.rule, [*said, *_others(fact, now)])
     if fact.rule.conflict_after > 0:
@@ -292,13 +314,9 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
     return Reading(verdict.value, verdict.reason, verdict.age)
 
 
-def _sensed(fact: _Fact, sensed: SensedFact, now: float, live: float) -> Reading:
+def _shared(fact: _Fact, sensed: SensedFact, now: float, live: float) -> Reading:
     """Return what the predicates say, or the answer of a person where one counts."""
     found = sensed.decided(now, live)
-    if not fact.rule.people:
-        if found.age == 0.0 and found.value is not None:
-            return fresh_reading(found.value)
-        return Reading(found.value, found.reason, found.age)
     said = SourceValue(DECIDED, found.value, found.reason, found.age, contested=sensed.contested)
     answers = [_answered(fact, now)] if fact.answer else []
     verdict = aggregate(fact.rule, [said, *answers])

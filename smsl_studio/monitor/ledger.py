@@ -21,15 +21,18 @@ class Ledger:
     """The samples of one source of one fact, with their speakers.
 
     ``max_age`` is in seconds. ``counted``, ``repeated`` (with overtaken samples) and ``late`` are
-    numbers of samples. Only counted samples refresh the fact.
+    numbers of samples. Only counted samples refresh the fact. ``only`` is its speaker, if exactly
+    one has spoken.
     """
+
+    __slots__ = ("_speakers", "counted", "late", "max_age", "name", "only", "repeated")
 
     def __init__(self, name: str, max_age: float) -> None:
         self.name = name
         self.max_age = max_age
         self.counted = self.repeated = self.late = 0
         self._speakers: list[Speaker] = []
-        self._only: Speaker | None = None
+        self.only: Speaker | None = None
 
     def take(self, sample: Sample, now: float) -> str | None:
         """Accept a sample if it is newer than all earlier samples of its speaker and not late.
@@ -37,7 +40,7 @@ class Ledger:
         It arrived at ``now`` (s), or at its own ``received`` time. Return its value if it is
         evidence of this instant without doubt; None says nothing.
         """
-        only = self._only
+        only = self.only
         if only is not None and only.follow(sample, now, self.max_age):
             self.counted += 1
             return None if only.live or sample.quality != GOOD else sample.value
@@ -46,13 +49,13 @@ class Ledger:
 
     def punctual(self, sample: Sample, now: float) -> bool:
         """Whether its only speaker has just sent this sample, at ``now`` (s) and without delay."""
-        only = self._only
+        only = self.only
         return only is not None and only.sample is sample and only.punctual(now)
 
     def renew(self, sample: Sample, count: int) -> None:
         """Accept the last of ``count`` samples that its only speaker has sent without any delay."""
-        if self._only is not None:
-            self._only.renew(sample)
+        if self.only is not None:
+            self.only.renew(sample)
             self.counted += count
 
     def speaker(self, now: float, live: float = 0.0) -> Speaker | None:
@@ -60,15 +63,15 @@ class Ledger:
 
         ``now`` (s) is the time of the run, ``live`` the same instant on the monotonic clock.
         """
-        if self._only is not None:
-            return self._only
+        if self.only is not None:
+            return self.only
         heard = self._heard(now, live) or self._speakers
         return min(heard, key=lambda one: (one.over, one.age(now, live)), default=None)
 
     def said_now(self, now: float) -> Sample | None:
         """Return the sample of the only speaker if it arrived exactly at ``now`` and is
         evidence."""
-        only = self._only
+        only = self.only
         if only is None or only.received != now or only.live:
             return None
         sample = only.sample
@@ -80,7 +83,7 @@ class Ledger:
         speaker = self.speaker(now, live)
         if speaker is None:
             return SourceValue(self.name, None, "no reading yet", now)
-        if self._only is None and len(heard := self._heard(now, live)) > 1:
+        if self.only is None and len(heard := self._heard(now, live)) > 1:
             reason = speaker_words(self.name, heard)
             return SourceValue(self.name, None, reason, speaker.age(now, live), contested=True)
         sample = speaker.sample
@@ -100,7 +103,7 @@ class Ledger:
         """Return the newest sample of the source, its age (s), and why it is no evidence, if it is
         not for its own words: two programs speak, or its boot is over.
         """
-        only = self._only
+        only = self.only
         if only is not None and not only.over:
             return only.sample, only.read_age(now, live), ""
         speaker = self.speaker(now, live)
@@ -157,4 +160,4 @@ class Ledger:
         if len(self._speakers) == MOST:
             self._speakers.remove(min(self._speakers[1:], key=lambda one: one.heard))
         self._speakers.append(speaker)
-        self._only = self._speakers[0] if len(self._speakers) == 1 else None
+        self.only = self._speakers[0] if len(self._speakers) == 1 else None

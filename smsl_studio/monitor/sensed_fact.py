@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from smsl_studio.blueprint.check import Reading
 from smsl_studio.blueprint.predicates import FactSense
-from smsl_studio.blueprint.predicates.measure import measure_of
-from smsl_studio.monitor.aggregate import Aggregate
 from smsl_studio.monitor.decision import Decider
 from smsl_studio.monitor.ledger import Ledger
-from smsl_studio.monitor.sample import GOOD, Sample
+from smsl_studio.monitor.sample import Sample
 
 DECIDED = "predicate"
 """The name under which the decision stands beside the answers of people."""
@@ -18,49 +17,61 @@ DECIDED = "predicate"
 class SensedFact:
     """The decision about one fact, from the newest samples in the ledgers of its sources."""
 
+    __slots__ = ("_decider", "_feeds", "_newest", "contested", "sense")
+
     def __init__(self, sense: FactSense, ledgers: Mapping[str, Ledger]) -> None:
-        positions = {one.name: one.position if one.valued else None for one in sense.sources}
-        self._read = [
-            (name, ledger, positions[name]) for name, ledger in ledgers.items() if name in positions
-        ]
+        names = {one.name for one in sense.sources}
+        known = {name: ledger for name, ledger in ledgers.items() if name in names}
         self.sense = sense
-        ages = {name: ledger.max_age for name, ledger, _ in self._read}
-        self._decider = Decider(sense, ages)
-        self._seen: dict[str, Sample | None] = dict.fromkeys(ages)
-        self.newest: dict[str, Sample | None] = dict.fromkeys(ages)
-        """The newest sample of each source at the last look, also an invalid or old one."""
+        self._decider = Decider(sense, {name: one.max_age for name, one in known.items()})
+        self._feeds = tuple((self._decider.heard[name], one) for name, one in known.items())
+        self._newest: Mapping[str, Sample | None] | None = None
+        """The newest samples of the last look, None if they are those that were taken."""
         self.contested = False
         """Whether several programs spoke for one of its sources at the last look."""
 
-    def decided(self, now: float, live: float) -> Aggregate:
+    @property
+    def newest(self) -> Mapping[str, Sample | None]:
+        """The newest sample of each source at the last look, also an invalid or old one."""
+        if self._newest is not None:
+            return self._newest
+        return {one.spec.name: one.sample for one, _ in self._feeds}
+
+    def decided(self, now: float, live: float) -> Reading:
         """Return the value of the fact, or None with the reason. It is called once for each look.
 
         ``live`` is the same instant on the monotonic clock, which counts if a source is elsewhere.
         """
-        heard = [ledger.newest(now, live) for _, ledger, _ in self._read]
         clock = now
-        for sample, _, _ in heard:
-            if sample is not None and sample.received is not None:
+        for _, ledger in self._feeds:
+            speaker = ledger.only
+            if speaker is None or speaker.over:
+                return self._weighed(now, live)
+            if speaker.live:
                 clock = live
+        self.contested, self._newest = False, None
+        oldest = 0.0
+        for heard, ledger in self._feeds:
+            speaker = ledger.only
+            if speaker is not None and speaker.sample is not heard.sample:
+                heard.take(speaker.sample, clock - speaker.read_age(now, live))
+            oldest = max(oldest, heard.count(clock))
+        return self._decider.look(clock, oldest)
+
+    def _weighed(self, now: float, live: float) -> Reading:
+        """Decide as ``decided`` does, where a source has not one speaker."""
+        newest = [ledger.newest(now, live) for _, ledger in self._feeds]
+        elsewhere = any(one is not None and one.received is not None for one, _, _ in newest)
+        clock = live if elsewhere else now
         self.contested = False
-        for (name, _, position), (sample, age, doubt) in zip(self._read, heard, strict=True):
-            self.newest[name] = sample
+        oldest = 0.0
+        for (heard, _), (sample, age, doubt) in zip(self._feeds, newest, strict=True):
             if doubt:
                 self.contested = True
-                self._seen[name] = None
-                self._decider.take(name, None, clock, doubt)
-            elif sample is not None and sample is not self._seen[name]:
-                self._seen[name] = sample
-                self._take(name, sample, position, clock - age)
-        return self._decider.look(clock)
-
-    def _take(self, name: str, sample: Sample, position: bool | None, at: float) -> None:
-        if sample.value is None or sample.quality != GOOD:
-            words = sample.reason or f"its reading is {sample.quality}"
-            self._decider.take(name, None, at, words)
-            return
-        measure = measure_of(sample.value, position)
-        if isinstance(measure, str):
-            self._decider.take(name, None, at, measure)
-        else:
-            self._decider.take(name, measure, at)
+                heard.doubt(doubt, clock)
+            elif sample is not None and sample is not heard.sample:
+                heard.take(sample, clock - age)
+            oldest = max(oldest, heard.count(clock))
+        pairs = zip(self._feeds, newest, strict=True)
+        self._newest = {heard.spec.name: sample for (heard, _), (sample, _, _) in pairs}
+        return self._decider.look(clock, oldest)

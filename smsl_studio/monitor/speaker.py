@@ -113,8 +113,8 @@ class Speaker:
         """Accept a sample if it is without doubt the next one. Return whether it was accepted.
 
         It came at ``now`` (s), or at its own ``received`` time."""
-        time, received = sample.time, sample.received
-        if sample.boot != self.boot or sample.node != self.node:
+        _, _, _, _, time, sequence, boot, _, _, received, node = sample
+        if boot != self.boot or node != self.node:
             return False
         if received is not None:
             now = received
@@ -122,7 +122,7 @@ class Speaker:
         quickest = self._quickest + CREEP * (now - self.received)
         latency = way - quickest
         # All comparisons are false if a clock is NaN.
-        grows = sample.sequence > self.sample.sequence and time >= self._time
+        grows = sequence > self.sample.sequence and time >= self._time
         if not (grows and -max_age < latency < max_age):
             return False
         if latency > 0:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import pytest
 from hypothesis import given
@@ -215,6 +215,6 @@ def test_the_order_of_arrival_does_not_matter(
         for name, sequence in order:
             value = read[sequence + 4 * (name == "ear")]
             monitor.accept([Sample(*FACT, name, value, 0.0, sequence)], 0.0)
-        return replace(_read(monitor, 0.0), reason="")
+        return _read(monitor, 0.0)._replace(reason="")
 
     assert after(arrived) == after(sorted(arrived))

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+import sys
+from random import Random
+from types import FrameType
 from typing import Any
 
 import pytest
@@ -146,3 +150,42 @@ def test_numbers_are_sent_as_they_are() -> None:
     for wrong in (float("nan"), float("inf"), True, "1", None, [1, 2], ["1", 2, 3], [[1, 2, 3]] * 3,
                   2**60, object()):  # fmt: skip
         assert measure_text(wrong) is None
+
+
+def test_a_number_is_read_as_its_grammar_says() -> None:
+    grammar = re.compile(r"-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+    chance = Random(7)
+    read = 0
+    for _ in range(4000):
+        text = "".join(
+            chance.choices("0123456789.-+eE_ xnaif\n\u0661", (6,) * 10 + (4, 3) + (1,) * 12, k=4)
+        )
+        found = measure_of(text, position=False)
+        assert isinstance(found, float) is (grammar.fullmatch(text) is not None), text
+        read += isinstance(found, float)
+    assert read > 400
+
+
+def test_a_sample_costs_few_calls() -> None:
+    many, calls = 50, 0
+    sense = sense_of({"sources": {"force": "N"}, "range": {"force": [-5, 50]},
+                      "predicate": {"0": "force < 1 N", "1": "force > 2 N for 0.1 s"}})  # fmt: skip
+    monitor = FactMonitor(
+        [Source("force", 0.3, digit=at) for at in range(many)],
+        {("SB", at): FactRule(sense=sense) for at in range(many)},
+    )
+
+    def count(frame: FrameType, event: str, _: Any) -> None:
+        nonlocal calls
+        calls += event == "call"
+
+    for number, text in enumerate(("0.5", "1.5", "2.5")):
+        now = number / 100
+        samples = [Sample("SB", at, "force", text, now, number) for at in range(many)]
+        calls = 0
+        sys.setprofile(count)
+        monitor.accept(samples, now)
+        scene = monitor.scene(now)
+        sys.setprofile(None)
+        assert number == 0 or calls <= 12 * many + 10
+        assert scene.get("SB", 0) is not None

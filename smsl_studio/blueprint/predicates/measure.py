@@ -13,7 +13,8 @@ GOOD, UNCERTAIN, BAD = QUALITIES = ("good", "uncertain", "bad")
 Measure = float | tuple[float, float, float]
 
 _NUMBER = r"-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
-_ONE = re.compile(_NUMBER, re.ASCII)
+_SIGNS = "0123456789.-+eE"
+"""All characters of a number. ``float`` takes more, such as spaces, ``_`` and ``inf``."""
 _THREE = re.compile(rf"({_NUMBER}) ({_NUMBER}) ({_NUMBER})", re.ASCII)
 LONGEST = 100
 """The largest length of a measure, in characters."""
@@ -44,14 +45,22 @@ def measure_of(text: str, position: bool | None) -> Measure | str:
 
     ``position`` says which of the two is wanted; None takes both.
     """
-    shown = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 3]}..."
     short = len(text) <= LONGEST
-    if short and not position and _ONE.fullmatch(text):
-        number = float(text)
-        return number if isfinite(number) else f"{shown} is too large"
+    if short and not position and not text.strip(_SIGNS) and text[:1] != "+":
+        try:
+            number = float(text)
+        except ValueError:
+            pass
+        else:
+            return number if isfinite(number) else f"{_shown(text)} is too large"
+    shown = _shown(text)
     three = _THREE.fullmatch(text) if short and position is not False else None
     if three is None:
         wanted = "which are no three numbers" if position else "which is no number"
         return f"it says {shown!r}, {wanted}"
     x, y, z = (float(one) for one in three.groups())
     return (x, y, z) if all(map(isfinite, (x, y, z))) else f"{shown} is too large"
+
+
+def _shown(text: str) -> str:
+    return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 3]}..."

@@ -79,7 +79,7 @@ def monitor_rows(
 def of_lost(status: DispatchStatus) -> DispatchStatus:
     """Return the status of a run whose world is gone. All sensed facts are unknown in it."""
     readings = {
-        key: replace(reading, value=None, reason=GONE) if reading.sensed else reading
+        key: reading._replace(value=None, reason=GONE) if reading.sensed else reading
         for key, reading in status.scene.readings.items()
     }
     sources = tuple(
