@@ -11,7 +11,7 @@ from typing import Any
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rule_file import read_rules
-from smsl_studio.generate.rule_states import ruled_branch
+from smsl_studio.generate.rule_states import RuledBranch, ruled_branch
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.smsl.files import read_content
 from smsl_studio.smsl.json_form import parse_json, write_json
@@ -51,9 +51,14 @@ def generate_rules(file: Name) -> Generated:
     """
     raw = read_content(file).raw
     made = ruled_branch(read_rules(raw, os.fspath(file)))
-    origin = _origin("rules", [file], sha256_hex(raw))
-    blueprint = _blueprint(made.values, origin, file)
+    blueprint = ruled_blueprint(made, raw, file)
     return Generated(blueprint, made.states, made.operations, made.goal_reached)
+
+
+def ruled_blueprint(made: RuledBranch, raw: bytes, file: Name, name: Name = "") -> Blueprint:
+    """Return the blueprint of an SB that rules made. ``raw`` are the bytes of the rules, ``name``
+    is the file of the blueprint; without it that of the rules."""
+    return _blueprint(made.values, _origin("rules", [file], sha256_hex(raw)), name or file)
 
 
 def generate_pddl(domain: Name, problem: Name) -> Generated:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,24 +61,29 @@ class RuleOperation:
 
 @dataclass(frozen=True, slots=True)
 class RuleSet:
-    """The rules of one State Branch. ``goal`` is None if the file has none."""
+    """The rules of one State Branch. ``goal`` is None if the file has none. ``never`` has the text
+    of each condition."""
 
     branch: str
     facts: Alphabets
     start: Values
     goal: Values | None
-    never: tuple[Condition, ...]
+    never: tuple[tuple[str, Condition], ...]
     operations: tuple[RuleOperation, ...]
 
 
-def read_rules(raw: bytes, file: str) -> RuleSet:
-    """Return the rules in a file. ReadError with the line of the first fault."""
-    return _RuleFile(raw, file).rules()
+def read_rules(raw: bytes, file: str, faults: list[ReadError] | None = None) -> RuleSet:
+    """Return the rules in a file. ReadError with the line of the first fault.
+
+    With a list of ``faults`` a rule or a condition of ``never`` that cannot be read is left out,
+    and its error is added to the list.
+    """
+    return _RuleFile(raw, file, faults).rules()
 
 
 class _RuleFile:
-    def __init__(self, raw: bytes, file: str) -> None:
-        self._file = file
+    def __init__(self, raw: bytes, file: str, faults: list[ReadError] | None) -> None:
+        self._file, self._faults = file, faults
         if len(raw) > LARGEST:
             raise self._fault("the rules are longer than 1 MB", "", "Rules are short: use 'for'.")
         try:
@@ -102,7 +107,7 @@ class _RuleFile:
             facts,
             start,
             None if goal is None else self._state(goal, facts, "goal"),
-            tuple(self._condition(text, facts, {}, "never") for text in never),
+            tuple(found for text in never for found in self._never(text, facts)),
             tuple(self._operations(facts)),
         )
 
@@ -156,26 +161,51 @@ class _RuleFile:
             raise self._fault("there is no [[rule]]", "", "Write one for each kind of operation.")
         names: set[str] = set()
         for rule in rules:
-            if not isinstance(rule, dict):
-                raise self._fault("a rule is no table", "rule")
-            pattern = self._text_of(rule.get("operation"), "operation")
-            self._members(rule, _RULE, f"the rule {pattern}", pattern)
-            cases = rule.get("cases")
-            if not isinstance(cases, list) or not cases:
-                raise self._fault(f"the rule {pattern} has no list of cases", pattern, _CASES)
-            for given in self._choices(rule.get("for", {}), pattern):
-                heed()
-                name = self._filled(pattern, given, pattern)
-                self._check_name(name, pattern)
-                if name in names:
-                    raise self._fault(f"the operation {name} is made twice", pattern)
-                names.add(name)
-                if len(names) > MOST_OPERATIONS:
-                    raise self._fault(
-                        f"the rules name more than {MOST_OPERATIONS:,} operations", pattern
-                    )
-                made = tuple(self._case(case, given, facts, pattern) for case in cases)
-                yield RuleOperation(name, made)
+            try:
+                made = self._rule(rule, facts, names)
+            except ReadError as error:
+                self._leave_out(error)
+            else:
+                names.update(made)
+                yield from made.values()
+
+    def _rule(
+        self, rule: Json, facts: Alphabets, names: Collection[str]
+    ) -> dict[str, RuleOperation]:
+        """Return the operations of one rule by name. ``names`` are those of the rules before."""
+        if not isinstance(rule, dict):
+            raise self._fault("a rule is no table", "rule")
+        pattern = self._text_of(rule.get("operation"), "operation")
+        self._members(rule, _RULE, f"the rule {pattern}", pattern)
+        cases = rule.get("cases")
+        if not isinstance(cases, list) or not cases:
+            raise self._fault(f"the rule {pattern} has no list of cases", pattern, _CASES)
+        found: dict[str, RuleOperation] = {}
+        for given in self._choices(rule.get("for", {}), pattern):
+            heed()
+            name = self._filled(pattern, given, pattern)
+            self._check_name(name, pattern)
+            if name in names or name in found:
+                raise self._fault(f"the operation {name} is made twice", pattern)
+            if len(names) + len(found) == MOST_OPERATIONS:
+                raise self._fault(
+                    f"the rules name more than {MOST_OPERATIONS:,} operations", pattern
+                )
+            made = tuple(self._case(case, given, facts, pattern) for case in cases)
+            found[name] = RuleOperation(name, made)
+        return found
+
+    def _never(self, text: Json, facts: Alphabets) -> Iterator[tuple[str, Condition]]:
+        try:
+            yield text, self._condition(text, facts, {}, "never")
+        except ReadError as error:
+            self._leave_out(error)
+
+    def _leave_out(self, error: ReadError) -> None:
+        """Add the fault of a part to the list. Without a list it is that of the file."""
+        if self._faults is None:
+            raise error
+        self._faults.append(error)
 
     def _choices(self, told: Json, pattern: str) -> Iterator[Mapping[str, str]]:
         if not isinstance(told, dict):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
+from itertools import product
+from math import prod
 from typing import Any
 
 from smsl_studio.errors import UsageError
@@ -19,26 +21,29 @@ MOST_STATES = 1_000_000
 @dataclass(frozen=True, slots=True)
 class RuledBranch:
     """A branch made of rules, as plain values. ``goal_reached`` says whether the goal is one of its
-    states; without a goal it is true."""
+    states; without a goal it is true. ``whole`` is false if the search has stopped at its limit."""
 
     values: dict[str, Json]
     states: int
     operations: int
     goal_reached: bool
+    whole: bool = True
 
 
-def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
+def ruled_branch(rules: RuleSet, limit: int = MOST_STATES, part: bool = False) -> RuledBranch:
     """Return the branch of some rules. Operations stand in the order of the rules.
 
     UsageError if the start is one of the states that are left out, or if there are more than
-    ``limit`` states.
+    ``limit`` states. With ``part`` the first ``limit`` states are returned then, and the operations
+    between them.
     """
-    if any(one(rules.start) for one in rules.never):
+    never = [holds for _, holds in rules.never]
+    if any(one(rules.start) for one in never):
         raise UsageError("the start is a state that 'never' leaves out")
     start = _name(rules.start)
     table: dict[str, dict[str, str]] = {start: {}}
     queue = deque([rules.start])
-    edges = 0
+    edges, whole = 0, True
     while queue:
         heed()
         values = queue.popleft()
@@ -48,12 +53,13 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
             if case is None:
                 continue
             after = case.after(values)
-            if any(one(after) for one in rules.never):
+            if any(one(after) for one in never):
                 continue
             target = _name(after)
-            own[operation.name] = target
-            edges += 1
             if target not in table:
+                if len(table) >= limit and part:
+                    whole = False
+                    continue
                 if len(table) >= limit:
                     raise UsageError(
                         f"the rules reach more than {limit:,} states",
@@ -61,13 +67,29 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
                     )
                 table[target] = {}
                 queue.append(after)
+            own[operation.name] = target
+            edges += 1
     goal = None if rules.goal is None else _name(rules.goal)
     header: dict[str, Json] = {"INITIAL": start}
     if goal in table:
         header["ACTIVATING"] = goal
     header |= {"NUM_FACTS": len(rules.facts), "NUM_STATES": len(table)}
     values_of = {rules.branch: {"HEADER": header, **table}}
-    return RuledBranch(values_of, len(table), edges, goal is None or goal in table)
+    return RuledBranch(values_of, len(table), edges, goal is None or goal in table, whole)
+
+
+def left_out(rules: RuleSet, most: int) -> tuple[int, ...] | None:
+    """Return how many combinations of values each condition of ``never`` leaves out. None if there
+    are more than ``most`` combinations."""
+    alphabets = list(rules.facts.values())
+    if prod(map(len, alphabets)) > most:
+        return None
+    counts = [0] * len(rules.never)
+    for values in product(*alphabets):
+        heed()
+        for number, (_, holds) in enumerate(rules.never):
+            counts[number] += holds(values)
+    return tuple(counts)
 
 
 def _name(values: Values) -> str:

@@ -25,6 +25,7 @@ from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.review.feature import ReviewFeature
 from smsl_studio.studio.features.room.feature import RoomFeature
+from smsl_studio.studio.features.rules.feature import RulesFeature
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.settings.feature import SettingsFeature
 from smsl_studio.studio.features.start.feature import StartFeature
@@ -77,6 +78,7 @@ class Features(QObject):
         self.approval.compare = self.draw.comparing.with_signed
         self.approval.store.told = self.draw.library.set_stored
         self.merge = MergeFeature(parts, shell)
+        self.rules = RulesFeature(parts, shell)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)
@@ -103,6 +105,7 @@ class Features(QObject):
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
+        yield self.rules
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
         yield from (self.people, self.monitor, self.room)
@@ -239,6 +242,7 @@ class Features(QObject):
         self.end_run()
         for feature in (
             self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
+            self.rules,
             self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()

@@ -45,6 +45,7 @@ class Column(QWidget):
     open_wanted = Signal()
     try_wanted = Signal()
     help_wanted = Signal()
+    rules_wanted = Signal()
     file_wanted = Signal(Path)
     sample_wanted = Signal(Path)
     removed = Signal(Path)
@@ -90,6 +91,7 @@ class Column(QWidget):
         opened.clicked.connect(self.open_wanted)
         tried.clicked.connect(self.try_wanted)
         self.links.help.clicked.connect(self.help_wanted)
+        self.links.rules.clicked.connect(self.rules_wanted)
         self.show_all.clicked.connect(self._show_all)
         for card in self.samples:
             card.clicked.connect(partial(self.sample_wanted.emit, card.path))

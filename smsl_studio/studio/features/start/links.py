@@ -24,7 +24,8 @@ class LinkCard(QWidget):
         self.help = Link("The first blueprint, as a page", "file", tokens, self)
         self.folder = Link("Show the samples folder", "folder", tokens, self)
         self.folder.clicked.connect(show_samples_folder)
-        self.tiles = (self.help, self.folder)
+        self.rules = Link("Generate from rules", "pencil", tokens, self)
+        self.tiles = (self.help, self.folder, self.rules)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme for the frame."""

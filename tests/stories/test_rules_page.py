@@ -1,0 +1,194 @@
+"""A person writes rules, sees what they give, and lets the drawing follow them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPlainTextEdit
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.features.rules import feature as rules_feature
+from smsl_studio.studio.features.rules.page import RulesPage
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key = Qt.Key
+RIVER = SAMPLES / "rules" / "river.toml"
+
+
+class AtRules:
+    """The page Rules of a person's window."""
+
+    def __init__(self, person: Person) -> None:
+        self.person, self.feature = person, person.window.features.rules
+        person.window.actions_table["rules_page"].trigger()
+        self.told = person.window.toast.words
+        self.until_followed()
+
+    @property
+    def page(self) -> RulesPage:
+        return self.feature.part()
+
+    def until_followed(self) -> None:
+        page = self.page
+        self.person.until(
+            lambda: page.answer is not None and page.answer.text == page.text.toPlainText()
+        )
+
+    def write(self, text: str) -> None:
+        self.page.text.replace_all(text)
+        self.until_followed()
+
+    @property
+    def summed(self) -> str:
+        return self.page._sum.text()
+
+    def problems(self) -> list[str]:
+        return [row.text for row in self.page.problems.rows.rows]
+
+    def differences(self) -> list[str]:
+        return [row.text for row in self.page.side.list.rows.rows]
+
+
+@pytest.fixture
+def at(sit: Sit, tmp_path: Path) -> AtRules:
+    path = tmp_path / "river.rules.toml"
+    path.write_text(RIVER.read_text("utf-8"), "utf-8")
+    person = sit()
+    person.window.open_path(path)
+    return AtRules(person)
+
+
+def test_a_file_of_rules_shows_what_it_gives(at: AtRules) -> None:
+    window = at.person.window
+    assert window.mode == "rules"
+    assert at.summed == "40 states, 92 operations"
+    assert at.page.canvas.sheet is not None
+    assert len(at.page.canvas.sheet.picture.names) == 40
+    assert at.problems() == []
+    assert "no states" in at.page.side.why.text()
+    assert not at.page.saving.isEnabled()
+
+
+def test_every_keystroke_is_followed_and_a_rule_that_cannot_be_read_is_left_out(
+    at: AtRules,
+) -> None:
+    text = at.page.text
+    text.moveCursor(text.textCursor().MoveOperation.End)
+    text.setFocus()
+    for line in ("[[rule]]", 'operation = "call"', 'cases = [{when = "wolf = x", set = {}}]'):
+        at.person.type(line)
+        at.person.press(Key.Key_Return)
+    at.until_followed()
+    assert at.summed == "40 states, 92 operations, 1 part left out"
+    (problem,) = at.problems()
+    last = text.document().blockCount() - 1
+    assert problem.startswith(f"Line {last}: ")
+    text.moveCursor(text.textCursor().MoveOperation.Start)
+    at.page.problems.setCurrentIndex(at.page.problems.rows.index(0))
+    at.page.problems.activated.emit(at.page.problems.currentIndex())
+    assert text.caret == (last, 1)
+    at.person.ctrl(Key.Key_Z)
+    assert at.person.blueprint.state_count == 0, "the drawing has no step of this"
+
+
+def test_a_text_that_gives_nothing_keeps_the_last_picture_and_says_so(at: AtRules) -> None:
+    at.write("facts = [")
+    assert at.summed == "The text gives nothing yet. This is what it gave before."
+    assert at.page.canvas.sheet is not None
+    assert len(at.problems()) == 1
+    assert not at.page.side.write.isEnabled()
+
+
+def test_what_a_change_takes_away_is_counted(at: AtRules) -> None:
+    whole = at.page.text.toPlainText()
+    first = whole.index("[[rule]]")
+    second = whole.index("[[rule]]", first + 1)
+    at.write(whole[:first] + whole[second:])
+    assert at.page._change.text().startswith("−")
+    at.write(whole)
+    assert at.page._change.text().startswith("+")
+
+
+def test_the_rules_become_a_drawing_that_nobody_has_inspected(at: AtRules) -> None:
+    at.person.click(at.page.side.write)
+    window = at.person.window
+    assert window.mode == "draw"
+    assert at.person.blueprint.state_count == 40
+    assert at.person.blueprint.fields["_origin"]["how"] == "rules"
+    assert window.files.path is None
+    assert "Nobody has inspected it" in window.toast.words
+
+
+def test_differences_to_the_drawing_are_taken_refused_and_undone(at: AtRules) -> None:
+    person, side = at.person, at.page.side
+    person.click(side.write)
+    name = next(iter(person.blueprint)).name
+    states = list(person.blueprint[name].table)
+    operation = next(iter(person.blueprint[name].table[states[0]]))
+    person.window.session.select((Address(name, states[0], operation),))
+    person.press(Key.Key_Delete)
+    AtRules(person)
+    person.until(lambda: len(at.differences()) == 1)
+    assert at.differences()[0].startswith(f"Missing: {states[0]}")
+    assert side.take.text() == "Take"
+    before = person.blueprint.document.text
+    person.click(side.take)
+    person.until(lambda: not at.differences())
+    assert "agree" in side.why.text()
+    person.window.session.history.undo()
+    assert person.blueprint.document.text == before
+    person.until(lambda: len(at.differences()) == 1)
+    person.click(side.refuse)
+    assert at.differences() == []
+    assert "1 difference refused" in side.why.text()
+
+
+def test_the_rules_of_a_drawing_are_learnt(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    at = AtRules(person)
+    assert 'sb = "SB1"' in at.page.text.toPlainText()
+    person.click(at.page.learning)
+    person.until(lambda: "These rules make the drawing" in person.window.toast.words)
+    at.until_followed()
+    kinds = {one.partition(":")[0] for one in at.differences()}
+    assert kinds == {"Missing", "Odd"}, "the misprints of the paper"
+    assert at.summed.startswith("27 states, 78 operations")
+
+
+def test_unsaved_rules_come_back_with_the_next_window(sit: Sit, tmp_path: Path) -> None:
+    at = AtRules(sit())
+    at.write(RIVER.read_text("utf-8"))
+    at.person.window.session.history.setClean()
+    at.person.window.close()
+    again = AtRules(sit())
+    assert again.page.text.toPlainText() == RIVER.read_text("utf-8")
+    assert "not saved" in again.told
+
+
+def test_rules_are_saved_under_a_name(
+    at: AtRules, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at.write("# nothing\n")
+    assert at.page.saving.isEnabled()
+    at.person.click(at.page.saving)
+    assert (tmp_path / "river.rules.toml").read_text("utf-8") == "# nothing\n"
+    assert not at.page.saving.isEnabled()
+    other = tmp_path / "other"
+    monkeypatch.setattr(rules_feature, "ask_to_save", lambda *_: (str(other), ""))
+    at.page.file.path = None
+    at.write("# more\n")
+    at.person.click(at.page.saving)
+    assert (tmp_path / "other.rules.toml").read_text("utf-8") == "# more\n"
+
+
+def test_the_text_has_the_keys_of_a_text(at: AtRules) -> None:
+    assert isinstance(at.page.text, QPlainTextEdit)
+    at.page.text.setFocus()
+    at.page.text.moveCursor(at.page.text.textCursor().MoveOperation.Start)
+    at.person.type("f")
+    assert at.page.text.toPlainText().startswith("f#")
+    at.person.ctrl(Key.Key_Z)
+    assert at.page.text.toPlainText().startswith("#")
