@@ -43,7 +43,7 @@ class AtRules:
 
     @property
     def summed(self) -> str:
-        return self.page._sum.text()
+        return self.page.sum.text()
 
     def problems(self) -> list[str]:
         return [row.text for row in self.page.problems.rows.rows]
@@ -107,9 +107,9 @@ def test_what_a_change_takes_away_is_counted(at: AtRules) -> None:
     first = whole.index("[[rule]]")
     second = whole.index("[[rule]]", first + 1)
     at.write(whole[:first] + whole[second:])
-    assert at.page._change.text().startswith("−")
+    assert at.page.change.text().startswith("−")
     at.write(whole)
-    assert at.page._change.text().startswith("+")
+    assert at.page.change.text().startswith("+")
 
 
 def test_the_rules_become_a_drawing_that_nobody_has_inspected(at: AtRules) -> None:

@@ -19,6 +19,7 @@ from smsl_studio.studio.base.controls import Elided, label
 from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.rules.rule_answer import RuleAnswer, rule_answer
@@ -60,7 +61,7 @@ class RulesPage(QWidget):
         self.canvas.setAccessibleName("Preview of the rules")
         self.side = RulesSide(tokens)
         self._file, self._caret = Elided(), label("", "second")
-        self._sum, self._change = Elided(), Elided()
+        self.sum, self.change = Elided(), Elided()
         self.opening = self._tool("Open…", "Open a file of rules", self.open_wanted)
         self.saving = self._tool("Save rules", "Save the rules into their file", self.save_wanted)
         self.learning = self._tool(
@@ -79,7 +80,7 @@ class RulesPage(QWidget):
 
     def _tool(self, words: str, tip: str, wanted: SignalInstance) -> QPushButton:
         made = QPushButton(words)
-        made.setToolTip(tip)
+        made.setToolTip(tip_text(tip))
         made.setAutoDefault(False)
         made.clicked.connect(wanted)
         return made
@@ -91,9 +92,9 @@ class RulesPage(QWidget):
         column.addWidget(head("Problems", None, self._caret))
         column.addWidget(self.problems)
         middle, between = empty_panel()
-        between.addWidget(head("Preview", self._sum))
+        between.addWidget(head("Preview", self.sum))
         between.addWidget(self.canvas, 1)
-        between.addWidget(head("Last change", self._change))
+        between.addWidget(head("Last change", self.change))
         parts = (left, middle, self.side)
         whole = split(Qt.Orientation.Horizontal, parts, (524, 552, 364), (2, 2, 1))
         outer = QVBoxLayout(self)
@@ -136,11 +137,11 @@ class RulesPage(QWidget):
         lines = {fault.place.line: fault.sentence for fault in draft.faults if fault.place}
         self.text.show_faults(lines)
         self.problems.show_rows([_problem_row(fault) for fault in draft.faults])
-        self._sum.setText(_sum_words(answer, self._shown is not None))
+        self.sum.setText(_sum_words(answer, self._shown is not None))
         if draft.blueprint is not None and draft.rules is not None:
             branch = draft.rules.branch
             same = self._shown is not None and branch in self._shown.branches
-            self._change.setText(_change_words(former, answer))
+            self.change.setText(_change_words(former, answer))
             if self._shown is None or self._shown != draft.blueprint:
                 self._shown = draft.blueprint
                 self.canvas.show_branch(draft.blueprint, branch, answer.places, keep_view=same)
