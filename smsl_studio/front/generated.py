@@ -58,7 +58,9 @@ def generate_rules(file: Name) -> Generated:
 def ruled_blueprint(made: RuledBranch, raw: bytes, file: Name, name: Name = "") -> Blueprint:
     """Return the blueprint of an SB that rules made. ``raw`` are the bytes of the rules, ``name``
     is the file of the blueprint; without it that of the rules."""
-    return _blueprint(made.values, _origin("rules", [file], sha256_hex(raw)), name or file)
+    names = {str(digit): {"name": fact} for digit, fact in enumerate(made.facts)}
+    values = {branch: {"_facts": names, **table} for branch, table in made.values.items()}
+    return _blueprint(values, _origin("rules", [file], sha256_hex(raw)), name or file)
 
 
 def generate_pddl(domain: Name, problem: Name) -> Generated:

@@ -21,13 +21,15 @@ MOST_STATES = 1_000_000
 @dataclass(frozen=True, slots=True)
 class RuledBranch:
     """A branch made of rules, as plain values. ``goal_reached`` says whether the goal is one of its
-    states; without a goal it is true. ``whole`` is false if the search has stopped at its limit."""
+    states; without a goal it is true. ``whole`` is false if the search has stopped at its limit.
+    ``facts`` are the names of the facts."""
 
     values: dict[str, Json]
     states: int
     operations: int
     goal_reached: bool
     whole: bool = True
+    facts: tuple[str, ...] = ()
 
 
 def ruled_branch(rules: RuleSet, limit: int = MOST_STATES, part: bool = False) -> RuledBranch:
@@ -75,7 +77,8 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES, part: bool = False) -
         header["ACTIVATING"] = goal
     header |= {"NUM_FACTS": len(rules.facts), "NUM_STATES": len(table)}
     values_of = {rules.branch: {"HEADER": header, **table}}
-    return RuledBranch(values_of, len(table), edges, goal is None or goal in table, whole)
+    reached = goal is None or goal in table
+    return RuledBranch(values_of, len(table), edges, reached, whole, tuple(rules.facts))
 
 
 def left_out(rules: RuleSet, most: int) -> tuple[int, ...] | None:

@@ -99,7 +99,7 @@ class LabelSeats:
         places, at = self.places, drawn[edge].label if edge in drawn else None
         if at is not None:
             rect = labels.by_hand(shape, at, size)
-            places.take(rect)
+            places.take_label(shape, rect)
             self._note(edge, rect)
             return
         choice = self._choice

@@ -187,10 +187,13 @@ def leaders(shape: EdgeShape, rects: Floats) -> list[tuple[Point, Point]]:
 
 
 def by_hand(shape: EdgeShape, at: LabelPlace, size: tuple[float, float]) -> Rect:
-    """Return the rectangle of a label that somebody has moved."""
+    """Return the rectangle of a label that somebody has moved. Away from its line it has a
+    leader."""
     share, dx, dy = at
     x, y = shape.at(shape.length * share)
-    return centred((x + dx, y + dy), size)
+    rect = centred((x + dx, y + dy), size)
+    foot, end = leader(shape, rect)
+    return AsideRect(*rect) if math.dist(foot, end) > size[1] / 2 else rect
 
 
 def outside(

@@ -32,6 +32,8 @@ def test_a_whole_text_gives_its_blueprint() -> None:
     assert draft.blueprint is not None
     assert draft.blueprint.file == "river.json"
     assert draft.blueprint.fields["_origin"]["how"] == "rules"
+    (branch,) = draft.blueprint
+    assert [branch.fact_name(digit) for digit in range(4)] == ["grass", "sheep", "steve", "wolf"]
     assert draft.combinations is not None
     assert draft.rules is not None
     assert len(draft.combinations) == len(draft.rules.never)

@@ -15,6 +15,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.bends import GAP, RADIUS, bent, clear_of, rank_of
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.labels import AsideRect
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, NodeBox
 from smsl_studio.picture.svg import as_svg, draw_blueprint
@@ -135,6 +136,14 @@ def test_a_moved_label_stands_where_it_was_put_and_is_never_hidden() -> None:
     assert rect is not None
     x, y = shape.at(shape.length / 2)
     assert ((rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2) == pytest.approx((x + 30.0, y - 40.0))
+
+
+@pytest.mark.parametrize(("down", "led"), [(-60.0, True), (-14.0, False)])
+def test_a_label_that_was_moved_away_from_its_line_has_a_leader(down: float, led: bool) -> None:
+    blueprint = editing.place_label(sample("hfsm.json"), OP, (0.5, 0.0, down))
+    places = dict(place_states(blueprint["SB1"]))
+    geometry = geometry_of(blueprint, "SB1", places, LineStyle(), None)
+    assert isinstance(geometry.label(geometry.picture.edge(OP)), AsideRect) is led
 
 
 def test_a_rendered_picture_has_the_bends_as_large_as_it_is_drawn() -> None:

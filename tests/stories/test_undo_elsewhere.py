@@ -75,3 +75,14 @@ def test_an_undo_in_the_shown_branch_says_nothing(sit: Sit) -> None:
     person.ctrl(Key.Key_Z)
     assert person.window.session.branch == "SB1"
     assert not person.window.toast.isVisible()
+
+
+def test_what_an_undo_elsewhere_was_told_goes_with_the_next_look_at_the_drawing(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    person.select("SB1/State000")
+    person.press(Qt.Key.Key_Delete)
+    person.ctrl(Qt.Key.Key_2)
+    person.ctrl(Qt.Key.Key_Z)
+    assert "only while the drawing is shown" in person.window.toast.words
+    person.ctrl(Qt.Key.Key_1)
+    assert person.window.toast.words == ""

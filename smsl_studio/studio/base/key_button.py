@@ -3,7 +3,16 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QIcon,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
 
 from smsl_studio.dispatch.supervision.table import COMMANDS
@@ -32,6 +41,15 @@ class KeyButton(QPushButton):
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(plain_text(words))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Ignore the second click of a double click on Stop.
+
+        Stop takes the place of Run when a run begins. A double click on Run would stop it at once.
+        A double click on Stop itself stops with its first click.
+        """
+        if self._role != "stop":
+            super().mouseDoubleClickEvent(event)
 
     def set_words(self, words: str, key: str, name: str) -> None:
         """Give the button other words, another key and another icon."""

@@ -13,6 +13,10 @@ ENDS = (("INITIAL", "initial", "first"), ("ACTIVATING", "activating", "last"))
 keys are not written."""
 
 
+DOUBLED = "because no other ones are free"
+"""Words of a sentence that warns: two states with the same facts cannot be told apart."""
+
+
 @dataclass(frozen=True)
 class StepNotice:
     """A notice about a step; without a ``sentence`` there is none.
@@ -36,7 +40,8 @@ def step_notice(before: Blueprint, after: Blueprint) -> StepNotice:
     unasked = (ends_moved(before, after), facts_lost(before, after), facts_turned(before, after))
     said = " ".join(filter(None, (*kept, *unasked)))
     if said:
-        return StepNotice(said, "W" if any(unasked) else "", undo=any(unasked))
+        warned = any(unasked) or DOUBLED in said
+        return StepNotice(said, "W" if warned else "", undo=any(unasked))
     return StepNotice(goal_moved(before, after), "W", once=True)
 
 
@@ -74,7 +79,9 @@ def facts_lost(before: Blueprint, after: Blueprint) -> str:
         old = before.branches.get(name)
         if before.file != after.file or old is None or old is branch or len(old.table) < 3:
             continue
-        if old.shape.opaque or old.num_facts < 2 or not branch.shape.opaque or has_only_words(old):
+        if not branch.table or old.shape.opaque or old.num_facts < 2:
+            continue
+        if not branch.shape.opaque or has_only_words(old):
             continue
         misfits = [state for state in branch.shape.misfits if state not in old.table]
         odd = (misfits or branch.shape.misfits or (name,))[0]
@@ -162,8 +169,8 @@ def values_given(before: Blueprint, after: Blueprint) -> str:
         same = [state for state in branch.table if state != new[0] and branch.facts(state) == facts]
         if same:
             return (
-                f"{new[0]} has the fact values of {same[0]} ({values}), because no other ones are "
-                "free. Properties changes them."
+                f"{new[0]} has the fact values of {same[0]} ({values}), {DOUBLED}. "
+                "Properties changes them."
             )
         others = f", and {len(new) - 1} more got some too" if new[1:] else ""
         return f"{new[0]} got the free fact values {values}{others}. Properties changes them."

@@ -213,6 +213,7 @@ class Features(QObject):
 
     def mode_shown(self) -> None:
         """Tell the run that another mode is shown, in which a run may begin."""
+        self.draw.mode_shown()
         self.run.mode_shown()
         self.tour.look()
 

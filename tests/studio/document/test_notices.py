@@ -92,3 +92,19 @@ def test_fact_values_that_another_state_has_are_not_called_free() -> None:
     assert values_given(two, third) == (
         "Third got the free fact values 1. Properties changes them."
     )
+
+
+def test_where_no_state_is_left_nobody_asks_for_its_facts() -> None:
+    before = read_blueprint(read_document(HANOI))
+    states = [Address("SB1", name) for name in before["SB1"].table]
+    assert step_notice(before, editing.delete(before, states)).sentence == ""
+
+
+def test_facts_that_another_state_has_are_a_warning() -> None:
+    facts = {"Idle": ["0"], "Ready": ["1"]}
+    notes = {name: {"facts": values} for name, values in facts.items()}
+    text = json.dumps({"SB1": {**{name: {} for name in facts}, "_states": notes}})
+    before = read_blueprint(parse_json(text, "two.json"))
+    after = editing.give_facts(before, editing.add_state(before, "SB1", "Third"))
+    assert "Third has the fact values of Idle" in step_notice(before, after).sentence
+    assert step_notice(before, after).severity == "W"

@@ -57,7 +57,7 @@ from smsl_studio.studio.features.draw.find.finder import Finder
 from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.features.draw.menus.blueprint import blueprint_actions
 from smsl_studio.studio.features.draw.menus.compare import compare_actions
-from smsl_studio.studio.features.draw.menus.edit import edit_actions
+from smsl_studio.studio.features.draw.menus.edit import NOT_SHOWN, edit_actions
 from smsl_studio.studio.features.draw.menus.files import file_actions
 from smsl_studio.studio.features.draw.menus.samples import sample_actions
 from smsl_studio.studio.features.draw.menus.shapes import shape_actions
@@ -254,6 +254,12 @@ class DrawFeature(Feature):
             view = self.canvas.viewport()
             return view, QRect(view.mapFromGlobal(place.topLeft()), place.size())
         return whole(self.fix_card) if name == "fix" else None
+
+    def mode_shown(self) -> None:
+        """Take away what was said while the drawing was not shown."""
+        toast = self._parts.toast
+        if self._shell.mode == "draw" and toast.words.casefold().startswith(NOT_SHOWN.sentence):
+            toast.hide()
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
         """Offer the operations of the plugins in the library, the source and the forms."""

@@ -33,12 +33,12 @@ def edit_actions(
         return shell.mode == "draw"
 
     def of_drawing(call: Callable[[], object]) -> Callable[[], None]:
-        """Run ``call`` in Draw mode and on its page Merge only, so that nobody changes what is not
+        """Run ``call`` in Draw mode and on its pages only, so that nobody changes what is not
         shown."""
 
         def act() -> None:
             """Do it in Draw mode. In another mode, refuse it and say why."""
-            if shell.mode in ("draw", "merge"):
+            if shell.mode in ("draw", "merge", "rules"):
                 call()
             else:
                 session.refused.emit(NOT_SHOWN)
