@@ -10,6 +10,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QApplication, QMenu, QPushButton
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import LONGEST, DrawnNote
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.studio.base.canvas.drawn_sheet import DrawnKey
@@ -478,3 +479,21 @@ def test_a_very_long_text_pasted_in_properties_is_refused_at_once(person: Person
     assert form.text.field.toPlainText() == WORDS
     assert f"{LONGEST:,} characters" in form.text.refusal.text()
     assert notes(person)[key].text == WORDS
+
+
+def test_a_new_note_covers_no_state_and_no_other_note(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    canvas, verbs = person.window.canvas, person.window.features.draw.notes
+    (branch, *_) = person.blueprint
+    for state in list(branch.table)[:10]:
+        verbs.add_note(state=state)
+        keep(person, "Short.")
+    sheet = canvas.sheet
+    assert sheet is not None
+    rects = [sheet.drawn.rect(DrawnKey("note", key)) for key in sheet.drawn.parts.note_keys]
+    nodes = [canvas.rect_of(Address(branch.name, state)) for state in branch.table]
+    assert len(rects) == 10
+    for at, rect in enumerate(rects):
+        assert rect is not None
+        others = [one for one in (*rects[:at], *nodes) if one is not None]
+        assert not [one for one in others if one.intersects(rect)]

@@ -16,6 +16,8 @@ HIGH = 66.0
 """The height of a note of two lines."""
 AWAY = 32.0
 """The distance of a note from its state."""
+FARTHER = (0.0, 48.0, 96.0, 144.0, 192.0)
+"""How much farther away a note is tried, if the places beside its state are taken."""
 RINGS = 12
 """How many steps away from the middle of the view a place is sought."""
 
@@ -40,15 +42,7 @@ def place_at(canvas: Canvas, state: str) -> Position:
     sheet = canvas.sheet
     assert sheet is not None
     half, high = sheet.halves(sheet.picture.index[state]).tolist()
-    ways = (
-        (half + AWAY, -HIGH - high),
-        (half + AWAY, high),
-        (-half - AWAY - NOTE_WIDTH, -HIGH - high),
-        (-half - AWAY - NOTE_WIDTH, high),
-        (-NOTE_WIDTH / 2, -high - AWAY - HIGH),
-        (-NOTE_WIDTH / 2, high + AWAY),
-        (half + AWAY, -HIGH / 2),
-    )
+    ways = [way for more in FARTHER for way in _ways(half, high, more)]
     seen = canvas.seen
 
     def cost(way: Position) -> tuple[bool, bool]:
@@ -58,6 +52,18 @@ def place_at(canvas: Canvas, state: str) -> Position:
         return not seen.contains(QRectF(*at, NOTE_WIDTH, HIGH)), not _is_free(sheet, at)
 
     return _on_grid(min(ways, key=cost))
+
+
+def _ways(half: float, high: float, more: float) -> Iterator[Position]:
+    """The corners of notes around a state of this half size, so many pixels farther than usual."""
+    across, up, down = half + AWAY + more, -HIGH - high - more, high + more
+    for left in (across, -across - NOTE_WIDTH):
+        yield left, up
+        yield left, down
+    yield -NOTE_WIDTH / 2, up - AWAY
+    yield -NOTE_WIDTH / 2, down + AWAY
+    yield across, -HIGH / 2
+    yield -across - NOTE_WIDTH, -HIGH / 2
 
 
 def near(at: QPointF) -> Position:
