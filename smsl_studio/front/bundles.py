@@ -16,6 +16,7 @@ from smsl_studio.errors import UsageError
 from smsl_studio.front.bundled_report import REPORT, bundled_report
 from smsl_studio.front.signed_files import UNSIGNED, SignedPaths, bytes_of, signed_files
 from smsl_studio.front.verifier import content_texts, verifier_file
+from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.files import save_document
 
@@ -35,13 +36,16 @@ content/      what their digests are made of, as canonical JSON: a folder for ea
               of behaviour.json, meaning.json and closure.json are the three digests.
               brought.json has the State Branches of imported files.
 logs/         the logs of runs, byte for byte
-records/      what people have signed about the blueprint, if anybody has
+records/      what people have signed about the blueprint, if anybody has, and about the files on
+              which they rely and the blueprints that operations run. Each has the name of its file
 policy.toml   whose signatures are needed, with register.json, the register of persons that it names
 keys.json     the public halves of keys that have signed records, or the head of a log. They count
               where no register says whose they are
 report.html   the blueprint in sentences, for people. It loads nothing. Its day is that of the last
-              log, or else of the newest signature. It is made from the blueprint; verify.py does
-              not look at it, so believe the files, not the page.
+              log, or else of the newest signature. Its SHA-256 is
+              {page}
+              verify.py checks that the page has not changed since. It does not write it anew, so
+              believe the files, not the page.
 verify.py     the checks. It is short, and a list in it says what it does not check.
 
 How to read verify.py aloud, from its top to its end. Its short names:
@@ -50,33 +54,40 @@ s    the story so far               e    the event that is told
 sb   a State Branch                 b    the name of a State Branch
 n    the number of a fact in it     key  a fact: b and n
 op   an operation that has begun    at   the state in which each State Branch is
-no   refuses the evidence if what stands behind it is so, and says why
+a    the address of an operation    no   refuses the evidence if what follows is so, and says why
 
-sha, once, read, plain, escape, parts and fact read and write texts. fits asks whether a value has
-the type that TYPES names. content reads the blueprint from the texts of its digests, branch one
-State Branch. lines checks the chain and the head of a log.
+A Map is a table: m.key is its value, or () if it has none. What the story notes of a step: acts
+(a function is at work), bad (a check or an operation has failed), op.code (its function), op.how
+(its outcome), op.to (where it leads), op.new (where it leaves every State Branch), moved (the
+State Branches that have moved in this step), veto (what somebody does not want just now).
 
-How things stand: end_step forgets a step. here says where everything is, with what has been
-done and is not committed yet. holds says whether a fact has a value, terms asks all facts of a
-state. lit says whether a fact of a base is on, broken names the sub-SBs that disagree with a
-base, placed says where a sub-SB stands at a start. level says who acts. edge is an operation of
-the blueprint and what it changes. way names the facts that an operation is changing just now,
-hazards those that are met, safe refuses one that nobody has told. running names the operations
-of an address, locate says where the run is from now on.
+sha, once, read, plain, escape, parts, fact and facts read and write texts; raw_of reads base64,
+which has one spelling. fits asks whether a value has the type that TYPES names: else a plural is a
+list, and all others are texts. content reads the blueprint from the texts of its digests, branch
+one State Branch. lines checks the chain and the head of a log.
 
-The story: tell tells a log again, story is one that has not begun. What a blueprint does that
-an operation runs, one level down, is a story of its own, told in the same way. take asks what
-each event needs: time goes on only where something takes time, and an effect has its command,
-at the same time and of the same person. Then on_EVENT asks what this event needs, and notes
-what it changes. arrived: nothing goes on, and the goals that were told still hold. same
-compares names of people, each gives each wish an offer.
+How things stand: here says where everything is, with what has been done and is not committed
+yet. holds says whether a fact has a value, terms asks all facts of a state: this is a state check.
+lit says whether a fact of a base is on, broken names the sub-SBs that disagree with a base, placed
+says where a sub-SB stands at a start. level says who acts. edge is an operation of the blueprint
+and what it changes: facts go along with it, and it crosses sub-SBs. way names the facts that an
+operation is changing just now, hazards those that are met, safe refuses one that nobody has told.
+ops names the operations of an address that have begun.
+
+The story: tell tells a log again, story is one that has not begun. What a blueprint does that an
+operation runs, one level down, is a story of its own, told in the same way. take asks what each
+event needs: time goes on only where something takes time, and an effect has its command, at the
+same time and of the same person. An event that holds, stops or locates the run ends its step.
+Then on_EVENT asks what this event needs, and notes what it changes. arrived: nothing goes on, and
+the goals that were told still hold. same compares names of people, each gives each wish an offer.
 
 The records: when reads a time. trusted reads the policy and whose keys count, ring names keys
 by their sums, opened checks a signature. void: a key or a record is revoked, or not valid at
 that time. recorder says who has signed the head of a log. judge counts the last word of each
 person, in the order of signing, and asks who has met each condition.
 
-The folder: files and load find files, main checks everything.
+The folder: real refuses links and what is no file, files and load find files, main checks
+everything. A file that is absent, or a link, counts as empty.
 """
 
 
@@ -112,19 +123,21 @@ def bundled(
         raise UsageError(
             f"{os.fspath(output)!r} is no name of a bundle", advice="Let it end in .zip."
         )
-    files = dict(_blueprint_files(blueprint))
+    names = _names(blueprint)
+    files = dict(_blueprint_files(blueprint, names))
     told = dict(_log_files(logs))
     files.update(told)
-    files.update(signed_files(blueprint, signed, tuple(told.values())))
+    called = {document.file: name for document, name in names.items()}
+    files.update(signed_files(blueprint, signed, called, tuple(told.values())))
     records = [raw for name, raw in files.items() if name.startswith("records/")]
     files[REPORT] = bundled_report(blueprint, tuple(told.values()), records)
     files["verify.py"] = verifier_file().read_bytes()
-    files["README.txt"] = _README.encode("ascii")
+    files["README.txt"] = _README.format(page=sha256_hex(files[REPORT])).encode("ascii")
     return _zipped(files)
 
 
-def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
-    """Yield the name in the bundle and the content of each file of a blueprint.
+def _names(blueprint: Blueprint) -> dict[Document, str]:
+    """Return the name in the bundle of each file of a blueprint and of what its operations run.
 
     The names keep the folders, relative to the common folder of all files.
     """
@@ -134,13 +147,22 @@ def _blueprint_files(blueprint: Blueprint) -> Iterator[tuple[str, bytes]]:
     named = [(_path(document), document) for document in listed]
     paths = [path for path, _ in named if stored_place(path) is None] or [named[0][0]]
     folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
+    names: dict[Document, str] = {}
     for path, document in named:
         place = None if path in paths else stored_place(path)
         way = os.path.relpath(path, folder) if place is None else f"store/{place.name[6:]}"
-        name = _plain(PurePath(way).as_posix())
+        names[document] = _plain(PurePath(way).as_posix())
+    return names
+
+
+def _blueprint_files(
+    blueprint: Blueprint, names: Mapping[Document, str]
+) -> Iterator[tuple[str, bytes]]:
+    """Yield the name in the bundle and the content of each file of a blueprint."""
+    for document, name in names.items():
         yield f"blueprint/{name}", document.encoded()
         own = document is blueprint.document
-        one = blueprint if own else read_blueprint(document, opened=listed)
+        one = blueprint if own else read_blueprint(document, opened=names)
         for part, text in content_texts(one).items():
             yield f"content/{name}/{part}.json", text
 

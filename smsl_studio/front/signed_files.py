@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from pathlib import Path, PurePath
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import Place, ReadError
+from smsl_studio.blueprint.procedures import procedures_of
+from smsl_studio.errors import Place, ReadError, SealError
+from smsl_studio.front.approval_files import parts_of
 from smsl_studio.inspection.approval.policy import read_policy
-from smsl_studio.inspection.approval.record_file import record_beside
+from smsl_studio.inspection.approval.record_file import SUFFIX, read_record_file, record_beside
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.seal.canonical import canonical
 from smsl_studio.smsl.inputs import read_ordinary
@@ -38,21 +40,21 @@ UNSIGNED = SignedPaths()
 
 
 def signed_files(
-    blueprint: Blueprint, paths: SignedPaths, logs: Sequence[bytes] = ()
+    blueprint: Blueprint,
+    paths: SignedPaths,
+    names: Mapping[str, str],
+    logs: Sequence[bytes] = (),
 ) -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of each file that is needed to verify the signatures.
 
-    ``logs`` have the bytes of the logs, because their heads may be signed. ReadError if a file
-    cannot be read.
+    ``names`` has the name in the bundle of each file of the blueprint. A record has the name of
+    its file. ``logs`` have the bytes of the logs, because their heads may be signed. ReadError if
+    a file cannot be read.
     """
     heads = [raw.rstrip(b"\n").rpartition(b"\n")[2] for raw in logs]
     signed = [head for head in heads if b',"signed":' in head]
-    record = paths.record
-    if record is None and os.path.lexists(record_beside(blueprint.file)):
-        record = record_beside(blueprint.file)
-    if record is not None:
-        raw = bytes_of(record, "record")
-        yield f"records/{PurePath(record).name}", raw
+    for file, raw in _records(blueprint, paths.record).items():
+        yield f"records/{names[file]}{SUFFIX}", raw
         signed.append(raw)
     if signed:
         yield "keys.json", _keys(b"\n".join(signed))
@@ -64,6 +66,33 @@ def signed_files(
         if policy.register_file is not None:
             register = Path(paths.policy).parent / policy.register_file
             yield "register.json", bytes_of(str(register), "register")
+
+
+def _records(blueprint: Blueprint, named: str | None = None) -> dict[str, bytes]:
+    """Return the record of a blueprint by its file, and those of the parts that need one.
+
+    These are the imported files on which a signer relies, and what operations run.
+    """
+    record = record_beside(blueprint.file) if named is None else named
+    found: dict[str, bytes] = {}
+    relied: set[str] = set()
+    if named is not None or os.path.lexists(record):
+        raw = found[blueprint.file] = bytes_of(record, "record")
+        relied = _relied_on(raw)
+    parts = [part for name, part in parts_of(blueprint) if name in relied] if relied else []
+    for part in (*parts, *procedures_of(blueprint).parts):
+        if part.file != blueprint.file:
+            found = {**_records(part), **found}
+    return found
+
+
+def _relied_on(raw: bytes) -> set[str]:
+    """Return the names of the files on which the signers of a record rely."""
+    try:
+        said = [one.statement.predicate for one in read_record_file(raw)]
+    except SealError:
+        return set()
+    return {file.name for one in said for file in one.relies_on}
 
 
 def bytes_of(file: str, what: str) -> bytes:

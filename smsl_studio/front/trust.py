@@ -14,6 +14,8 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.verdicts import ApprovalAnswer, ApprovalQuestion, answered
 from smsl_studio.inspection.approval.refusal import Refusal
+from smsl_studio.inspection.approval.rule_code import common_code
+from smsl_studio.seal.digest import digest_of
 from smsl_studio.smsl.files import read_content
 
 Json = Any
@@ -62,7 +64,13 @@ def _changed(blueprint: Blueprint) -> Iterator[Refusal]:
 
 
 def _header(answer: ApprovalAnswer) -> dict[str, Json]:
-    trust, judgement = answer.trust, answer.judgement
+    """Return the part of the log's header that says who approved the run.
+
+    ``code`` is the SHA-256 of the world's code in the form that a record signs. ``rules`` is the
+    code of the rules, if the policy wants it unchanged. ``verify.py`` compares both with records.
+    """
+    trust, judgement, code = answer.trust, answer.judgement, answer.survey.code
+    unchanged = trust is not None and trust.grounds.policy.rules_unchanged
     return {
         "verdict": judgement.verdict,
         "policy": trust.policy if trust else None,
@@ -72,6 +80,8 @@ def _header(answer: ApprovalAnswer) -> dict[str, Json]:
         "keys": trust.keys if trust else "",
         "signers": [one.as_json() for one in judgement.signers],
         "met": list(judgement.met),
+        **({} if code is None else {"code": digest_of(code.model_dump())}),
+        **({"rules": common_code()} if unchanged else {}),
     }
 
 

@@ -21,11 +21,15 @@ FRONT = ("equipment", "inputs", "proof", "recovery", "check_findings")
 
 def rule_codes() -> Mapping[str, str]:
     """Return the SHA-256 for the code of each rule, by the number of the rule."""
-    common = _common()
+    common = common_code()
     return {rule: sha256_hex(f"{rule} {common}".encode()) for rule in RULES}
 
 
-def _common() -> str:
+def common_code() -> str:
+    """Return the SHA-256 of all source files on which rules depend.
+
+    The code of a rule is the SHA-256 of its number, a space, and this.
+    """
     whole = hashlib.sha256()
     for path in _files():
         raw = path.read_bytes()
