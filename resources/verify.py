@@ -166,8 +166,8 @@ def on_relocalised(s, e):  # to where the facts say, if a person or the rule of 
 	may = adopts and s.only == [at] or last.event == "given_back" and last.configuration == at
 	s.facts = {k: v for k, v in s.facts.items() if v or not s.began or k in s.sensed}
 	no(s.conf and moved and not (may or len(moved) == 1 and moved[0] in s.based) or s.acts or
-		last.event == e.event or broken(s, at) or not all(all(terms(s, at, b)) for b in s.sbs |
-		at)); s.conf, s.held, s.only = at, 0, 0
+		last.event == e.event or broken(s, at) or not all(all(terms(s, at, b)) for b in s.sbs | at))
+	s.conf, s.held, s.only = at, 0, 0
 def arrived(s): no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(
 	False in terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
 def on_goal_reached(s, e): no([*s.goals][len(s.told)] != e.goal or not all(terms(s, s.conf,
@@ -253,7 +253,7 @@ def judge(known, log, closure, day=0, bot={"automatic", "recorder"}):  # why it 
 	(policy, keys), raw, last, ask, before = trusted(), load(known[closure].record), {}, [], 0
 	no(not raw, "nobody has signed it"); told = [opened(one, keys) for one in read(raw).records]
 	ran, day = log.policy or Map(), day or when(log.wall_time if log else
-		read(told[-1][0]).predicate.time)
+		read(told[-1][0]).predicate.time); mine = ran.code and log.digests.closure == closure
 	for body, key in told:  # the last word of each person counts; what ran is what was signed
 		subject, say = read(body).subject, read(body).predicate; at = when(say.time)
 		who, may = same(key.person), {*map(same, key.roles)}; no(before and at <= before); before = at
@@ -262,7 +262,7 @@ def judge(known, log, closure, day=0, bot={"automatic", "recorder"}):  # why it 
 			in subject for hex in one.digest.values())) and say.verdict
 		good = word and day <= when(say.expires or
 			NEVER) and day - at <= dt.timedelta(policy.get("valid_days", 1e5))
-		good = good and not (ran.code and ran.code != sha(plain(say.worlds[log.world])) or any(one.code !=
+		good = good and not (mine and ran.code != sha(plain(say.worlds[log.world])) or any(one.code !=
 			sha(f"{one.id} {ran.rules}".encode()) for one in say.rules if ran.rules))
 		for one in say.relies_on: good = good and not judge(known, log, one.digest.closure, day)
 		no(good and may & bot and policy.automatic != "may_sign", "a program signs")
