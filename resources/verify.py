@@ -242,9 +242,9 @@ def opened(envelope, keys, kind="in-toto"):  # what a known key has signed
 	no(len(envelope) != 3 or envelope.payloadType != kind or len(one) != 2); key = keys[one.keyid]
 	signed = b"DSSEv1 %d %b %d %b" % (len(kind), kind.encode(), len(body), body)
 	Key.from_public_bytes(raw_of(key.key)).verify(raw_of(one.sig), signed); return body, key
-def void(key, at, policy, *sums):  # revoked, or too late
-	return {one[-64:] for one in policy.revoked} & {sha(raw_of(key.key)),
-		*sums} or key.revoked or at > when(key.until or NEVER)
+def void(key, at, policy, body=b"", subject=()):  # revoked, or too late
+	return {one[-64:] for one in policy.revoked} & {sha(raw_of(key.key)), sha(body), *(hex for one in
+		subject for hex in one.digest.values())} or key.revoked or at > when(key.until or NEVER)
 def recorder(log):  # who has signed the head of a log
 	policy, keys = trusted(); body, key = opened(log.signed, keys, "smsl-studio.log-head")
 	no(key.roles != ["recorder"] or void(key, when(log.wall_time), policy) or body != log.head)
@@ -255,11 +255,10 @@ def judge(known, log, closure, day=0, bot={"automatic", "recorder"}):  # why it 
 	ran, day = log.policy or Map(), day or when(log.wall_time if log else
 		read(told[-1][0]).predicate.time); mine = ran.code and log.digests.closure == closure
 	for body, key in told:  # the last word of each person counts; what ran is what was signed
-		subject, say = read(body).subject, read(body).predicate; at = when(say.time)
+		them, say = read(body).subject, read(body).predicate; at = when(say.time)
 		who, may = same(key.person), {*map(same, key.roles)}; no(before and at <= before); before = at
 		if at > day + dt.timedelta(minutes=5): continue  # signed later
-		word = subject[0].digest.closure == closure and not void(key, at, policy, sha(body), *(hex for one
-			in subject for hex in one.digest.values())) and say.verdict
+		word = them[0].digest.closure == closure and not void(key, at, policy, body, them) and say.verdict
 		good = word and day <= when(say.expires or
 			NEVER) and day - at <= dt.timedelta(policy.get("valid_days", 1e5))
 		good = good and not (mine and ran.code != sha(plain(say.worlds[log.world])) or any(one.code !=
