@@ -53,14 +53,13 @@ def trust_at(path: Path, policy: Path | None) -> ApprovalWords | None:
 
     ``policy`` is the trust policy of its project. A large file is not verified before it is opened.
     """
-    if policy is None and not has_record_beside(str(path)):
-        return UNINSPECTED
+    unsigned = policy is None and not has_record_beside(str(path))
     try:
         if path.stat().st_size > LARGEST:
-            return NOT_VERIFIED
+            return UNINSPECTED if unsigned else NOT_VERIFIED
         return approval_words(read(path), policy)
     except (OSError, ValueError, StudioError):
-        return None
+        return UNINSPECTED if unsigned else None
 
 
 def _miniature(path: Path) -> Miniature | None:
