@@ -158,7 +158,10 @@ class _RuleFile:
     def _operations(self, facts: Alphabets) -> Iterator[RuleOperation]:
         rules = self._values.get("rule", [])
         if not isinstance(rules, list) or not rules:
-            raise self._fault("there is no [[rule]]", "", "Write one for each kind of operation.")
+            self._leave_out(
+                self._fault("there is no [[rule]]", "", "Write one for each kind of operation.")
+            )
+            return
         names: set[str] = set()
         for rule in rules:
             try:

@@ -120,3 +120,9 @@ def test_states_that_the_drawing_lacks_are_added_and_other_names_are_kept() -> N
     again = taken(drawn, name, found.differences)[name]
     assert rule_comparison(ruled, again).differences == ()
     assert again.table.keys() == ruled.table.keys()
+
+
+def test_without_a_rule_there_is_the_start_alone() -> None:
+    draft = river(RIVER[: RIVER.index("[[rule]]")])
+    assert (draft.states, draft.operations, draft.goal_reached) == (1, 0, False)
+    assert [fault.sentence for fault in draft.faults] == ["there is no [[rule]]"]

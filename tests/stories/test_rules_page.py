@@ -150,6 +150,7 @@ def test_the_rules_of_a_drawing_are_learnt(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi.json")
     at = AtRules(person)
     assert 'sb = "SB1"' in at.page.text.toPlainText()
+    assert (at.problems(), at.summed[:21]) == ([], "2 states, 1 operation"), "it begins alive"
     person.click(at.page.learning)
     person.until(lambda: "These rules make the drawing" in person.window.toast.words)
     at.until_followed()

@@ -14,13 +14,14 @@ from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.files.opened_file import OpenedFile
+from smsl_studio.studio.features.rules.rules_file import ENDING, RulesFile, first_text
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
     from smsl_studio.generate.examples.learnt import Learnt
     from smsl_studio.studio.features.rules.page import RulesPage
 
-PAGE, ENDING = "rules", ".rules.toml"
+PAGE = "rules"
 KINDS = "Rules (*.toml);;All files (*)"
 
 
@@ -85,7 +86,6 @@ class RulesFeature(Feature):
 
     def _make(self) -> RulesPage:
         from smsl_studio.studio.features.rules.page import RulesPage
-        from smsl_studio.studio.features.rules.rules_file import RulesFile
 
         page = RulesPage(self._parts.session, RulesFile(self._parts.settings), self._tokens)
         page.open_wanted.connect(self.open)
@@ -96,8 +96,6 @@ class RulesFeature(Feature):
 
     def _begin(self) -> None:
         """Show the text that was not saved the last time, or one to begin with."""
-        from smsl_studio.studio.features.rules.rules_file import first_text
-
         page, session = self.part(), self._parts.session
         text, kept = page.file.open(None)
         shown = session.blueprint.branches.get(session.branch)

@@ -82,7 +82,7 @@ def first_text(branch: StateBranch | None) -> str:
         for word, state in (("start", branch.initial), ("goal", branch.activating))
         if state in branch.table
     ]
-    lines = [f"sb = {_quoted(branch.name)}", "facts = [", *facts, "]", *ends, "", *RULE]
+    lines = [f"sb = {_quoted(branch.name)}", "facts = [", *facts, "]", *ends, "", *_example(branch)]
     return "\n".join(lines) + "\n"
 
 
@@ -91,12 +91,18 @@ def _quoted(value: str | list[str]) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-RULE = (
-    "# One rule for each kind of operation: where it may begin, and what it changes.",
-    "# [[rule]]",
-    '# operation = "open"',
-    "# cases = [{when = 'door = closed', set = {door = \"open\"}}]",
-)
+def _example(branch: StateBranch) -> tuple[str, ...]:
+    """Return an example of a rule: the first fact takes its last value."""
+    fact, value = _quoted(branch.fact_name(0)), branch.alphabet[0][-1]
+    return (
+        "# One rule for each kind of operation: where it may begin, and what it changes.",
+        "# This one is an example. Learn writes the rules that make the drawing.",
+        "[[rule]]",
+        'operation = "example"',
+        f"cases = [{{when = {_quoted(f'0 != {value}')}, set = {{{fact} = {_quoted(value)}}}}}]",
+    )
+
+
 LAMP = """\
 # What is there, where it begins, where it shall end, and what each operation changes.
 sb = "LAMP"

@@ -55,7 +55,11 @@ def place_at(canvas: Canvas, state: str) -> Position:
 
 
 def _ways(half: float, high: float, more: float) -> Iterator[Position]:
-    """The corners of notes around a state of this half size, so many pixels farther than usual."""
+    """Yield places around a state for the upper left corner of a note, from the state's centre.
+
+    ``half`` and ``high`` are half the width and height of the state. ``more`` is added to the usual
+    distance.
+    """
     across, up, down = half + AWAY + more, -HIGH - high - more, high + more
     for left in (across, -across - NOTE_WIDTH):
         yield left, up
