@@ -59,7 +59,7 @@ def test_while_the_first_answers_are_looked_for_the_rows_are_there(
     person = sit(file)
     person.ctrl(Key.Key_I)
     at = page(person)
-    assert not at.empty_title.isVisible(), "something is written, so the page does not deny it"
+    assert not at.empty.title.isVisible(), "something is written, so the page does not deny it"
     assert at.said.text() == "Not answered yet."
     rules.set()
     person.until(lambda: at.sum.text() == "Looking, 12,000 so far")

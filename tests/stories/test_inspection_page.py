@@ -120,7 +120,7 @@ def test_f1_on_a_verdict_tells_what_holds_means(sit: Sit, tmp_path: Path) -> Non
 
 def test_a_file_without_them_says_what_they_are(sit: Sit, tmp_path: Path) -> None:
     person = at_page(sit, tmp_path)
-    assert page(person).empty_title.isVisible()
+    assert page(person).empty.title.isVisible()
     assert not page(person).table.isVisible()
     assert not page(person).again.isVisible()
 
@@ -244,7 +244,7 @@ def test_another_file_has_its_own_rows(sit: Sit, tmp_path: Path) -> None:
     person.window.files.open(other)
     assert not page(person).table.claims.rows
     answered(person)
-    assert page(person).empty_title.isVisible()
+    assert page(person).empty.title.isVisible()
 
 
 def no_offers(person: Person) -> None:

@@ -350,7 +350,7 @@ def test_what_may_be_written_on_the_page_inspection_is_not_squeezed(sit: Sit) ->
     person = at(sit, HANOI, (720, 380))
     answered(person)
     person.ctrl(Key.Key_I)
-    title = page(person).empty_title
+    title = page(person).empty.title
     person.until(title.isVisible)
     around = title.parentWidget()
     assert around is not None

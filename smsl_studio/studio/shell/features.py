@@ -35,6 +35,7 @@ from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows
 
 if TYPE_CHECKING:
+    from smsl_studio.studio.features.inspection.panel import InspectionPanel
     from smsl_studio.studio.features.replay.playback import ReplayVerbs
     from smsl_studio.studio.features.run.pane import RunPane
     from smsl_studio.studio.running.next_levels import NextLevels
@@ -138,16 +139,17 @@ class Features(QObject):
 
     def _connect_shapes(self) -> None:
         """Let the page Inspection use the feature Draw to compare versions and to merge states."""
-        page, comparing, shapes = (
-            self.inspection.panel.equivalence, self.draw.comparing, self.draw.shapes
-        )  # fmt: skip
+        self.inspection.part.when_made(self._introduce_inspection)
+        self.draw.shapes.run_wanted.connect(self.inspection.show_run)
+
+    def _introduce_inspection(self, panel: InspectionPanel) -> None:
+        page, comparing, shapes = panel.equivalence, self.draw.comparing, self.draw.shapes
         page.choices = (
             comparing.choose_file, comparing.choose_saved, comparing.choose_revision
         )  # fmt: skip
         page.has_file = lambda: comparing.can_use_saved
         page.play_wanted.connect(comparing.play)
         page.merge_wanted.connect(shapes.merge)
-        shapes.run_wanted.connect(self.inspection.show_run)
 
     def _start_at(self, states: tuple[str, ...]) -> None:
         self._shell.set_mode("run")

@@ -52,7 +52,7 @@ class Canvas(BranchView):
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
         self._pinch = Pinch(self.camera)
-        self._fitted = self._words = self._quiet = False
+        self._words = self._quiet = False
         self.collapse = CanvasCollapse(self, self._draw_again)
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -141,7 +141,7 @@ class Canvas(BranchView):
 
         Before the first picture this waits until the size of the canvas is settled.
         """
-        if self._fitted:
+        if self.settled:
             super().look_at_opening()
         else:
             self.camera.keep("opening")
@@ -266,12 +266,13 @@ class Canvas(BranchView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the floating widgets again and repeat the last fit."""
         super().resizeEvent(event)
-        if self._fitted:
+        if self.settled:
             self._fit_in()
 
     def _fit_in(self) -> None:
         self.cover()
         self.overlays.place()
+        self.settled = True
         if self.camera.keeps:
             self.look_again()
         else:
@@ -279,8 +280,7 @@ class Canvas(BranchView):
 
     def _fit_first(self) -> None:
         """Show the SB as it opens, now that the layouts of the window have their sizes."""
-        if not self._fitted:
-            self._fitted = True
+        if not self.settled:
             self._fit_in()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -289,15 +289,15 @@ class Canvas(BranchView):
         Nothing is moved while Qt paints a window. A canvas that is not on the screen is painted
         into an image. No event loop settles its size, so this does.
         """
-        if not self._fitted and not self.isVisible():
+        if not self.settled and not self.isVisible():
             self._fit_first()
-        if self._fitted:
+        if self.settled:
             super().paintEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Place the floating widgets and fit again, because the size is known only now."""
         super().showEvent(event)
-        if self._fitted:
+        if self.settled:
             self.overlays.place()
             self.look_again()
         else:

@@ -114,7 +114,8 @@ class ChangedArea:
 
     ``rect`` is the part of the view with all differences, None if they may be anywhere. It is told
     for pictures in which only states and operations are drawn, each by itself. ``parts`` are those
-    of the new drawing, if it is such a picture.
+    of the new drawing if they were compared. To lay out a picture that is not shown yet, only to
+    know its parts, would take as long as to show it.
     """
 
     def __init__(self, known: PaintedParts | None, after: Sheet | None, view: Rect) -> None:
@@ -125,9 +126,11 @@ class ChangedArea:
         self.rect: QRectF | None = None
         self.kept: dict[int, int] = {}
         """The states that look the same: their numbers after the edit by those before it."""
-        plain = after is not None and _is_plain(after, view)
-        self.parts = PaintedParts(after, view) if after is not None and plain else None
-        if known is not None and self.parts is not None and _are_alike(known, self.parts):
+        self.parts: PaintedParts | None = None
+        if known is None or after is None or not _are_alike(known, after, view):
+            return
+        if _is_plain(after, view):
+            self.parts = PaintedParts(after, view)
             self.rect = QRectF(known.dragged)
             self._compare(known, self.parts)
 
@@ -225,12 +228,13 @@ def _edges_in(sheet: Sheet, view: Rect) -> list[int]:
     return edges
 
 
-def _are_alike(old: PaintedParts, new: PaintedParts) -> bool:
-    """Whether what is the same in two drawings is painted in the same way."""
-    before, after = old.sheet, new.sheet
+def _are_alike(old: PaintedParts, after: Sheet, view: Rect) -> bool:
+    """Whether what is the same in a drawing and in the one after it is painted in the same way."""
+    before = old.sheet
     if (before.zoom, before.ink) != (after.zoom, after.ink):
         return False
-    views = (old.unit, old.level, old.view), (new.unit, new.level, new.view)
+    looked_at = None if after.picture.small else view
+    views = (old.unit, old.level, old.view), (after.unit, after.level, looked_at)
     return views[0] == views[1] and before.is_of(after.picture.branch.name)
 
 

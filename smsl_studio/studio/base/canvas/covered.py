@@ -61,12 +61,13 @@ def on_drawing(canvas: BranchView, corner: QPoint, size: QSize) -> bool:
     """Whether a widget of this size at this corner (pixels) covers the picture, or names of its
     operations: text on text cannot be read.
 
-    Of an area with very many operations that is believed at once.
+    Of an area with very many operations that is believed at once. In a view without its size the
+    names have no places yet.
     """
     sheet = canvas.sheet
     if on_picture(canvas, corner, size):
         return True
-    if sheet is None or sheet.level < Level.COMPACT:
+    if sheet is None or sheet.level < Level.COMPACT or not canvas.settled:
         return False
     sides = _sides(canvas, corner, size)
     near = sheet.edges_in(*sides).tolist()

@@ -13,6 +13,10 @@ MARGIN = (28.0, 20.0)
 """Pixels left free: left and right together, top and bottom together."""
 FAR_MARKS = (56.0, 64.0)
 """Pixels that compact nodes, the initial dot and labels need beyond the node centres."""
+INITIAL_MARK = 28.0
+"""Pixels that the initial dot and its arrow need at the left of a node."""
+RIM = 4.0
+"""Pixels around a node that belong to it."""
 FULL_FROM = 0.70
 
 
@@ -76,7 +80,13 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     """
     centres = _centres(sheet)
     most = FULL_FROM - 0.01 if sheet.spacing.roomy else 1.0
-    zoom = fit_zoom(centres, FAR_MARKS, room, most)
+    # Mostly no line leads farther out than nodes and marks. Then the second step finds a zoom with
+    # the same lines, and nothing is laid out twice.
+    outside = MARGIN[0] + float(sheet.compact_widths.max()) + 2 * RIM, FAR_MARKS[1]
+    initial = sheet.picture.index.get(sheet.picture.branch.initial, -1)
+    if initial >= 0 and sheet.at[initial][0] <= centres.left():
+        outside = outside[0] + INITIAL_MARK - RIM, outside[1]
+    zoom = fit_zoom(centres, outside, room, most)
     left = 2 if len(sheet.picture.operations) <= 120 else 1
     while left:
         left -= 1
@@ -118,11 +128,13 @@ def bounds_of(sheet: Sheet) -> QRectF:
     """
     half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)
-    whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4 * unit, -4 * unit, 4 * unit, 4 * unit)
+    whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(
+        -RIM * unit, -RIM * unit, RIM * unit, RIM * unit
+    )
     initial = sheet.picture.index.get(sheet.picture.branch.initial, -1)
     if initial >= 0:
         x, y = sheet.at[initial] - half[initial]
-        whole = whole.united(QRectF(x - 28.0 * unit, y, 28.0 * unit, 10.0 * unit))
+        whole = whole.united(QRectF(x - INITIAL_MARK * unit, y, INITIAL_MARK * unit, 10.0 * unit))
     for goal in sheet.looks.marks.goals & sheet.picture.index.keys():
         # The word "goal" stands below the node.
         x, y = sheet.at[sheet.picture.index[goal]]

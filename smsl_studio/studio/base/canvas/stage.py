@@ -49,13 +49,14 @@ class Stage(QGraphicsView):
         self._sheet: Sheet | None = None
         self._painting = LastPainting()
         self._ready = self._scrolled = False
+        self.settled = False
+        """Whether the view has its size, without which the zoom of a picture is not known."""
         self.camera = Camera(self)
         self.pool = NodePool()
         self.glide = Glide(self.pool, self._glided, self)
         scene = QGraphicsScene(self)
         self.tools_high = 0
-        """The height at the top where tools lie over the drawing, so no lit name goes there
-        (pixels)."""
+        """The height (pixels) at the top where tools lie, so that no lit name goes there."""
         self.lit_layer = LitLayer(20.0)
         self.ground = Ground(self.lit_layer)
         self.drawn = self.ground.drawn
@@ -89,10 +90,10 @@ class Stage(QGraphicsView):
         return self._sheet
 
     def show_sheet(self, sheet: Sheet | None) -> None:
-        """Show another sheet; zoom and place of the view stay. After an edit only what looks
-        different now is painted."""
+        """Show another sheet in the same view. Only what looks different is painted."""
         self.glide.end()
-        known, labels = self._painting.parts(self._sheet, self._sides), self.lit_layer.shown()
+        known = self._painting.parts(self._sheet, self._sides) if self.settled else None
+        labels = self.lit_layer.shown()
         if sheet is not None:
             sheet.set_zoom(self.camera.zoom)
         changed = self._painting.change(known, sheet, self._sides)
@@ -147,7 +148,8 @@ class Stage(QGraphicsView):
                 self.update_node(state)
             self.update_edges(edges)
             self.update_lit(labels)
-        self._painting.renew(sheet, self._sides)
+        if self.settled:
+            self._painting.renew(sheet, self._sides)
         self.picture_changed.emit()
 
     @property

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QPushButton, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.claim_rows import ClaimRow, has_claims
-from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
-from smsl_studio.studio.base.controls import label, row
+from smsl_studio.front.views.claim_run import RunStep
+from smsl_studio.inspection.proof.verdict import FAILS
+from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.inspector import Inspector
@@ -20,6 +21,7 @@ from smsl_studio.studio.features.inspection.claim_model import CHANGED, NEW, STO
 from smsl_studio.studio.features.inspection.claim_table import ClaimTable
 from smsl_studio.studio.features.inspection.configuration_page import HEAD, ConfigurationPage
 from smsl_studio.studio.features.inspection.drawing_look import DrawingLook, recovery_of
+from smsl_studio.studio.features.inspection.empty_page import EmptyPage
 from smsl_studio.studio.features.inspection.equivalence_page import EquivalencePage
 from smsl_studio.studio.features.inspection.lit_run import LitRun
 from smsl_studio.studio.features.inspection.lower_part import LowerPart
@@ -38,13 +40,6 @@ from smsl_studio.studio.running.frames import split
 
 ANY = 16_777_215
 """The greatest width that Qt allows (pixels)."""
-EMPTY = (
-    "No hazard and no property is written.",
-    "A hazard names facts that must never hold together. A property is a sentence about the whole "
-    "procedure, such as “the needle never moves before it is clamped” or “there is always a way "
-    "back”. Inspection looks at everything that can happen, and shows the shortest run if it does "
-    "not hold.",
-)
 NO_FAILURE = (
     "No failure value is declared, so nothing can fail. A value of a fact becomes a failure in the "
     "panel Facts; the failure states and the ways out of them stand here then."
@@ -65,10 +60,14 @@ class InspectionPanel(QWidget):
     ``tools`` stand at the right of the tab: the numbers of verdicts, and *Check again*.
     """
 
-    unproved = Signal(int)
-    """int: the number of hazards and properties that fail or are unknown."""
-
-    def __init__(self, session: Session, inspector: Inspector, lit: LitRun, tokens: Tokens) -> None:
+    def __init__(
+        self,
+        session: Session,
+        inspector: Inspector,
+        lit: LitRun,
+        tools: PageTools,
+        tokens: Tokens,
+    ) -> None:
         super().__init__()
         self._session, self._inspector = session, inspector
         self._pace = QTimer(self)
@@ -87,8 +86,8 @@ class InspectionPanel(QWidget):
         self.run = RunView(lit, tokens)
         self.recovery, self.look = RecoveryTable(tokens), DrawingLook(session, recovery_of, self)
         self.above = QStackedWidget()
-        self.above.addWidget(self.table)
-        self.above.addWidget(self.recovery)
+        for table in (self.table, self.recovery):
+            self.above.addWidget(table)
         self.said = label("", "hint")
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.said.setContentsMargins(14, 10, 14, 10)
@@ -100,14 +99,12 @@ class InspectionPanel(QWidget):
         parts = (self.above, self.below)
         tables = split(Qt.Orientation.Vertical, parts, (180, LOWER), (1, 0))
         self._lower = LowerPart(tables, self.below, LOWER)
-        self.add_empty = QPushButton("Add property…")
-        self.add_empty.setProperty("role", "primary")
+        self.empty = EmptyPage()
+        self.add_empty = self.empty.add
         self._pages = QStackedWidget()
-        self._pages.addWidget(self._empty_page())
-        self._pages.addWidget(tables)
-        self._pages.addWidget(self.configuration)
-        self._pages.addWidget(self.equivalence)
-        self.tools = PageTools()
+        for body in (Room(self.empty), tables, self.configuration, self.equivalence):
+            self._pages.addWidget(body)
+        self.tools = tools
         self.sum, self.again, self.add = self.tools.sum, self.tools.again, self.tools.add
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -116,22 +113,16 @@ class InspectionPanel(QWidget):
         column.addWidget(self._pages, 1)
         self.setFocusProxy(self.table)
         self._connect()
-        self._show_tools()
+        self._catch_up()
 
-    def _empty_page(self) -> QWidget:
-        page = QWidget()
-        column = QVBoxLayout(page)
-        column.setContentsMargins(14, 14, 14, 14)
-        column.setSpacing(8)
-        self.empty_title = label(EMPTY[0], "heading")
-        text = label(EMPTY[1], "second")
-        text.setWordWrap(True)
-        text.setMaximumWidth(640)
-        column.addWidget(self.empty_title)
-        column.addWidget(text)
-        column.addLayout(row(self.add_empty, None))
-        column.addStretch(1)
-        return Room(page)
+    def _catch_up(self) -> None:
+        """Show what was inspected before this page was made."""
+        self._show_page(has_claims(self._session.blueprint))
+        if self._inspector.proof is not None:
+            self._proved()
+            return
+        self._changed()
+        self._listed()
 
     def _connect(self) -> None:
         inspector = self._inspector
@@ -162,6 +153,15 @@ class InspectionPanel(QWidget):
         self.configuration.set_tokens(tokens)
         self.equivalence.set_tokens(tokens)
         self.form.set_tokens(tokens)
+
+    def show_verdicts(self) -> None:
+        """Show the tab with all hazards and properties."""
+        self.tabs.setCurrentIndex(VERDICTS)
+
+    def show_steps(self, steps: tuple[RunStep, ...], title: str) -> None:
+        """Show a run that another feature has found."""
+        self.tabs.setCurrentIndex(CONFIGURATION)
+        self.configuration.show_steps(steps, title)
 
     def write_new(self) -> None:
         """Show the form for a new hazard or property."""
@@ -378,7 +378,6 @@ class InspectionPanel(QWidget):
         self.tools.show_verdicts(verdicts, claims.waiting, looking)
         if self._recovering:
             self.tools.show_ways(self.look.answer or ())
-        self.unproved.emit(sum(one != HOLDS for one in verdicts))
 
     def _show_row(self, claim: ClaimRow | None) -> None:
         waiting = self.table.claims.waiting

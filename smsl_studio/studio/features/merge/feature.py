@@ -7,8 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.merge.choice import refusal_of_open
-from smsl_studio.blueprint.merge.sides import MergeSides
-from smsl_studio.front.merge_versions import versions_in_git
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature, ModePage, Page, Shell
@@ -21,6 +19,7 @@ from smsl_studio.studio.features.merge.open_merge import OpenMerge
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.merge.sides import MergeSides
     from smsl_studio.front.marked_files import MarkedMerge
     from smsl_studio.studio.features.merge.page import MergePage
 
@@ -146,6 +145,8 @@ class MergeFeature(Feature):
         path, sides = self._parts.files.path, self.merge.sides
         if path is None or sides is None or sides.known or self._asked == path:
             return
+        from smsl_studio.front.merge_versions import versions_in_git
+
         self._asked = path
         self._beside.do(partial(versions_in_git, path), partial(self._found, path))
 

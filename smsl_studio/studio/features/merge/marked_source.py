@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.errors import ReadError
-from smsl_studio.front.marked_files import MarkedMerge, merge_marked
 from smsl_studio.smsl.document.conflict_markers import is_marked, unmarked
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.broken import Broken
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
+
+if TYPE_CHECKING:
+    from smsl_studio.front.marked_files import MarkedMerge
 
 STEP = "Merge by meaning"
 
@@ -95,6 +98,8 @@ class MarkedSource(QObject):
 
 
 def _tried(text: str, file: str, path: Path | None) -> MarkedMerge | ReadError:
+    from smsl_studio.front.marked_files import merge_marked
+
     try:
         return merge_marked(text, file, path)
     except ReadError as error:

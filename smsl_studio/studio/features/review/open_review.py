@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError, UsageError
-from smsl_studio.front.review_matter import ReviewMatter, review_matter
 from smsl_studio.front.reviews import keep_answers, review_in, review_of, waiting_answers
 from smsl_studio.inspection.review.entry import ReviewEntry
 from smsl_studio.inspection.review.review import Review, ReviewComment
@@ -19,6 +19,9 @@ from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.persons import Persons
+
+if TYPE_CHECKING:
+    from smsl_studio.front.review_matter import ReviewMatter
 
 
 class OpenReview(QObject):
@@ -181,6 +184,8 @@ def _no_file() -> UsageError:
 
 
 def _matter_of(blueprint: Blueprint) -> ReviewMatter | StudioError:
+    from smsl_studio.front.review_matter import review_matter
+
     try:
         return review_matter(blueprint)
     except StudioError as error:

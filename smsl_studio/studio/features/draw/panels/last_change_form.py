@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
-from smsl_studio.front.last_change import LastChange, last_change
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.frame import Panel
+
+if TYPE_CHECKING:
+    from smsl_studio.front.last_change import LastChange
 
 MOST = 12
 """So many lines of the former text are shown."""
@@ -147,6 +150,8 @@ def _cut(lines: tuple[str, ...]) -> str:
 
 
 def _tried(blueprint: Blueprint, address: Address, file: Path) -> LastChange | ReadError:
+    from smsl_studio.front.last_change import last_change
+
     try:
         return last_change(blueprint, address, file)
     except ReadError as error:
