@@ -14,7 +14,7 @@ def escape(name): return name.replace("~", "~0").replace("/", "~1")
 def parts(text): return tuple(p.replace("~1", "/").replace("~0", "~") for p in text.split("/"))
 def fact(text): a, _, n = text.rpartition("/"); return *parts(a), int(n) if n.isdecimal() else -1
 TYPES = {Map: "answers candidate closed configuration costs facts parameters refusal start", int:
-	"cost deadline digit operations persons seed t taken", float: "cost deadline t taken", list:
+	"cost deadline digit operations persons seed t taken", float: "cost deadline risk t taken", list:
 	"facts operations met sensed unknown", str: "address"}; Wrong = AssertionError
 def facts(them): return {fact(k): v for k, v in Map(them).items()}
 def fits(name, v):  # if TYPES lacks it, a plural is a list, else it is a text
@@ -174,6 +174,7 @@ def on_goal_reached(s, e): no([*s.goals][len(s.told)] != e.goal or not all(terms
 	s.goals[e.goal][0]))); s.told = [*s.told, e.goal]; arrived(s); safe(s)  # in their order
 def on_hazard_met(s, e):  # its facts hold
 	no(facts(e.facts).items() != s.hazards[e.name] or e.name not in hazards(s)); s.met |= {e.name}
+def on_risk_estimated(s, e): no(not 0 <= e.risk <= 1)
 def on_commanded(s, e):  # what somebody wants
 	s.cause, word = e, e.refused and "-" or e.command; no(not e.by or e.value is None)
 	if word in ("resume", "step"): s.paused, s.veto = 0, () if s.held else s.veto

@@ -11,8 +11,8 @@ from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
 from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
 from smsl_studio.legible import one_line
+from smsl_studio.library.entries import FaultEntry
 from smsl_studio.library.loaded import Plugin, PluginFault
-from smsl_studio.library.operation_library import FaultEntry
 from smsl_studio.library.survey import FoundPlugin
 
 VERBS = ("allow", "forbid")

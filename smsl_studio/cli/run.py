@@ -51,6 +51,14 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="supervise it by a script: commands, chosen operations and faults at their moments",
     )
+    parser.add_argument(
+        "--supervisor",
+        action="append",
+        default=[],
+        metavar="NAME[:KEY=VALUE,...]",
+        help="an automatic supervisor: limit, rules, familiar, or one of a plugin; may be "
+        "repeated, and the most careful answer counts",
+    )
     parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
     parser.add_argument(
         "--policy", metavar="FILE", help="start only if this trust policy is met (see: verify)"
@@ -156,6 +164,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         avoid=options.avoid,
         on_mismatch=options.on_mismatch,
         script=script,
+        supervisor=options.supervisor,
         log=options.log,
         on_event=told.tell,
         stop_when=options.signals.is_asked,

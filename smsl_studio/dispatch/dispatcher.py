@@ -183,8 +183,11 @@ class Dispatcher(Commands):
         return self._end("stopped", BROKEN_OFF)
 
     def close(self) -> None:
-        """Free the host. A second call does nothing."""
-        self.host.close()
+        """Free the host and the supervisor. A second call does nothing."""
+        try:
+            self._reviewer.close()
+        finally:
+            self.host.close()
 
     @property
     def opened(self) -> OpenedWorld | None:

@@ -31,8 +31,8 @@ from smsl_studio.front.hosts import known_world
 from smsl_studio.front.runs import run_request
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.entries import FaultEntry
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.operation_library import FaultEntry
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import OperationStarted
 from smsl_studio.stop import Stopped, heed

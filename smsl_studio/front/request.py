@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
@@ -22,6 +22,8 @@ from smsl_studio.world.engines import TABLE
 
 Json = Any
 Several = Written | Iterable[Written] | None
+Supervising = Supervisor | str | Sequence[str] | None
+"""A supervisor, or automatic supervisors by name (see ``agents.asked_agent``)."""
 HOSTS = ("local", "process")
 ON_MISMATCH = ("hold", "adopt")
 
@@ -37,9 +39,10 @@ class RunRequest:
     divided by wall time; None means as fast as possible. ``log`` is the file for the recording.
 
     A run ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold;
-    None means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
-    supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all other
-    folders.
+    None means that only a run ``by_hand`` is attended. ``agents`` are automatic supervisors by name
+    (see ``agents.asked_agent``), in the place of a ``supervisor``. ``person`` is the name of the
+    person who supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all
+    other folders.
 
     ``policy`` is the file of a trust policy, and ``record`` the file of a record. If either is
     given, the run starts only if the blueprint is approved. ``now`` is the time for this question;
@@ -68,6 +71,7 @@ class RunRequest:
     by_hand: bool = False
     attended: bool | None = None
     supervisor: Supervisor | None = None
+    agents: tuple[str, ...] = ()
     person: str = ""
     plugin_paths: tuple[Path, ...] = ()
     policy: Path | None = None
@@ -85,7 +89,9 @@ class RunRequest:
     def supervised(self) -> bool:
         """Whether a person, an agent or a script supervises the run."""
         acts = self.script is not None and bool(self.script.acts)
-        return bool(self.supervisor or self.person or acts or self.by_hand or self.attended)
+        return bool(
+            self.supervisor or self.agents or self.person or acts or self.by_hand or self.attended
+        )
 
     def checked(self) -> RunRequest:
         """Return the request with checked addresses, the levels of its script, and its supervisor.
@@ -101,8 +107,15 @@ class RunRequest:
             starts=states_at(self.blueprint, self.starts, "start"),
             avoid=operations_at(self.blueprint, self.avoid),
             levels=levels,
-            supervisor=supervisor_of(Levels(self.blueprint, levels), self.supervisor),
+            supervisor=supervisor_of(Levels(self.blueprint, levels), self._named()),
         )
+
+    def _named(self) -> Supervisor | None:
+        if self.supervisor is not None or not self.agents:
+            return self.supervisor
+        from smsl_studio.front.agents.agents import Agents
+
+        return Agents(self.agents, self.plugin_paths)
 
     def as_json(self) -> Mapping[str, Json]:
         """Return the choices for the header of a log. Addresses are texts."""
@@ -127,6 +140,15 @@ def several(asked: Several) -> tuple[Written, ...]:
     if asked is None:
         return ()
     return (asked,) if isinstance(asked, str | Address) else tuple(asked)
+
+
+def supervised_by(asked: Supervising) -> tuple[Supervisor | None, tuple[str, ...]]:
+    """Return a supervisor, and the names of automatic ones. One of both is empty."""
+    if asked is None:
+        return None, ()
+    if isinstance(asked, str):
+        return None, (asked,)
+    return (None, tuple(asked)) if isinstance(asked, Sequence) else (asked, ())
 
 
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:

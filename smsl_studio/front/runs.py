@@ -11,18 +11,25 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.drive.supervisor import Supervisor
+from smsl_studio.dispatch.drive.supervisor import Closing
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.errors import RunRefused, SaveError, StudioError, WorldError
 from smsl_studio.front.acceptance import left_out, to_accept
+from smsl_studio.front.agents.agents import Agents
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.log_seals import seal_of_logs
 from smsl_studio.front.recorder import Recorder, start_log
-from smsl_studio.front.request import RunRequest, Several, several
+from smsl_studio.front.request import (
+    RunRequest,
+    Several,
+    Supervising,
+    several,
+    supervised_by,
+)
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
@@ -71,7 +78,7 @@ def open_run(
     automatic: bool = True,
     attended: bool | None = None,
     levels: Mapping[str, str] | None = None,
-    supervisor: Supervisor | None = None,
+    supervisor: Supervising = None,
     plugin_paths: Sequence[Path] = (),
     loaded: Loaded | None = None,
     broker: str = "",
@@ -95,6 +102,7 @@ def open_run(
     'goal_reached'
     >>> dispatcher.close()
     """
+    named, agents = supervised_by(supervisor)
     request = RunRequest(
         blueprint,
         world,
@@ -110,7 +118,8 @@ def open_run(
         on_mismatch=on_mismatch,
         by_hand=not automatic,
         attended=attended,
-        supervisor=supervisor,
+        supervisor=named,
+        agents=agents,
         plugin_paths=tuple(plugin_paths),
     )
     return open_request(request, loaded, spare)
@@ -146,8 +155,16 @@ def open_request(
         hardware=trust is not None and trust.hardware,
         met=trust.met if trust is not None else (),
     )
-    host = with_remote(checked, make_host(checked, loaded, spare))
-    return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=checked.supervisor)
+    supervisor = checked.supervisor
+    if checked.agents and isinstance(supervisor, Agents):
+        supervisor.open()
+    try:
+        host = with_remote(checked, make_host(checked, loaded, spare))
+    except BaseException:
+        if isinstance(supervisor, Closing):
+            supervisor.close()
+        raise
+    return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=supervisor)
 
 
 def run(
@@ -163,7 +180,7 @@ def run(
     on_mismatch: str = "hold",
     script: Script | None = None,
     levels: Mapping[str, str] | None = None,
-    supervisor: Supervisor | None = None,
+    supervisor: Supervising = None,
     log: Path | str | None = None,
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
@@ -197,6 +214,7 @@ def run(
     >>> done.reason, done.events[-1].operations
     ('goal_reached', 7)
     """
+    named, agents = supervised_by(supervisor)
     request = RunRequest(
         blueprint,
         world,
@@ -214,7 +232,8 @@ def run(
         speed=speed,
         log=None if log is None else Path(log),
         attended=True if script and script.acts else None,
-        supervisor=supervisor,
+        supervisor=named,
+        agents=agents,
         plugin_paths=tuple(plugin_paths),
         policy=None if policy is None else Path(policy),
         record=None if record is None else Path(record),

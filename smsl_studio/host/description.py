@@ -15,11 +15,10 @@ from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
 from smsl_studio.host.compound import mapped, mapping, optional, row, several
 from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
+from smsl_studio.library.entries import CostEntry, FaultEntry
 from smsl_studio.library.loaded import Plugin, PluginFault
 from smsl_studio.library.operation_library import (
     STOP_MODES,
-    CostEntry,
-    FaultEntry,
     OperationEntry,
     OperationLibrary,
     WorldEntry,

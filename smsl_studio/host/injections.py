@@ -8,7 +8,7 @@ from typing import Any
 
 from smsl_studio.errors import HostError, PluginError, StudioError, UsageError, did_you_mean
 from smsl_studio.host.brief import words_of
-from smsl_studio.library.operation_library import FaultEntry
+from smsl_studio.library.entries import FaultEntry
 
 
 class Injections:

@@ -38,9 +38,10 @@ from smsl_studio.host.sensor_schedule import SensorSchedule
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor, joined
+from smsl_studio.library.entries import FaultEntry
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
-from smsl_studio.library.operation_library import FaultEntry, WorldEntry
+from smsl_studio.library.operation_library import WorldEntry
 from smsl_studio.library.table import facts_of
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.monitor.aggregate import FactRule

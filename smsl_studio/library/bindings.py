@@ -31,9 +31,10 @@ from smsl_studio.library.bound import (
     leaf_facts,
     noted_touches,
 )
+from smsl_studio.library.entries import CostEntry
 from smsl_studio.library.fact_default import FactDefault, default_of
 from smsl_studio.library.loaded import Loaded, Plugin
-from smsl_studio.library.operation_library import CostEntry, OperationEntry
+from smsl_studio.library.operation_library import OperationEntry
 from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.table import table_bindings
 from smsl_studio.world.engines import TABLE

@@ -9,7 +9,8 @@ from smsl_studio.errors import Place, WorldError, did_you_mean
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
-    from smsl_studio.library.operation_library import FaultEntry, OperationLibrary, WorldEntry
+    from smsl_studio.library.entries import FaultEntry
+    from smsl_studio.library.operation_library import OperationLibrary, WorldEntry
     from smsl_studio.library.survey import FoundPlugin
 
 

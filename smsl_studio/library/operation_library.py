@@ -23,6 +23,9 @@ fills it.
         @library.fault("hanoi", "disk_pushed")
         def push(world, disk: int): ...            # what goes wrong on purpose
 
+        @library.supervisor("careful")
+        def careful(view, limit: float = 0.5): ...
+
 Every plugin fills a library of its own, which ``bindings`` reads. Times are in simulated seconds.
 """
 
@@ -34,6 +37,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from smsl_studio.errors import PluginError, did_you_mean
+from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry
 from smsl_studio.library.fact_default import default_entry
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.sensor_entry import NO_WORDS, SensorEntry
@@ -113,26 +117,6 @@ class OperationEntry:
         return self.pattern.match(whole)
 
 
-@dataclass(frozen=True, slots=True)
-class FaultEntry:
-    """A fault that can be injected into a world by its name."""
-
-    world: str
-    name: str
-    function: Callable[..., Any]
-    signature: Signature
-
-
-@dataclass(frozen=True, slots=True)
-class CostEntry:
-    """A cost function, and the pattern of the operations whose edges it prices."""
-
-    function: Callable[..., Any]
-    name: str
-    pattern: Pattern
-    signature: Signature
-
-
 class OperationLibrary:
     """The entries that one plugin registers. ``name`` is the plugin's name; the full name of a
     function is ``name.function``. Every method raises PluginError for a value that does not fit."""
@@ -145,6 +129,7 @@ class OperationLibrary:
         self.sensors: list[SensorEntry] = []
         self.costs: list[CostEntry] = []
         self.faults: dict[tuple[str, str], FaultEntry] = {}
+        self.supervisors: dict[str, SupervisorEntry] = {}
 
     @property
     def serves(self) -> bool:
@@ -350,6 +335,30 @@ class OperationLibrary:
             """Register the fault."""
             entry = FaultEntry(world, name, function, signature_of(function))
             self.faults[world, name] = entry
+            return function
+
+        return keep
+
+    def supervisor(
+        self, name: str, limit: float = 0.5, *, prepare: Callable[..., Any] | None = None
+    ) -> Callable[[FunctionT], FunctionT]:
+        """Register an automatic supervisor. The decorated ``f(view, ...)`` gets a
+        ``SupervisorView`` before each operation. It returns an answer of
+        ``library.supervisor_view`` or a pair (answer, reason).
+
+        Further parameters are options of the user; ``prepare(**options)`` is called once before the
+        run, for files that an option names. ``limit`` is the wall time (s) that one answer may
+        take; a supervisor that takes longer is ended, and a person is asked. It runs in a process
+        of its own and gets no world.
+        """
+        name, limit = proper_name(name, "a supervisor"), seconds(limit, "limit")
+        if not name.isidentifier() or name in self.supervisors:
+            raise PluginError(f"the name {name!r} cannot be given to a supervisor")
+
+        def keep(function: FunctionT) -> FunctionT:
+            """Register the supervisor."""
+            signature = signature_of(function, ("view",))
+            self.supervisors[name] = SupervisorEntry(function, name, signature, limit, prepare)
             return function
 
         return keep

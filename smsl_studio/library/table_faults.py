@@ -13,7 +13,7 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.library.bound import leaf_facts
-from smsl_studio.library.operation_library import FaultEntry
+from smsl_studio.library.entries import FaultEntry
 from smsl_studio.library.signature import signature_of
 from smsl_studio.world.engines import TABLE
 

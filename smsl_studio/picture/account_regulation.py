@@ -86,6 +86,11 @@ def _reset(event: run.RunReset) -> str:
     return listed(f"{words}. Unknown until sensed anew", event.unknown) if event.unknown else words
 
 
+def _risk(event: run.RiskEstimated) -> str:
+    words = ", ".join(event.reasons[:LONGEST])
+    return f"{event.address} has a risk of {event.risk:.0%}: {words}"
+
+
 def _costs(event: run.CostsChanged) -> str:
     prices = [f"{name} {cost:g}" for name, cost in [*event.costs.items()][:LONGEST]]
     words = [f"Costs changed: {', '.join(prices)}"] if prices else []
@@ -96,6 +101,7 @@ def _costs(event: run.CostsChanged) -> str:
 
 WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
+        run.RiskEstimated: _risk,
         run.TakenOver: lambda e: "Automation is locked out; the dispatcher only observes",
         run.GivenBack: lambda e: f"Given back in {states(e.configuration)}",
         run.RunStopped: lambda e: "The run is stopped and braked",

@@ -14,6 +14,18 @@ from smsl_studio.runlog.event import Event
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RiskEstimated(Event):
+    """The risk of a proposed operation, from 0 to 1, and the reasons for it. A supervisor that goes
+    by it decides next.
+    """
+
+    event: ClassVar[str] = "risk_estimated"
+    address: str
+    risk: float
+    reasons: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Commanded(Event):
     """Somebody has given a command. ``refused`` says why it was not carried out, and is empty if it
     was.

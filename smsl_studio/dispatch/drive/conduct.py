@@ -37,5 +37,8 @@ class Conduct(Protocol):
     def paused_or_held(self, why: str) -> None:
         """Pause, because the person or agent who was asked wants so. Without attendance, hold."""
 
+    def taken_over(self, by: str, why: str) -> None:
+        """Lock the automation out, because ``by`` wants so. Without attendance, hold."""
+
     def withdraw(self) -> None:
         """Withdraw what was proposed."""

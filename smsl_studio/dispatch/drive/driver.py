@@ -11,6 +11,7 @@ from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.drive.admission import Admission
 from smsl_studio.dispatch.drive.arrival import Arrival
 from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
@@ -20,6 +21,7 @@ from smsl_studio.dispatch.drive.review import Reviewer
 from smsl_studio.dispatch.drive.route_follower import RouteFollower
 from smsl_studio.dispatch.drive.run_state import RunState
 from smsl_studio.dispatch.drive.start_tasks import StartTasks
+from smsl_studio.dispatch.drive.supervisor import PAUSE, TAKE_OVER
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.desk import Desk
@@ -31,9 +33,11 @@ from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.route.planner import holds
 from smsl_studio.errors import RunRefused
 from smsl_studio.runlog.events import (
+    Commanded,
     Held,
     Paused,
     RunFinished,
+    TakenOver,
 )
 
 
@@ -289,6 +293,19 @@ class Driver:
             self.now_paused()
         else:
             self.hold(Hold(why))
+
+    def taken_over(self, by: str, why: str) -> None:
+        """Lock the automation out, because ``by`` wants so. Without attendance, hold."""
+        run, told = self.run, TAKE_OVER if self.attended else PAUSE
+        run.emit(Commanded(t=run.time, command=told, by=by, reason=why))
+        if not self.attended:
+            self.hold(Hold(why))
+            return
+        self.withdraw()
+        self.state.take_over(by)
+        self.say(why)
+        run.emit(TakenOver(t=run.time, by=by))
+        run.emit(*run.senses.forget(sensed_facts(run.blueprint)))
 
     def arrived(self, new: bool, moved: bool, sentence: str) -> None:
         """Handle goals that were told: a single step ends, and if all goals hold (``sentence``) the

@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.drive.risk import declared_risk, estimate, seen_facts
 from smsl_studio.dispatch.drive.supervisor import (
     ALLOW,
     ASK,
     PAUSE,
     PRUNE,
+    TAKE_OVER,
     VETO,
+    Closing,
+    Estimating,
     Proposal,
     Supervisor,
     Verdict,
 )
 from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.library.supervisor_view import Neighbour
+from smsl_studio.runlog.events import RiskEstimated
 
-RISKS = ("", "low", "medium", "high")
-DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK)
+DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK, TAKE_OVER)
 ALLOWED = Verdict(ALLOW)
 
 
@@ -60,13 +67,18 @@ class Reviewer:
         if supervisor is None:
             return ""
         verdict = self._review(supervisor, run, step)
-        if verdict.decision not in (VETO, PRUNE):
+        if verdict.decision not in (VETO, PRUNE, TAKE_OVER):
             return ""
         return f"{supervisor.name} says no" + (f": {verdict.reason}" if verdict.reason else "")
 
     def trust(self) -> None:
         """Note that a person lets the run go on, and knows what the supervisor said."""
         self._trusted = self._doubtful is not None
+
+    def close(self) -> None:
+        """Free what the supervisor holds."""
+        if isinstance(self._supervisor, Closing):
+            self._supervisor.close()
 
     def forget(self) -> None:
         """Forget which step the supervisor has paused, and that a person lets it go on."""
@@ -76,8 +88,15 @@ class Reviewer:
         """Return the verdict of the supervisor. If it fails, or decides something unknown, a person
         is asked.
         """
+        asked = proposal(run, step)
+        if isinstance(supervisor, Estimating) and supervisor.estimates:
+            said = asked.estimate
+            told = RiskEstimated(
+                t=run.time, address=str(asked.operation), risk=said.risk, reasons=said.reasons
+            )
+            run.emit(told)
         try:
-            verdict = supervisor.review(proposal(run, step))
+            verdict = supervisor.review(asked)
             if verdict.decision in DECISIONS:
                 return verdict
             words = f"{verdict.decision!r} is no decision"
@@ -88,19 +107,29 @@ class Reviewer:
 
 def proposal(run: LiveRun, step: JointStep) -> Proposal:
     """Return the partial view of a step for a supervisor."""
-    risks = [_risk(run, edge.address) for edge in step.edges]
+    risk, facts = declared_risk(run, step), seen_facts(run)
     return Proposal(
         time=run.time,
         configuration=dict(run.configuration),
         operation=step.asked.address,
         operations=(*(edge.address for edge in step.edges[1:]), step.asked.address),
         target=step.asked.target,
-        risk=max(risks, key=RISKS.index),
+        risk=risk,
         cost=step.cost,
         scene=run.senses.scene,
+        neighbours=tuple(_neighbours(run)),
+        facts=facts,
+        history=tuple(run.history),
+        estimate=estimate(run, step, facts, risk),
     )
 
 
-def _risk(run: LiveRun, address: Address) -> str:
-    branch = run.blueprint[address.branch]
-    return branch.operation_note(address.state, address.operation).risk or ""
+def _neighbours(run: LiveRun) -> Iterator[Neighbour]:
+    """Yield all operations out of the active states, in the order of the file."""
+    for name, state in run.configuration.items():
+        branch = run.blueprint[name]
+        for operation, target in branch.table[state].items():
+            note = branch.operation_note(state, operation)
+            cost = 1.0 if note.cost is None else note.cost
+            address = str(Address(name, state, operation))
+            yield Neighbour(address, target, cost, note.risk or "")

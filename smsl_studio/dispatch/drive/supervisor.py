@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, field
+from typing import Protocol, runtime_checkable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
+from smsl_studio.library.supervisor_view import (
+    NO_RISK,
+    Neighbour,
+    RiskEstimate,
+    SeenFact,
+    SupervisorView,
+)
 
 ALLOW, VETO, PRUNE, PAUSE, ASK = "allow", "veto", "prune", "pause", "ask"
+TAKE_OVER = "take_over"
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +26,9 @@ class Proposal:
 
     ``operations`` are all edges of the joint step. The proposed operation comes last, the others in
     the order in which they start. ``risk`` is the highest declared risk among them, empty if none
-    is declared. ``time`` is simulated seconds.
+    is declared. ``time`` is simulated seconds. ``neighbours`` are all operations out of the active
+    states. ``facts`` are those that are sensed, by ``SB/digit``. ``history`` has the results of
+    edges so far, and ``estimate`` the risk with its parts.
     """
 
     time: float
@@ -29,12 +39,32 @@ class Proposal:
     risk: str
     cost: float
     scene: Scene
+    neighbours: tuple[Neighbour, ...] = ()
+    facts: Mapping[str, SeenFact] = field(default_factory=dict)
+    history: tuple[tuple[str, str], ...] = ()
+    estimate: RiskEstimate = NO_RISK
+
+    def view(self) -> SupervisorView:
+        """Return the same for a supervisor in another process."""
+        return SupervisorView(
+            time=self.time,
+            configuration=dict(self.configuration),
+            operation=str(self.operation),
+            operations=tuple(map(str, self.operations)),
+            target=self.target,
+            cost=self.cost,
+            declared=self.risk,
+            neighbours=self.neighbours,
+            facts=dict(self.facts),
+            history=self.history,
+            estimate=self.estimate,
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """A supervisor's decision, with its reason: ``allow``, ``veto`` (once), ``prune``, ``pause`` or
-    ``ask`` (a person).
+    """A supervisor's decision, with its reason: ``allow``, ``veto`` (once), ``prune``, ``pause``,
+    ``ask`` (a person) or ``take_over`` (the automation is locked out until a person gives it back).
     """
 
     decision: str
@@ -53,3 +83,20 @@ class Supervisor(Protocol):
 
     def review(self, proposal: Proposal) -> Verdict:
         """Decide on a proposed operation. It is called once before the operation begins."""
+
+
+@runtime_checkable
+class Estimating(Protocol):
+    """A supervisor that decides by the estimated risk. The run tells the estimate then."""
+
+    @property
+    def estimates(self) -> bool:
+        """Whether the event ``risk_estimated`` stands before each of its decisions."""
+
+
+@runtime_checkable
+class Closing(Protocol):
+    """A supervisor that holds something, such as a process, until the run ends."""
+
+    def close(self) -> None:
+        """Free it. A second call does nothing."""

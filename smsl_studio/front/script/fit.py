@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from smsl_studio.errors import PluginError, ReadError, did_you_mean
 from smsl_studio.front.script.script import Act, Script
-from smsl_studio.library.operation_library import FaultEntry
+from smsl_studio.library.entries import FaultEntry
 
 
 def check_faults(script: Script, world: str, offered: Mapping[str, FaultEntry]) -> None:

@@ -10,6 +10,7 @@ from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.blueprint.risk import KEY, faults_in
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.idle_fields import idle_actors, moved_sub
 from smsl_studio.inspection.rules.words import NearNames
@@ -90,6 +91,7 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
         yield from odd_properties(blueprint)
     for document in blueprint.documents:
         yield from _odd_levels(blueprint, document)
+        yield from _odd_risk(document)
         yield from _open_conflicts(document)
     for branch in blueprint:
         for path, reason in (*branch.notes.faults, *branch.drawn.faults):
@@ -152,6 +154,14 @@ def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
         fault = fault_of(blueprint, key, level)
         if fault is not None:
             yield _note(document, ("_levels", key), f"_levels: {fault.sentence}")
+
+
+def _odd_risk(document: Document) -> Iterator[Remark]:
+    if KEY not in document.values:
+        return
+    for key, reason in faults_in(document.values[KEY]):
+        path = (KEY, key) if key else (KEY,)
+        yield _note(document, path, f"{path[-1]} is not understood: {reason}")
 
 
 def _open_conflicts(document: Document) -> Iterator[Remark]:

@@ -67,6 +67,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.GoalReached: EventRow(scene.goal_reached, before=False),
         run.HazardMet: EventRow(scene.hazard_met, before=False),
         run.Held: EventRow(scene.held),
+        run.RiskEstimated: EventRow(regulation.risk_estimated, before=False),
         run.Commanded: EventRow(regulation.commanded),
         run.Paused: EventRow(regulation.paused),
         run.Resumed: EventRow(regulation.resumed),

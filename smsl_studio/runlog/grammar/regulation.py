@@ -46,6 +46,12 @@ def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
         yield f"{word} says {event.value or 'nothing'!r}"
 
 
+def risk_estimated(memory: Memory, event: run.RiskEstimated) -> Iterator[str]:
+    """Check that a risk is in range, and of an operation."""
+    if len(parts(event.address)) != 3 or not 0 <= event.risk <= 1:
+        yield f"{event.address!r} has no risk of {event.risk:g}"
+
+
 def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
     """Check that somebody wanted a pause, and that the run could be paused."""
     if not (memory.wanted_pause or memory.below_holds):

@@ -1,0 +1,49 @@
+"""The automatic supervisors that come with the program: ``limit``, ``rules`` and ``familiar``."""
+
+from __future__ import annotations
+
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.front.agents.known_edges import known_edges
+from smsl_studio.front.agents.rule_table import decision, read_rules
+from smsl_studio.library.operation_library import OperationLibrary
+from smsl_studio.library.supervisor_view import APPROVE, ASK, TAKE_OVER, VETO, SupervisorView
+
+Answer = tuple[str, str]
+ABOVE = (ASK, VETO, TAKE_OVER)
+
+
+def shipped() -> OperationLibrary:
+    """Return a library with these supervisors, registered as those of a plugin are."""
+    library = OperationLibrary("smsl_studio")
+
+    @library.supervisor("limit", prepare=_check_limit)
+    def limit(view: SupervisorView, risk: float = 0.5, above: str = VETO) -> Answer:
+        """Approve operations up to an estimated risk. ``above`` is the answer to all others."""
+        said = ", ".join(view.estimate.reasons)
+        if view.estimate.risk > risk:
+            return above, f"a risk of {view.estimate.risk:.0%} is above {risk:.0%}: {said}"
+        return APPROVE, f"a risk of {view.estimate.risk:.0%}: {said}"
+
+    @library.supervisor("rules", prepare=read_rules)
+    def rules(view: SupervisorView, file: str) -> Answer:
+        """Answer as the first rule of a TOML file that fits (see ``rule_table``)."""
+        return decision(read_rules(file), view)
+
+    @library.supervisor("familiar", prepare=known_edges)
+    def familiar(view: SupervisorView, folder: str) -> Answer:
+        """Ask a person about operations that no recorded run has carried out from this state."""
+        known = known_edges(folder)
+        new = [name for name in view.operations if name not in known.operations]
+        if new:
+            return ASK, f"{new[0]} stands in none of {known.runs} recorded runs"
+        return APPROVE, f"it stands in {known.runs} recorded runs"
+
+    return library
+
+
+def _check_limit(risk: float = 0.5, above: str = VETO) -> None:
+    if not 0 <= risk <= 1:
+        raise UsageError(f"a risk of {risk:g} is not from 0 to 1")
+    if above not in ABOVE:
+        near = did_you_mean(above, ABOVE) or f"There are {', '.join(ABOVE)}."
+        raise UsageError(f"there is no answer {above!r} to a higher risk", advice=near)
