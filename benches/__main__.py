@@ -44,6 +44,7 @@ BENCHES = (
     "stories",
     "sensors",
     "traces",
+    "world_traces",
     "replay",
     "reaction",
     "soak",

@@ -1,8 +1,12 @@
-"""Nine faults in the hanoi world at three edges each, judged by the true positions of the rings.
+"""Faults in the worlds of physics, judged by what is drawn (``tests/plugins``).
 
-Every run is done twice: with the plain blueprint, where a mismatch holds, and with the blueprint
-that has failure states and recovery operations, where the sensed state may be adopted. ``--table``
-prints the table of docs/failures.md, ``--write`` puts it there.
+Nine faults in the hanoi world at three edges each: every run is done twice, with the plain
+blueprint, where a mismatch holds, and with the blueprint that has failure states and recovery
+operations, where the sensed state may be adopted. ``python -m benches.faults`` prints the table of
+docs/failures.md, ``--write`` puts it there.
+
+Every fault of each of the four worlds, at other moments, starts and seeds: eight runs of each
+world, with ``--all`` 125, which makes 500. ``--seeds=A:B`` chooses the runs of each world.
 """
 
 from __future__ import annotations
@@ -14,8 +18,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benches.row import Row
+from benches.seeds import chosen, is_part
 from smsl_studio.runlog.events import OperationStarted
 from tests.plugins.faulted import PLAIN, WITH_FAILURES, Story, cases, run_with
+from tests.plugins.pose_judges import judged_run
+from tests.plugins.world_runs import WORLDS
+
+FEW, EACH = 8, 125
+"""The numbers of runs in each world."""
 
 PAGE = Path(__file__).parent.parent / "docs" / "failures.md"
 BEGIN, END = "<!-- table of faults: begin -->\n", "<!-- table of faults: end -->\n"
@@ -27,7 +37,19 @@ HEAD = """\
 
 
 def rows() -> Iterator[Row]:
-    """Count the ends of the 54 runs, and the runs that reported or committed something false."""
+    """Count what 54 runs of hanoi, and a few of each world, reported or committed falsely."""
+    yield from _hanoi()
+    yield from _worlds(FEW)
+
+
+def all_rows() -> Iterator[Row]:
+    """Count the same with 500 runs in the four worlds."""
+    if not is_part():
+        yield from _hanoi()
+    yield from _worlds(EACH)
+
+
+def _hanoi() -> Iterator[Row]:
     start = time.process_time()
     pairs = list(stories())
     spent = time.process_time() - start
@@ -43,6 +65,23 @@ def rows() -> Iterator[Row]:
             bound="0, and every run held, refused or recovered",
         )
     yield Row("faults in hanoi, one run", spent / (2 * len(pairs)), "CPU s")
+
+
+def _worlds(each: int) -> Iterator[Row]:
+    for world in WORLDS:
+        start, commits, wrong, runs = time.process_time(), 0, list[str](), 0
+        ended, faults = Counter[str](), set[str]()
+        for number in chosen(f"faults in {world}", 0, each):
+            story = judged_run(world, number)
+            ended[story.reason] += 1
+            faults.add(story.fault)
+            commits, runs, wrong = commits + story.commits, runs + 1, wrong + list(story.wrong)
+        print(*wrong, sep="\n", end="\n" * bool(wrong), file=sys.stderr)
+        words = ", ".join(f"{count} {word}" for word, count in sorted(ended.items()))
+        done = f"{world}, {len(faults)} faults in {runs} runs, judged by poses: {words}, {commits}"
+        yield Row(f"{done} commits; false goals and wrong commits", len(wrong), "", bound="0")
+        spent = time.process_time() - start
+        yield Row(f"{world}: one judged run with a fault", spent / max(runs, 1), "CPU s")
 
 
 def stories() -> Iterator[tuple[Story, Story]]:

@@ -1,16 +1,14 @@
-"""Worlds in physics: every edge alone, the goal over many seeds, and runs with faults.
+"""Worlds in physics: every edge alone, and the goal over many seeds.
 
 A run counts as true if its end is true by a judge that uses only what is drawn and told
 (``tests/plugins``). Simulated seconds a CPU second tell how quick a world is. Without ``--all`` few
-seeds are run.
+seeds are run. The bench ``faults`` has the runs with faults.
 """
 
 from __future__ import annotations
 
 import time
-from collections import Counter
 from collections.abc import Iterator
-from itertools import cycle, islice
 from pathlib import Path
 
 from benches.row import Row
@@ -18,29 +16,26 @@ from smsl_studio.front.inputs import read
 from smsl_studio.front.sweeps import sweep
 from smsl_studio.runlog.events import SweepFinished
 from smsl_studio.shipped import samples_dir
-from tests.plugins.piece_games import GOALS, GameStory, file_of, game_faults, run_game
-from tests.plugins.site_runs import FLAT, SUBBED, SiteStory, run_site, site_faults
+from tests.plugins.piece_games import GOALS, file_of, run_game
+from tests.plugins.site_runs import FLAT, SUBBED, run_site
 
 
 def rows() -> Iterator[Row]:
-    """Run three seeds, and each fault once."""
-    yield from _rows(3, len(site_faults()))
-    for game in GOALS:
-        yield from _game(game, 3, len(game_faults(game)))
+    """Run three seeds."""
+    return _rows(3)
 
 
 def all_rows() -> Iterator[Row]:
-    """Run 30 seeds of each file, and 500 faults in each world."""
-    yield from _rows(30, 500)
-    for game in GOALS:
-        yield from _game(game, 30, 500)
+    """Run 30 seeds of each file."""
+    return _rows(30)
 
 
-def _rows(seeds: int, faults: int) -> Iterator[Row]:
+def _rows(seeds: int) -> Iterator[Row]:
     for file in (FLAT, SUBBED):
         yield _swept(samples_dir() / file, "registration")
         yield from _goals(file, seeds)
-    yield _faulted(faults)
+    for game in GOALS:
+        yield from _game(game, seeds)
 
 
 def _swept(file: Path, world: str) -> Row:
@@ -50,7 +45,7 @@ def _swept(file: Path, world: str) -> Row:
     return Row(work, last.edges - last.passed, "edges", bound="0")
 
 
-def _game(game: str, seeds: int, faults: int) -> Iterator[Row]:
+def _game(game: str, seeds: int) -> Iterator[Row]:
     yield _swept(file_of(game), game)
     start, simulated, missed = time.process_time(), 0.0, 0
     ways = set()
@@ -65,22 +60,6 @@ def _game(game: str, seeds: int, faults: int) -> Iterator[Row]:
     yield Row(f"{name}: different sequences of states", len(ways), "", bound="1")
     yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
     yield Row(f"{name}: all", spent, "CPU s")
-    stories = (
-        run_game(game, fault, number // len(game_faults(game)))
-        for number, fault in enumerate(islice(cycle(game_faults(game)), faults))
-    )
-    yield _told(game, stories, faults)
-
-
-def _told(world: str, stories: Iterator[SiteStory | GameStory], count: int) -> Row:
-    ends: Counter[str] = Counter()
-    wrong = 0
-    for story in stories:
-        ends[story.end.reason] += 1
-        wrong += story.false_goal
-    words = ", ".join(f"{many} {word}" for word, many in sorted(ends.items()))
-    work = f"{world}, {count} runs with a fault: {words}; false goals"
-    return Row(work, wrong, "", bound="0")
 
 
 def _goals(file: str, seeds: int) -> Iterator[Row]:
@@ -96,11 +75,3 @@ def _goals(file: str, seeds: int) -> Iterator[Row]:
     yield Row(f"{name}: largest error at a target", worst, "mm", bound="below 0.5 mm")
     yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
     yield Row(f"{name}: all", spent, "CPU s")
-
-
-def _faulted(count: int) -> Row:
-    stories = (
-        run_site(fault=fault, seed=number // len(site_faults()))
-        for number, fault in enumerate(islice(cycle(site_faults()), count))
-    )
-    return _told("registration", stories, count)
