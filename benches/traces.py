@@ -18,7 +18,7 @@ WINDOW = 300.0
 
 
 def rows() -> Iterator[Row]:
-    return compared(f"{RUNS} random runs under random scripts", map(any_run, range(RUNS)))
+    return compared("random runs under random scripts", map(any_run, range(RUNS)))
 
 
 def compared(words: str, runs: Iterable[AnyRun]) -> Iterator[Row]:
@@ -32,15 +32,16 @@ def compared(words: str, runs: Iterable[AnyRun]) -> Iterator[Row]:
         end = time.monotonic() + WINDOW
         while not over() and time.monotonic() < end:
             application.processEvents()
-            time.sleep(0.001)
+            time.sleep(0.01)
 
-    differing = {"a child process": 0, "the log": 0, "the window": 0}
+    count, differing = 0, {"a child process": 0, "the log": 0, "the window": 0}
     with TemporaryDirectory() as folder:
-        for number, run in enumerate(runs):
+        for run in runs:
+            count += 1
             told = in_process(run)
-            child, log = in_child_and_log(run, Path(folder) / f"{number}.jsonl")
+            child, log = in_child_and_log(run, Path(folder) / f"{count}.jsonl")
             found = (child, log, in_window(run, wait))
             for place, trace in zip(differing, found, strict=True):
                 differing[place] += trace != told
-    for place, count in differing.items():
-        yield Row(f"{words}, here and in {place}", count, "traces differ", bound="0")
+    for place, many in differing.items():
+        yield Row(f"{count} {words}, here and in {place}", many, "traces differ", bound="0")

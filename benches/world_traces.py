@@ -8,6 +8,7 @@ with ``--all`` fifteen, which makes sixty.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from benches.row import Row
 from benches.seeds import chosen
@@ -29,5 +30,7 @@ def all_rows() -> Iterator[Row]:
 
 def _rows(each: int) -> Iterator[Row]:
     for world in WORLDS:
-        runs = (world_run(world, number) for number in chosen(f"traces in {world}", 0, each))
-        yield from compared(f"{each} runs in {world} under random scripts", runs)
+        numbers = chosen(f"traces in {world}", 0, each)
+        yield from compared(
+            f"runs in {world} under random scripts", map(partial(world_run, world), numbers)
+        )

@@ -13,6 +13,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.arms import PANDA
 from smsl_studio.world.bodies import Body, Box, Floor, Hulls
 from smsl_studio.world.grasps import Grasp
+from smsl_studio.world.known_values import refuse_others
 from smsl_studio.world.meshes import hulls_obj, slab, soup, turned
 from smsl_studio.world.protocol import Vector
 
@@ -43,6 +44,9 @@ BLOCKS: dict[str, tuple[float, float]] = {
 
 BOTTOM, TOP = "B", "T"
 HELD, NOWHERE = "hh", "xx"
+PLACES = tuple(block + layer for block in BLOCKS for layer in (BOTTOM, TOP))
+"""The places of a piece: each block, and there on the other piece."""
+
 GROUND = 0.006
 """The height (m) of the blocks."""
 
@@ -80,6 +84,7 @@ class Board:
                 "the chess world needs one State Branch with 2 facts: the star and the circle",
                 advice="Use the world table, which runs any blueprint.",
             )
+        refuse_others(branches[0], PIECES, (*PLACES, HELD, NOWHERE))
         self.world, self.seed = world, seed
 
     def furnish(self) -> None:

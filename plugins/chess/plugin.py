@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
-from .board import BLOCKS, GROUND, HEIGHT, HELD, NOWHERE, PIECES, PITCH, Board
+from .board import BLOCKS, GROUND, HEIGHT, HELD, NOWHERE, PIECES, PITCH, PLACES, Board
 from .sensors import register_sensors
 
 if TYPE_CHECKING:
@@ -98,9 +98,7 @@ def weak_grip(board: Board, force: float = 0.1) -> None:
 def register(library: OperationLibrary) -> None:
     """Register the world ``chess`` with its operations, sensor and faults."""
 
-    places = tuple(block + layer for block in BLOCKS for layer in "BT")
-
-    @library.world("chess", settle=0.2, values=places)
+    @library.world("chess", settle=0.2, values=PLACES)
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Board:
         board = Board(world, blueprint, seed)
         board.furnish()

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.errors import WorldError
 
 from .faults import register_faults
+from .fit import refuse_unfit
 from .moves import carry
 from .recovery import recover
 from .sensors import register_sensors
@@ -36,6 +37,7 @@ def register(library: OperationLibrary) -> None:
             )
         (branch,) = blueprint
         table = Table(world, branch.num_facts, seed)
+        refuse_unfit(branch, table.disks)
         table.furnish()
         return table
 

@@ -10,6 +10,7 @@ import numpy as np
 from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import Body, Floor, Robot
 from smsl_studio.world.kinematics import rotation_of_rpy
+from smsl_studio.world.known_values import refuse_others
 from smsl_studio.world.meshes import soup, turned
 
 from .navigation import GOOD, Array, Fit, Navigation, fit
@@ -53,6 +54,7 @@ class Site:
                 " landmarks planned and digitized, with 4 facts the tool pose, and registered",
                 advice="Use the world table, which runs any blueprint.",
             )
+        refuse_others(roots[0], MEANINGS[roots[0].num_facts], ("0", "1"))
         self.world, self.seed = world, seed
         self.navigation = Navigation()
         self.root, self._meanings = roots[0].name, MEANINGS[roots[0].num_facts]

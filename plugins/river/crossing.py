@@ -12,6 +12,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.arms import PANDA
 from smsl_studio.world.bodies import Body, Box, Floor
 from smsl_studio.world.grasps import Grasp
+from smsl_studio.world.known_values import refuse_others
 from smsl_studio.world.meshes import slab, soup, turned
 from smsl_studio.world.protocol import Vector
 
@@ -66,6 +67,7 @@ class Crossing:
                 "the river world needs one State Branch with 4 facts: grass, sheep, steve, wolf",
                 advice="Use the world table, which runs any blueprint.",
             )
+        refuse_others(branches[0], ITEMS, (*PLACES, HELD, NOWHERE))
         self.world, self.seed = world, seed
 
     def furnish(self) -> None:

@@ -54,6 +54,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "shiboken6": ("studio/",),
     "pyqtgraph": ("studio/",),
     "moderngl": ("studio/",),
+    "PIL": ("studio/running/scene/clip_file.py",),
     "pybullet": (BULLET,),
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),

@@ -28,8 +28,9 @@ from smsl_studio.front.runs import open_run
 from smsl_studio.runlog.events import Committed, Event, OperationEnded, RunFinished
 from smsl_studio.world.kinematics import rotation_of
 from tests.plugins.faulted import standing
+from tests.plugins.piece_games import CHESS, RIVER
 from tests.plugins.site_runs import LIMIT
-from tests.plugins.world_runs import CHESS, HANOI, REGISTRATION, RIVER, blueprint_file, faults_of
+from tests.plugins.world_runs import HANOI, REGISTRATION, blueprint_file, faults_of
 
 STEPS = 3
 """The number of random steps from the start of a game to its goal."""

@@ -10,8 +10,9 @@ import pytest
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.front.inputs import read
 from smsl_studio.front.runs import open_run
+from tests.plugins.piece_games import CHESS, RIVER
 from tests.plugins.pose_judges import judge_of, judged_run
-from tests.plugins.world_runs import CHESS, HANOI, REGISTRATION, RIVER, WORLDS, blueprint_file
+from tests.plugins.world_runs import HANOI, REGISTRATION, WORLDS, blueprint_file
 
 
 @pytest.mark.parametrize("world", WORLDS)

@@ -50,7 +50,7 @@ def faults_of(world: str) -> list[tuple[str, Mapping[str, float | str]]]:
     return [(one.fault, one.parameters) for one in found]
 
 
-def world_run(world: str, number: int, last: float = 25.0) -> WorldRun:
+def world_run(world: str, number: int, last: float = 10.0) -> WorldRun:
     """The run of this number in a world. After ``last`` simulated seconds it is stopped."""
     random = Random(f"{world} {number}")
     blueprint = read(blueprint_file(world))

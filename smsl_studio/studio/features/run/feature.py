@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from smsl_studio.library.loaded import Loaded
     from smsl_studio.studio.features.run.fault_dialog import FaultDialog
     from smsl_studio.studio.features.run.pane import RunPane
+    from smsl_studio.studio.features.run.picture_file import ClipSaver
     from smsl_studio.studio.features.run.spare_world import SpareWorld, Wanted
 
 PATIENCE = 3000
@@ -53,6 +54,8 @@ class RunFeature(Feature):
         """Tells whether another feature shows a page in which a run can begin."""
         self.faults: FaultDialog | None = None
         """The dialog for a fault, after it was opened for the first time."""
+        self.clips: ClipSaver | None = None
+        """What saves clips of runs, after the first one was asked for."""
         self.part = LatePart(self._make)
         self.pages = {"run": self._page}
         self.body: RunPages | None = None
@@ -95,6 +98,8 @@ class RunFeature(Feature):
         pane.canvas.canvas.collapse.join(self._parts.collapse)
         pane.scene.fault_wanted.connect(self.inject_fault)
         pane.scene.script_wanted.connect(self.save_script)
+        pane.scene.picture_wanted.connect(self._save_picture)
+        pane.scene.clip_wanted.connect(self._save_clip)
         pane.recordings = lambda: self._parts.settings.wanted_recordings
         warming = self._warming = SpareWorld(self._next, window)
         warming.spare = pane.run.spare = self._spare
@@ -202,9 +207,30 @@ class RunFeature(Feature):
         """Save what was done by hand as a script."""
         from smsl_studio.studio.features.run.script_file import save_script
 
+        save_script(self.pane.run, self._folder, self._parts.toast, self._parts.window)
+
+    @property
+    def _folder(self) -> Path:
         path = self._parts.files.path
-        folder = path.parent if path is not None else Path.home()
-        save_script(self.pane.run, folder, self._parts.toast, self._parts.window)
+        return path.parent if path is not None else Path.home()
+
+    def _picture_name(self) -> Path:
+        blueprint = self.pane.run.blueprint
+        return self._folder / (Path(blueprint.file).stem if blueprint is not None else "world")
+
+    def _save_picture(self) -> None:
+        from smsl_studio.studio.features.run.picture_file import save_picture
+
+        parts, name = self._parts, self._picture_name()
+        save_picture(self.pane.scene.view, name, parts.toast, parts.window)
+
+    def _save_clip(self) -> None:
+        from smsl_studio.studio.features.run.picture_file import ClipSaver
+
+        scene, parts = self.pane.scene, self._parts
+        if self.clips is None:
+            self.clips = ClipSaver(scene.view, parts.toast, parts.window)
+        self.clips.save(scene.kept, self._picture_name())
 
     def _tell_end(self, exists: bool) -> None:
         """Say how a run has ended, where the shown page does not."""
@@ -285,6 +311,8 @@ class RunFeature(Feature):
             return
         if self.faults is not None:
             self.faults.leave()
+        if self.clips is not None:
+            self.clips.stop()
         run = pane.run
         if run.exists and run.phase != "stopped":
             wait = QEventLoop(pane)

@@ -28,6 +28,7 @@ from smsl_studio.studio.running.frames import MIDDLE, laid_over, tool, tools_ove
 from smsl_studio.studio.running.operation_time import WHY
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.scene.camera import VIEWS
+from smsl_studio.studio.running.scene.kept_poses import KeptPoses
 from smsl_studio.studio.running.scene.world_view import WorldView
 
 FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
@@ -39,28 +40,41 @@ class WorldPane(QWidget):
 
     ``view`` is its picture. ``tiles`` and ``bar`` stand in its place if the world has no shapes or
     there are no graphics. Above it are the buttons for a fault and for the script of what was done
-    by hand.
+    by hand. ``kept`` are the poses that were watched, for a clip.
     """
 
     fault_wanted = Signal()
     """The person wants to inject a fault."""
     script_wanted = Signal()
     """The person wants to save what was done by hand as a script."""
+    picture_wanted = Signal()
+    """The person wants to save the picture."""
+    clip_wanted = Signal()
+    """The person wants to save a clip of what was watched."""
 
     def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._run = run
         self._loaded = False
         self.view = WorldView(tokens)
+        self.kept = KeptPoses()
         self.view.came_into_view.connect(self.draw)
         self.tiles, self.bar = TilesView(tokens), OperationBar(tokens)
         self._name = Elided("")
         self._name.setProperty("role", "second")
-        self._looks = tool("Front right", "camera", "Where to look from", tokens)
+        self._looks = tool("Front right", "camera", "Where to look from; save what is seen", tokens)
         self._looks.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self._looks)
         for name in VIEWS:
             menu.addAction(name, partial(self._look, name))
+        menu.addSeparator()
+        self.follow = menu.addAction("Follow the tool")
+        self.follow.setCheckable(True)
+        self.follow.toggled.connect(self.view.follow)
+        menu.addSeparator()
+        menu.addAction("Save picture…", self.picture_wanted.emit)
+        self.clip = menu.addAction("Save clip…", self.clip_wanted.emit)
+        menu.aboutToShow.connect(lambda: self.clip.setEnabled(len(self.kept) > 1))
         self._looks.setMenu(menu)
         self._home = tool("", "fit", "Back to the chosen view", tokens)
         self._home.clicked.connect(self.view.come_back)
@@ -108,6 +122,7 @@ class WorldPane(QWidget):
         run, self._loaded = self._run, True
         name = run.choice.world if run.choice else ""
         self.view.load(run.shapes, name)
+        self.kept.clear()
         if not run.shapes:
             self._name.setText(name)
         elif self.view.has_picture:
@@ -129,6 +144,7 @@ class WorldPane(QWidget):
         """Show that there is no run."""
         self._loaded = False
         self.view.clear()
+        self.kept.clear()
         self._name.setText("")
         self._tools.hide()
         self._trials.hide()
@@ -150,7 +166,9 @@ class WorldPane(QWidget):
         """Draw the newest poses, also those of a run that has ended."""
         run = self._run
         if self._loaded and self.view.isVisible():
-            self.view.show_poses(run.poses(), run.words(), last=not run.exists)
+            poses = run.poses()
+            self.kept.add(run.time, poses)
+            self.view.show_poses(poses, run.words(), last=not run.exists)
 
     def show_facts(self, rows: tuple[FactRow, ...]) -> None:
         """Show the facts of the run, if the world has no picture."""

@@ -16,9 +16,14 @@ Matrix = NDArray[np.float32]
 Box3 = tuple[tuple[float, float, float], tuple[float, float, float]]
 """The least and the greatest corner of a box (m)."""
 
-USUAL, ROOM, ABOVE = 0.62, 1.2, 0.45
-"""The distance (m) of the usual view, the room around what it shows, and how far above its middle
-it looks, as a share of its radius: a hand works above the things."""
+Corner = NDArray[np.float64]
+
+NEAREST, FARTHEST = 0.15, 8.0
+"""The least and the greatest distance (m) of a camera from its target."""
+
+HAND, FILLED = 0.16, (0.86, 0.78)
+"""The room (m) above what a view shows, for a hand that works there, and the share of the width and
+of the height of a picture that a view fills at most: below things stand their names."""
 
 EIGHT = tuple((i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1))
 
@@ -44,15 +49,30 @@ class WorldCamera:
         )
         return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
 
-    def framing(self, box: Box3) -> WorldCamera:
-        """The camera on the same side of a box of the world, so that the box and some room above it
-        fill the picture."""
+    def framing(self, box: Box3, aspect: float) -> WorldCamera:
+        """The camera on the same side of a box of the world, as near as the box and the room above
+        it, where a hand works, fit into a picture. ``aspect`` is its width over its height."""
         low, high = np.array(box[0]), np.array(box[1])
-        radius = max(float(np.linalg.norm(high - low)) / 2, 0.05)
+        high[2] += HAND
         x, y, z = ((low + high) / 2).tolist()
-        distance = ROOM * radius / sin(self.field_of_view / 2) * self.distance / USUAL
-        target = (x, y, z + ABOVE * radius)
-        return replace(self, target=target, distance=min(max(distance, 0.15), 8.0))
+        near, far = NEAREST, FARTHEST
+        for _ in range(24):
+            middle = (near + far) / 2
+            seen = replace(self, target=(x, y, z), distance=middle)
+            near, far = (near, middle) if seen._has(low, high, aspect) else (middle, far)
+        return replace(self, target=(x, y, z), distance=far)
+
+    def _has(self, low: Corner, high: Corner, aspect: float) -> bool:
+        """Whether a box lies inside the picture, with a margin."""
+        corners = [[(low, high)[part][axis] for axis, part in enumerate(one)] for one in EIGHT]
+        points = np.hstack([np.array(corners), np.ones((8, 1))])
+        clip = points @ self.view_projection(aspect).T.astype(np.float64)
+        depth = clip[:, 3:]
+        return bool((depth > 0.02).all() and (np.abs(clip[:, :2] / depth) < FILLED).all())
+
+    def at(self, target: tuple[float, float, float]) -> WorldCamera:
+        """The camera that looks at another point (m) from the same side and distance."""
+        return replace(self, target=target)
 
     def orbited(self, right: float, up: float) -> WorldCamera:
         """The camera turned around its target.
@@ -63,8 +83,8 @@ class WorldCamera:
         return replace(self, azimuth=self.azimuth - right, elevation=elevation)
 
     def zoomed(self, factor: float) -> WorldCamera:
-        """The camera at ``factor`` times the distance, between 0.15 and 8 m."""
-        return replace(self, distance=min(max(self.distance * factor, 0.15), 8.0))
+        """The camera at ``factor`` times the distance, between the nearest and the farthest."""
+        return replace(self, distance=min(max(self.distance * factor, NEAREST), FARTHEST))
 
     def panned(self, right: float, up: float) -> WorldCamera:
         """The camera with its target moved in the plane of the picture (metres)."""

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
+    QResizeEvent,
     QShowEvent,
     QWheelEvent,
 )
@@ -28,6 +29,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.scene.camera import VIEWS, WHOLE, WorldCamera, box_of
+from smsl_studio.studio.running.scene.name_places import free_place
 from smsl_studio.studio.running.scene.renderer import Renderer, RenderStyle, open_renderer
 from smsl_studio.world.protocol import Shape
 
@@ -52,6 +54,8 @@ class WorldView(QWidget):
         self._camera = self._home = VIEWS[self._named]
         self._renderer: Renderer | str | None = None
         self._shapes: tuple[Shape, ...] = ()
+        self._lowest: list[float] = []
+        """The lowest point (m) of each thing with a label, in its own frame."""
         self._poses: tuple[float, ...] = ()
         self._status: tuple[str, ...] = ()
         self._sentence = "Starts with the run"
@@ -59,6 +63,8 @@ class WorldView(QWidget):
         self._drag: QPointF | None = None
         self._frames: list[float] = []
         self._fine = self._quick = True
+        self.follows = False
+        """Whether the camera goes with the tool: the last thing without a label."""
         self.patient = False
         """Draw every picture smooth, however long it takes."""
         self._took = 0.0
@@ -83,6 +89,7 @@ class WorldView(QWidget):
     def load(self, shapes: Sequence[Shape], world: str) -> None:
         """Show another world. Without shapes a sentence says that there is nothing to draw."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None
+        self._lowest = [min(s.mesh[2::3], default=0.0) if s.label else 0.0 for s in shapes]
         if not shapes:
             self._sentence = (
                 f"The {world} world has nothing to draw. The facts beside tell its state"
@@ -119,7 +126,49 @@ class WorldView(QWidget):
             self._poses = poses
             if first:
                 self.set_view(self._named)
+            if self.follows:
+                self._camera = self._camera.at(self._followed())
             self._moving()
+
+    def follow(self, wanted: bool) -> None:
+        """Let the camera go with the tool, or stay where it is."""
+        self.follows = wanted
+        if wanted and self._poses:
+            self._look(self._camera.at(self._followed()))
+
+    def _followed(self) -> tuple[float, float, float]:
+        """Return where the tool is (m)."""
+        plain = [n for n, shape in enumerate(self._shapes) if not shape.label]
+        at = 7 * (plain[-1] if plain else len(self._shapes) - 1)
+        x, y, z = self._poses[at : at + 3]
+        return x, y, z
+
+    def picture(self, poses: tuple[float, ...] = ()) -> QImage:
+        """Return what is shown, with the names of things, as an opaque image of the view's size.
+
+        ``poses`` take the place of the present ones. The image is empty if there is no picture, or
+        if they are poses of another world.
+        """
+        shown = poses or self._poses
+        if not self.has_picture or not shown or len(shown) != 7 * len(self._shapes):
+            return QImage()
+        assert isinstance(self._renderer, Renderer)
+        camera, ratio = self._camera, self.devicePixelRatioF()
+        kept, self._poses = self._poses, shown
+        if poses and self.follows:
+            self._camera = camera.at(self._followed())
+        size = round(self.width() * ratio), round(self.height() * ratio)
+        style = RenderStyle(*size, self._tokens.dark, True)
+        made = QImage(*size, QImage.Format.Format_RGB888)
+        made.setDevicePixelRatio(ratio)
+        painter = QPainter(made)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_sky(painter)
+        painter.drawImage(self.rect(), self._renderer.draw(shown, self._camera, style))
+        self._paint_labels(painter)
+        painter.end()
+        self._poses, self._camera = kept, camera
+        return made
 
     def set_view(self, name: str) -> None:
         """Look from one of the named places in ``VIEWS``."""
@@ -130,7 +179,8 @@ class WorldView(QWidget):
             seen = told or list(range(count))
             poses = [part for n in seen for part in self._poses[7 * n : 7 * n + 7]]
             box = box_of([self._shapes[n] for n in seen], poses)
-            self._home = self._home.framing(box) if box is not None else self._home
+            aspect = self.width() / max(self.height(), 1)
+            self._home = self._home.framing(box, aspect) if box is not None else self._home
         self._look(self._home)
 
     def come_back(self) -> None:
@@ -165,6 +215,12 @@ class WorldView(QWidget):
         """Ask for the newest poses: while the view was hidden it was given none."""
         super().showEvent(event)
         self.came_into_view.emit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the chosen view in the new size, if the camera has not been moved."""
+        super().resizeEvent(event)
+        if self._camera == self._home:
+            self.set_view(self._named)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to turn or pan the camera."""
@@ -245,21 +301,19 @@ class WorldView(QWidget):
         painter.drawText(room, flags, plain_text(self._sentence))
 
     def _paint_labels(self, painter: QPainter) -> None:
-        """Paint the names of things below them, none over another."""
+        """Paint the names of things close to them, none over another."""
         painter.setFont(mono_font(12, 600))
         metrics, painted = QFontMetricsF(painter.font()), list[QRectF]()
         for index, shape in enumerate(self._shapes):
             if not shape.label or len(self._poses) < 7 * index + 3:
                 continue
-            x, y, _ = self._poses[7 * index : 7 * index + 3]
-            at = self._camera.project((x, y, 0.0), self.width(), self.height())
+            x, y, z = self._poses[7 * index : 7 * index + 3]
+            foot = (x, y, max(0.0, z + self._lowest[index]))
+            at = self._camera.project(foot, self.width(), self.height())
             if at is None:
                 continue
             words = plain_text(shape.label)
-            width = max(18.0, metrics.horizontalAdvance(words) + 10)
-            box = QRectF(at[0] - width / 2, at[1] + 8, width, 18)
-            while any(box.intersects(other) for other in painted):
-                box.translate(0, 20)
+            box = free_place(at, max(18.0, metrics.horizontalAdvance(words) + 10), painted)
             painted.append(box)
             self._paint_box(painter, box, words, self._tokens.tx)
 

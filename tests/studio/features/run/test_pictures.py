@@ -8,13 +8,14 @@ from itertools import product
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRectF, Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.running.scene.camera import VIEWS, WorldCamera, box_of
+from smsl_studio.studio.running.scene.name_places import free_place
 from smsl_studio.studio.running.scene.renderer import (
     Renderer,
     RenderStyle,
@@ -68,7 +69,7 @@ def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
     """A box anywhere and of any size lies inside the picture, from each side."""
     for low, high in (((0.4, -0.2, 0.0), (0.7, 0.1, 0.3)), ((-1.0, -1.0, 0.0), (1.0, 1.0, 1.2))):
         for view in VIEWS.values():
-            framed = view.framing((low, high))
+            framed = view.framing((low, high), 800 / 500)
             for x, y, z in product(*zip(low, high, strict=True)):
                 at = framed.project((x, y, z), 800, 500)
                 assert at is not None
@@ -172,3 +173,21 @@ def test_a_drag_turns_the_camera_and_a_double_click_comes_back(qtbot: QtBot) -> 
     view.show_poses(STILL, {"holding": "disk 3"})
     view.repaint()
     assert len(painter.seen) == seen
+
+
+def test_the_name_of_a_thing_stays_near_it_and_over_no_other() -> None:
+    feet = [(100.0, 100.0), (104.0, 103.0), (90.0, 118.0), (300.0, 40.0)]
+    taken: list[QRectF] = []
+    for x, y in feet:
+        place = free_place((x, y), 40.0, taken)
+        assert not any(place.intersects(other) for other in taken)
+        assert math.dist((place.center().x(), place.center().y()), (x, y)) < 60
+        taken.append(place)
+    assert taken[3].top() == 48.0, "a name that is alone stands below its thing"
+
+
+def test_very_many_names_at_one_place_take_no_time() -> None:
+    taken: list[QRectF] = []
+    for _ in range(300):
+        taken.append(free_place((50.0, 50.0), 40.0, taken))
+    assert len({(one.x(), one.y()) for one in taken}) > 50
