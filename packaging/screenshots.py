@@ -347,8 +347,7 @@ class Studio:
         pane.play()
         self._until(lambda: pane.run.phase == "ready")
         pane.show_monitor()
-        page = window.features.monitor.opener.page
-        assert page is not None
+        page = window.features.monitor.inside().sensors
         pane.run.disturb("table_REGISTRATION_2", "noise", rate=0.2)
         pointers.say("pointer_right 1")
         tracker.freeze()
@@ -356,9 +355,8 @@ class Studio:
         page.table.selectRow(3)
         self._wait(2.0)
         for theme, size in self._dressed(window):
-            page.resize(size[0] - 40, size[1] - 80)
             self._wait(0.3)
-            self._keep(page.grab().toImage(), f"monitor-{theme}-{size[0]}x{size[1]}")
+            self._keep(window.grab().toImage(), f"monitor-{theme}-{size[0]}x{size[1]}")
         for node in (pointers, tracker):
             node.kill()
         window.close()

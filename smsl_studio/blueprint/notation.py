@@ -7,6 +7,7 @@ from smsl_studio.blueprint.check import sub_below
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.predicates import FactSense
 from smsl_studio.blueprint.predicates.predicate_text import written_source
+from smsl_studio.blueprint.predicates.shown import shown_predicate
 from smsl_studio.errors import AddressError
 
 
@@ -62,4 +63,4 @@ def _fact(blueprint: Blueprint, branch: StateBranch, digit: int) -> tuple[str, .
 def _predicates(name: str, sense: FactSense) -> list[str]:
     sources = ", ".join(written_source(one.name) for one in sense.sources)
     said = [f"{name} = λs. F(sense({sources}, s))"]
-    return said + [f"F = {one.value} if {one.text}" for one in sense.predicates]
+    return said + [f"F = {one.value} if {shown_predicate(one.text)}" for one in sense.predicates]

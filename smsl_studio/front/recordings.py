@@ -19,7 +19,7 @@ from smsl_studio.front.views.timeline_lanes import Lane, lanes
 from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
-from smsl_studio.runlog.history import RunHistory, Story
+from smsl_studio.runlog.history import RECORDED, RunHistory, Story
 from smsl_studio.runlog.playback import Playback
 from smsl_studio.smsl.forms import SUFFIXES
 
@@ -81,7 +81,7 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
         raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
     events, by_hand = run.events, run.header.get("by_hand") is True
     count, share = max(len(events), 1), FOLDED - READ
-    history = RunHistory()
+    history = RunHistory(RECORDED)
     playback = Playback(events, by_hand, lambda told: going(READ + share * told / count), history)
     causes = Causes(COMMANDS, playback.at(len(events)).asked)
     by = tuple(causes.of(event) for event in events)

@@ -31,8 +31,9 @@ class Span:
     good: bool = True
 
 
-MEASURES = 4096
-"""The largest number of measures of a source that a history keeps: more than 30 s of any."""
+MEASURES, RECORDED = 4096, 100_000
+"""The largest number of measures of a source that a history keeps: more than 30 s of any, and for a
+recorded run, which is shown at any moment, 1,000 s at the highest rate."""
 Measures = deque[tuple[float, str | None, str]]
 """For each measure its time (simulated s), its text or None, and why there is none."""
 
@@ -45,7 +46,8 @@ class RunHistory:
     happened first. So any moment of a long run is found quickly.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, measures: int = MEASURES) -> None:
+        self._most = measures
         self.states: dict[str, list[Span]] = {}
         self.operations: list[Span] = []
         self.facts: dict[FactKey, list[Span]] = {}
@@ -80,7 +82,7 @@ class RunHistory:
         """Note what a source of a fact has measured."""
         kept = self.measures.get(source)
         if kept is None:
-            kept = self.measures[source] = deque(maxlen=MEASURES)
+            kept = self.measures[source] = deque(maxlen=self._most)
         kept.append((time, value, reason))
 
     def begin(self, index: int, time: float, address: str, function: str) -> None:

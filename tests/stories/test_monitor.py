@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMenu
 
 from smsl_studio.front.views.monitor_rows import MonitorRow
 from smsl_studio.studio.features.monitor.page import MonitorPage
+from smsl_studio.studio.features.monitor.window import MonitorWindow
 from tests.monitor.broker import Broker, Node, with_ages
 from tests.stories.at_run import PATIENCE, AtRun
 from tests.stories.conftest import Sit
@@ -28,15 +29,26 @@ class AtMonitor:
 
     @property
     def page(self) -> MonitorPage:
-        page = self.person.window.features.monitor.opener.page
-        assert page is not None
-        return page
+        return self.person.window.features.monitor.inside().sensors
+
+    @property
+    def window(self) -> MonitorWindow:
+        window = self.person.window.features.monitor.opener.window
+        assert window is not None
+        return window
 
     def open(self) -> MonitorPage:
         """By its key; then the table has the focus."""
         self.person.ctrl(Key.Key_M)
         self.person.until(self.page.isVisible)
         return self.page
+
+    def open_apart(self) -> MonitorWindow:
+        """In a window of its own, by the button on the page."""
+        page = self.page if self.page.isVisible() else self.open()
+        self.person.click(page.apart)
+        self.person.until(self.window.isVisible)
+        return self.window
 
     def row(self, *key: str) -> MonitorRow:
         return next(row for row in self.page.rows if row.key == key)
@@ -192,8 +204,8 @@ def test_the_page_without_a_run_and_after_one(sit: Sit) -> None:
     page = at.open()
     assert (page.words.text(), page.rows) == ("No run", ())
     assert not page.bar.on.isEnabled()
-    page.close()
-    run.person.come_back()
+    at.person.ctrl(Key.Key_M)
+    assert not page.isVisible()
     run.as_fast_as_it_goes()
     run.choose(world="table")
     run.person.press(Key.Key_F5)
@@ -207,10 +219,12 @@ def test_the_page_without_a_run_and_after_one(sit: Sit) -> None:
 def test_whoever_supervises_has_it_by_the_same_key(sit: Sit) -> None:
     at = _by_hand(sit, SAMPLES / "hanoi-2.json")
     at.person.ctrl(Key.Key_3)
-    page = at.open()
-    at.until_cells("SB1", "0", value="a", quality="good")
-    QTest.keyClick(page.table, Key.Key_Escape)
-    assert not page.isVisible()
+    at.person.ctrl(Key.Key_M)
+    window = at.window
+    at.person.until(window.isVisible)
+    at.person.until(lambda: any(row.key == ("SB1", "0") for row in window.page.rows))
+    QTest.keyClick(window.page.table, Key.Key_Escape)
+    assert not window.isVisible()
     assert at.person.window.mode == "supervise"
 
 
@@ -220,10 +234,10 @@ def test_the_button_at_the_facts_opens_it(sit: Sit) -> None:
     at.person.until(lambda: at.page.isVisible())
 
 
-def test_the_page_has_a_stop_of_its_own_while_a_run_exists(sit: Sit) -> None:
+def test_the_window_has_a_stop_of_its_own_while_a_run_exists(sit: Sit) -> None:
     run = AtRun(sit(SAMPLES / "hanoi-2.json", size=(1280, 800)))
     at = AtMonitor(run)
-    page = at.open()
+    page = at.open_apart()
     assert not page.stop.isVisible()
     page.close()
     run.person.come_back()
@@ -231,7 +245,7 @@ def test_the_page_has_a_stop_of_its_own_while_a_run_exists(sit: Sit) -> None:
     run.person.click(run.pane.transport.by_hand)
     run.person.press(Key.Key_F5)
     run.until_phase("Ready")
-    page = at.open()
+    page = at.open_apart()
     assert page.stop.isVisible()
     assert page.stop.size() == run.pane.transport.stop.size()
     assert page.phase.text() == "Ready"
@@ -247,15 +261,51 @@ def test_the_page_has_a_stop_of_its_own_while_a_run_exists(sit: Sit) -> None:
     run.person.until(lambda: not stop.isVisible())
 
 
-def test_the_key_that_opens_the_page_closes_it(sit: Sit) -> None:
+def test_stop_stays_in_view_over_the_page(sit: Sit) -> None:
+    at = _by_hand(sit, SAMPLES / "hanoi-2.json")
+    page = at.open()
+    assert page.isVisible()
+    assert at.run.pane.transport.stop.isVisible()
+    at.person.press(Key.Key_F8)
+    at.run.until_phase("Stopped")
+
+
+def test_a_click_on_a_chip_leads_to_the_row_of_the_fact(sit: Sit) -> None:
+    at = _by_hand(sit, SAMPLES / "hanoi-2.json")
+    facts = at.run.pane.facts
+    at.person.until(lambda: any(row.key == ("SB1", 1) for row in facts.facts.rows))
+    row = next(n for n, row in enumerate(facts.facts.rows) if row.key == ("SB1", 1))
+    chip = facts.visualRect(facts.facts.index(row, 2)).center()
+    QTest.mouseClick(facts.viewport(), Qt.MouseButton.LeftButton, pos=chip)
+    at.person.until(at.page.isVisible)
+    chosen = at.page.table.chosen
+    assert chosen is not None
+    assert chosen.key == ("SB1", "1")
+
+
+def test_the_key_that_opens_the_page_leaves_it(sit: Sit) -> None:
     at = AtMonitor(AtRun(sit(SAMPLES / "hanoi-2.json")))
     page = at.open()
+    at.person.ctrl(Key.Key_M)
+    assert not page.isVisible()
+    assert at.run.pane.isVisible()
+    at.person.ctrl(Key.Key_1)
+    at.open()
+    assert at.person.window.mode == "run"
+
+
+def test_the_key_that_opens_the_window_closes_it(sit: Sit) -> None:
+    at = AtMonitor(AtRun(sit(SAMPLES / "hanoi-2.json")))
+    at.person.ctrl(Key.Key_3)
+    at.person.ctrl(Key.Key_M)
+    page = at.window
     at.person.until(page.isActiveWindow)
     at.person.ctrl(Key.Key_M)
     assert not page.isVisible()
     at.person.come_back()
     # Behind the window it is brought to the front first.
-    at.open()
+    at.person.ctrl(Key.Key_M)
+    at.person.until(page.isVisible)
     at.person.come_back()
     at.person.ctrl(Key.Key_M)
     at.person.until(page.isActiveWindow)

@@ -374,3 +374,19 @@ def test_the_drawing_beside_the_text_is_that_of_the_step(sit: Sit) -> None:
     person.until(lambda: column.plays)
     assert column.canvas.branch == branch
     person.press(Qt.Key.Key_F8)
+
+
+def test_a_line_is_shown_in_the_notation_of_the_paper(sit: Sit, tmp_path: Path) -> None:
+    reader = Reader(sit(door_at(tmp_path / "door")))
+    reader.enter()
+    page, seen = reader.page, reader.feature.review.seen
+    assert seen is not None
+    key = next(one.line.key for one in seen.lines if one.line.about)
+    page.show_line(key)
+    card = page.reading.card(key)
+    assert card is not None
+    reader.person.click(card.notation.button)
+    lines = card.notation.words.text().splitlines()
+    assert lines
+    assert all(" = λs. " in line for line in lines)
+    assert sum(one.notation.isVisible() for one in page.reading.cards) == 1

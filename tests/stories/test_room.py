@@ -81,8 +81,9 @@ def room(sit: Sit, site: TlsSite, eye: Voice, clamp: Voice) -> AtRoom:
     run.person.press(Qt.Key.Key_F5)
     run.until_phase("Ready")
     at = AtRoom(run)
-    assert at.pages.names == ("One run", "Room")
-    at.pages.show_page("Room")
+    assert at.pages.names == ("One run", "Monitor")
+    at.pages.show_page("Monitor")
+    run.person.click(run.person.window.features.monitor.inside().buttons["Room"])
     at.until_standing("eye", FRESH)
     return at
 
@@ -140,7 +141,7 @@ def test_without_nodes_there_is_no_such_page(sit: Sit, tmp_path: Path) -> None:
     run = AtRun(sit(SAMPLES / "hanoi-2.json"))
     run.choose(world="table")
     run.person.press(Qt.Key.Key_F5)
-    body = run.person.window.features.run.body
-    assert body is not None
-    assert body.names == ("One run",)
-    assert not body.top.isVisible()
+    run.person.ctrl(Qt.Key.Key_M)
+    pages = run.person.window.features.monitor.inside()
+    run.person.until(pages.sensors.isVisible)
+    assert not pages.switch.isVisible()

@@ -102,8 +102,9 @@ def test_in_the_windows_beside_it(sit: Sit, asked: list[str], tmp_path: Path) ->
     path = tmp_path / "hanoi.json"
     path.write_bytes((SAMPLES / "hanoi.json").read_bytes())
     person = sit(path)
+    person.window.set_mode("supervise")
     person.ctrl(Key.Key_M)
-    page = person.window.features.monitor.opener.page
+    page = person.window.features.monitor.opener.window
     assert page is not None
     person.until(page.isVisible)
     assert deaf(person, page, asked) == set()

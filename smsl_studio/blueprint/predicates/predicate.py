@@ -93,11 +93,16 @@ def check_units(clause: Clause, sources: Mapping[str, Unit]) -> None:
         unit = unit_of(threshold.part, sources)
         if not threshold.unit.fits(unit):
             raise FormulaError(
-                f"{threshold.number} {threshold.unit.text} is compared with a measure in "
-                f"{unit.text}",
+                f"{threshold.number} {threshold.unit.text} is compared with {_measured(unit)}",
                 threshold.at,
-                f"Write the number in {unit.text}, or in another unit of its kind.",
+                "Write the number without a unit."
+                if unit.text == "1"
+                else f"Write the number in {unit.text}, or in another unit of its kind.",
             )
+
+
+def _measured(unit: Unit) -> str:
+    return "a count, which has no unit" if unit.text == "1" else f"a measure in {unit.text}"
 
 
 def unit_of(part: Expression, sources: Mapping[str, Unit]) -> Unit:

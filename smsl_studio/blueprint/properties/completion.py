@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
@@ -33,6 +33,8 @@ class Offers(NamedTuple):
 
     start: int
     texts: tuple[str, ...]
+    more: bool = True
+    """Whether something follows the text, so that a space stands behind it."""
 
 
 def offers_at(text: str, caret: int, blueprint: Blueprint) -> Offers:
@@ -42,15 +44,15 @@ def offers_at(text: str, caret: int, blueprint: Blueprint) -> Offers:
     for pattern, found in ((_VALUE, _values), (_STATE, _states)):
         match = pattern.search(before)
         if match is not None:
-            return _fitting(left, match, found(match, blueprint))
+            return fitting(left, match, found(match, blueprint))
     match = _SUBJECT.search(before)
     if match is not None:
-        return _fitting(left, match, _subjects(blueprint))
+        return fitting(left, match, _subjects(blueprint))
     match = _JOINT.search(before)
     if match is None:
         return Offers(caret, ())
     words = ("and", "or") if _is_whole(text[: left + match.start("typed")]) else ("=", "!=", "in")
-    return _fitting(left, match, iter(words))
+    return fitting(left, match, iter(words))
 
 
 def _values(match: re.Match[str], blueprint: Blueprint) -> Iterator[str]:
@@ -93,13 +95,15 @@ def _is_whole(text: str) -> bool:
     return True
 
 
-def _fitting(left: int, match: re.Match[str], texts: Iterator[str]) -> Offers:
+def fitting(left: int, match: re.Match[str], texts: Iterable[str]) -> Offers:
+    """Return the texts that contain what is typed, which begins ``left`` and the match's ``typed``
+    characters into the text. None if one of them is typed already."""
     start, typed = left + match.start("typed"), match["typed"]
     wanted, known = _plain(typed), tuple(islice(texts, LOOKED_THROUGH))
     if typed in known:
         return Offers(start, ())
-    fitting = (text for text in known if wanted in _plain(text))
-    return Offers(start, tuple(islice(fitting, MOST)))
+    found = (text for text in known if wanted in _plain(text))
+    return Offers(start, tuple(islice(found, MOST)))
 
 
 def _plain(text: str) -> str:

@@ -40,6 +40,9 @@ BROKER = 'broker = "localhost:8883"'
 _HOST = re.compile(r"[A-Za-z0-9:]([A-Za-z0-9.:-]{0,250}[A-Za-z0-9])?")
 _SAMPLE = re.compile(r".*\.(toml|json|py)")
 
+KEYS = "keys"
+"""The folder of certificates and keys below that of a site."""
+
 
 @dataclass(frozen=True)
 class NewSite:
@@ -82,11 +85,11 @@ def make_site(
             for name, raw in _sample(port):
                 _write(where / name, raw, written)
         site = read_site(where)
-        (where / "keys").mkdir(mode=0o700)
+        (where / KEYS).mkdir(mode=0o700)
         certified = login == "certificate"
         moment = datetime.now(UTC) if now is None else now
         for name, raw, private in _secrets(site, hosts, days, moment, certificates=certified):
-            _write(where / "keys" / name, raw, written, 0o600 if private else 0o644)
+            _write(where / KEYS / name, raw, written, 0o600 if private else 0o644)
         listens = "" if hosts else "127.0.0.1"
         conf = where / "mosquitto.conf"
         text = configuration(where, port, listens, _owner(), certificates=certified)
@@ -115,7 +118,7 @@ def _check(folder: Path, hosts: Sequence[str], port: int, days: int, login: str)
         raise UsageError(f"mosquitto cannot read the name of {str(folder)!r}")
     if os.path.lexists(folder) and not folder.is_dir():
         raise UsageError(f"{folder} is no folder", advice="Name another one.")
-    if os.path.lexists(folder / "keys"):
+    if os.path.lexists(folder / KEYS):
         raise UsageError(
             f"{folder / 'keys'} is there already, and keys are never replaced",
             advice="Take it away first. All nodes need their new keys then.",

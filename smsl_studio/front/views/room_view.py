@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.predicates.shown import shown_predicate
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.sites.site_file import Site, SiteNode, SitePerson
 from smsl_studio.monitor.bus import SourceKey
@@ -84,6 +85,8 @@ class RoomFact:
     rests_on: str
     age: float
     needed_by: tuple[str, ...]
+    sources: tuple[str, ...] = ()
+    """What its predicates read, by name."""
 
     @property
     def held_back(self) -> bool:
@@ -102,6 +105,10 @@ class RoomView:
     persons: tuple[PersonMark, ...]
     facts: tuple[RoomFact, ...]
     refused: tuple[str, ...] = ()
+
+    def of(self, node: NodeTag | None) -> tuple[RoomFact, ...]:
+        """Return the facts that a node feeds."""
+        return tuple(one for one in self.facts if node is not None and one.key in node.facts)
 
     @property
     def silent(self) -> int:
@@ -234,7 +241,8 @@ def _facts(
             continue
         branch = blueprint[fact[0]]
         sense = branch.notes.senses.get(fact[1])
-        predicates = tuple((one.value, one.text) for one in sense.predicates) if sense else ()
+        said = sense.predicates if sense is not None else ()
+        predicates = tuple((one.value, shown_predicate(one.text)) for one in said)
         on = branch.on_value(fact[1])
         yield RoomFact(
             key,
@@ -247,6 +255,7 @@ def _facts(
             ", ".join(_who(one) for one in nodes),
             reading.age,
             needed.get(fact, ()),
+            tuple(one.name for one in sense.sources) if sense is not None else (),
         )
 
 

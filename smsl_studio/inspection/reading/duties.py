@@ -8,6 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.predicates.shown import shown_predicate, shown_sources
 from smsl_studio.inspection.reading.plain_names import duration, listed, opened, people
 from smsl_studio.inspection.reading.sections import ReadingLine, ReadingSection, bounded
 from smsl_studio.inspection.reading.step_words import SYSTEM, StepWords, answer_time
@@ -109,18 +110,18 @@ def _source(
     source = words.source(branch, digit)
     level = words.levels.fact(branch.name, digit)
     sensors = note.sensors if note is not None else ()
-    if level == AUTOMATIC and not sensors:
+    measured = note is not None and isinstance(note.predicate, dict)
+    if level == AUTOMATIC and not sensors and not measured:
         yield "No sensor is written down. Where the world has none either, it is believed from "\
               "the steps that were done."  # fmt: skip
-    else:
+    elif sensors or not measured:
         yield f"{opened(source)}."
     if note is None:
         return
     if isinstance(note.predicate, dict):
-        measured = ", ".join(f"{name} in {unit}" for name, unit in note.sources.items())
-        yield f"It is decided from what is measured: {measured}."
+        yield f"It is decided from what is measured: {shown_sources(note.sources)}."
         for value, text in note.predicate.items():
-            yield f"It is {words.names.value(branch, digit, value)} if {text}."
+            yield f"It is {words.names.value(branch, digit, value)} if {shown_predicate(text)}."
     elif note.predicate:
         unit = f" ({note.unit})" if note.unit else ""
         yield f"It counts by this measure: {note.predicate}{unit}."

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
+from collections.abc import Collection
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRectF,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -215,6 +224,9 @@ class _FactCells(QStyledItemDelegate):
 class FactsTable(QTableView):
     """The table view; ``show_rows`` replaces what it shows."""
 
+    chosen = Signal(object)
+    """FactKey: a person wants to see what this fact rests on, by a click on a chip or Enter."""
+
     def __init__(
         self, tokens: Tokens, parent: QWidget | None = None, quality: str = COLUMNS[4]
     ) -> None:
@@ -246,7 +258,8 @@ class FactsTable(QTableView):
         self.setMaximumHeight(HEADS)
         self.setAccessibleName("Facts: believed and sensed")
         FocusLine(self)
-        CurrentCell(self)
+        self._cell = CurrentCell(self)
+        self.clicked.connect(lambda index: self._choose(index, (1, 2)))
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
         """Show other rows; the line of a group spans all columns."""
@@ -266,11 +279,19 @@ class FactsTable(QTableView):
             self._fit_names()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Pass letters and digits on, because they may be commands of the page."""
-        if event.text().isprintable() and event.text().strip():
+        """Enter chooses the fact. Letters and digits may be commands of the page."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._cell.index.isValid():
+            self._choose(self._cell.index, range(len(COLUMNS)))
+        elif event.text().isprintable() and event.text().strip():
             event.ignore()
         else:
             super().keyPressEvent(event)
+
+    def _choose(self, index: QModelIndex, columns: Collection[int]) -> None:
+        """Tell which fact was chosen, if the cell is in one of these columns."""
+        key = self.facts.rows[index.row()].key
+        if key is not None and index.column() in columns:
+            self.chosen.emit(key)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the name column into the new width."""

@@ -37,6 +37,7 @@ from smsl_studio.studio.shell.windows import Windows
 if TYPE_CHECKING:
     from smsl_studio.studio.features.inspection.panel import InspectionPanel
     from smsl_studio.studio.features.replay.playback import ReplayVerbs
+    from smsl_studio.studio.features.room.page import RoomPage
     from smsl_studio.studio.features.run.pane import RunPane
     from smsl_studio.studio.running.next_levels import NextLevels
     from smsl_studio.studio.running.run_session import RunSession
@@ -64,7 +65,7 @@ class Features(QObject):
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
-        self._shell, self._inspector = shell, parts.inspector
+        self._shell, self._inspector, self._parts = shell, parts.inspector, parts
         self.draw = DrawFeature(parts, shell)
         self.draw.notes.author = windows.persons.author
         self.inspection = InspectionFeature(parts, shell, self.draw.canvas)
@@ -85,10 +86,12 @@ class Features(QObject):
         self.settings = SettingsFeature(parts, shell)
         self.tour = TourFeature(parts, shell, self.help.show_first)
         self.run = RunFeature(parts, shell, windows.spare)
-        self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
+        self.monitor = MonitorFeature(self._run_in_front, parts.tokens, shell, self._room_page)
         self.room = RoomFeature(lambda: self.run.pane.run, parts.tokens)
-        self.room.disturb = self.monitor.toggle
-        self.run.further["Room"] = lambda: self.room.page
+        self.room.disturb = self.monitor.show_sensors
+        self.room.edit = self._edit_fact
+        self.run.further["Monitor"] = self.monitor.inside
+        self.monitor.toggle_page, self.monitor.show_page = self.run.toggle_page, self.run.show_page
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
@@ -111,6 +114,15 @@ class Features(QObject):
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
         yield from (self.people, self.monitor, self.room)
         yield from (self.replay, self.tour, self.help, self.settings)
+
+    def _room_page(self) -> RoomPage:
+        return self.room.page
+
+    def _edit_fact(self, branch: str, digit: int) -> None:
+        """Show the form of a fact in Draw, if its SB is drawn there."""
+        if branch in self._parts.session.blueprint.branches:
+            self._shell.set_mode("draw")
+            self.draw.going.show_fact(branch, digit)
 
     def _run_in_front(self) -> tuple[RunSession, QWidget]:
         return self.run.pane.run, self.run.pane
@@ -162,8 +174,10 @@ class Features(QObject):
         """Connect the parts of a run with each other, after they were made."""
         supervise, people = self.supervise.part(), self.people.part()
         self.tour.follow(pane.run)
+        supervise.check.table.chosen.connect(self.monitor.show_fact)
         pane.policy = lambda: self.approval.policy
         pane.monitor_wanted.connect(self.monitor.toggle)
+        pane.facts.chosen.connect(self.monitor.show_fact)
         pane.transport.world.activated.connect(lambda *_: self._inspect_in_world(pane))
         supervise.begin_wanted.connect(pane.play)
         pane.reset_wanted.connect(lambda: supervise.ask_for("reset"))

@@ -10,13 +10,14 @@ import pytest
 
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.views.measure_traces import MeasureTrace, traces_of
-from smsl_studio.runlog.events import Measured
+from smsl_studio.front.views.measure_traces import MeasureTrace, measured_of, traces_of
+from smsl_studio.runlog.events import FactChanged, Measured
 from smsl_studio.runlog.playback import RunObserver
 
 FACT = ("SB", 0)
 ENTRY = {
     "sources": {"force": "N", "tip": "m"},
+    "max_age": 20,
     "predicate": {
         "0": "force < 500 mN or age(tip) > 2 s",
         "1": "abs(force) > 2 N and distance(tip, tip) < 5 mm",
@@ -64,6 +65,26 @@ def test_only_the_last_30_s_count_and_what_is_no_measure_breaks_the_line(
     assert force.newest == "2.5 N"
     assert [axis[0] for axis in tip.lines] == [0.1, 0.2, 0.3]
     assert tip.newest == "its reading is bad"
+
+
+def test_a_measure_stays_for_its_age_and_then_nothing_is_measured(blueprint: Blueprint) -> None:
+    force, _ = traces(blueprint, measured(15.0, "force", "1.5"))
+    assert force.times == (15.0, 35.0)
+    assert isnan(force.lines[0][1])
+    assert force.newest == "no reading for 25.0 s"
+
+
+def test_a_recorded_run_is_plotted_at_any_moment(blueprint: Blueprint) -> None:
+    told = RunObserver()
+    told.tell([measured(1.0, "force", "1.5"), FactChanged(t=1.0, branch="SB", digit=0, value="0"),
+               measured(5.0, "force", "2.5"), FactChanged(t=5.0, branch="SB", digit=0, value="1"),
+               measured(9.0, "force", "3.5")])  # fmt: skip
+    found = measured_of(blueprint, FACT, told.story.history, 6.0)
+    assert found is not None
+    assert found.traces[0].times == (1.0, 5.0)
+    assert found.values == ((1.0, 5.0, "0"), (5.0, 6.0, "1"))
+    assert found.notation[0] == "f_1 = λs. F(sense(force, tip, s))"
+    assert measured_of(blueprint, ("SB", 1), told.story.history, 6.0) is None
 
 
 def test_without_predicates_that_decide_there_is_nothing(blueprint: Blueprint) -> None:

@@ -73,6 +73,7 @@ PARTS = {
     "PictureDialog": _window("pictures-diagrams-paper"),
     "RoomPage": HelpPlace("room.md", "the-page-room"),
     "MonitorPage": HelpPlace("monitoring.md", "the-monitor-page"),
+    "MonitorWindow": HelpPlace("monitoring.md", "the-monitor-page"),
     "PersonsDialog": _window("people", "Who answers"),
     "LevelEditor": HelpPlace("people.md", "levels"),
     "RecoveryOffer": _window("files", "The journal"),

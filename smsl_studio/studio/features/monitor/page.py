@@ -1,17 +1,15 @@
-"""The monitor page: a window of its own beside the run. It asks no questions."""
+"""The page Sensors of the monitor: every sensor, node and state check of the run."""
 
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
-from smsl_studio.blueprint.address import fact_text
-from smsl_studio.blueprint.notation import notation_of
-from smsl_studio.front.views.measure_traces import traces_of
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.front.views.measure_traces import measured_of
 from smsl_studio.front.views.monitor_rows import (
     Estimates,
     MonitorRow,
@@ -19,26 +17,23 @@ from smsl_studio.front.views.monitor_rows import (
     of_lost,
     summary,
 )
-from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, FaultInjected
 from smsl_studio.studio.base.controls import Elided, label, row, rule
-from smsl_studio.studio.base.key_button import command_button
+from smsl_studio.studio.base.headed_page import HeadedPage
 from smsl_studio.studio.base.panels import empty_panel, panel
 from smsl_studio.studio.base.rows import RowsView
-from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.monitor.checks import Checks
 from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
 from smsl_studio.studio.features.monitor.fault_bar import FaultBar
-from smsl_studio.studio.features.monitor.measure_plot import MeasurePlot
 from smsl_studio.studio.features.monitor.network import network_rows
 from smsl_studio.studio.features.monitor.table import MonitorTable
 from smsl_studio.studio.running.frames import head, split
-from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.running.measure_plot import MeasurePlot
 from smsl_studio.studio.running.run_session import RunSession
 
 SIZE = 1240, 720
@@ -49,18 +44,16 @@ EMPTY = (
 )
 
 
-class MonitorPage(QDialog):
-    """A non-modal dialog about the present run of its window."""
+class MonitorPage(HeadedPage):
+    """What is sensed in the present run of its window. ``head`` belongs above it."""
 
-    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget) -> None:
+    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
-        self.setWindowTitle("Monitor")
+        self.setAccessibleName("Monitor")
         self._run = run
         self._estimates = Estimates()
         self._build(tokens)
         self.set_tokens(tokens)
-        open_at(self, *SIZE)
         run.changed.connect(self.refresh)
         run.opened.connect(self._new_run)
         run.events_told.connect(self._hear)
@@ -82,17 +75,16 @@ class MonitorPage(QDialog):
         self._pages.addWidget(self.table)
         self._pages.addWidget(empty)
         self.plot = MeasurePlot(tokens)
+        self.setFocusProxy(self.table)
         self.table.row_chosen.connect(self._choose)
         self.table.disturb_wanted.connect(self._open_menu)
         self.bar.wanted.connect(self._disturb)
         self.faults.wanted.connect(self._inject)
-        # The page can cover the window, so it has its own Stop of the same size, words and key.
-        self.phase, self.stop = PhaseBadge(), command_button("stop", "stop", tokens)
-        self.stop.setFixedWidth(136)
-        self.stop.setToolTip("A controlled stop, at any time (F8)")
-        self.stop.clicked.connect(lambda: self._run.stop())
-        top = row(self.words, self._refusal, self._time, self.phase, self.stop)
-        top.setContentsMargins(12, 8, 12, 8)
+        self.apart = QToolButton()
+        self.apart.setProperty("role", "small")
+        self.apart.setText("Own window")
+        self.apart.setToolTip(tip_text("Open the monitor beside this window, or on another screen"))
+        self.head.setLayout(row(self.words, self._refusal, self._time, self.apart))
         left, column = empty_panel()
         for part in (self._pages, self.plot, rule(), self.bar, rule(), self.faults):
             column.addWidget(part, 1 if part is self._pages else 0)
@@ -107,11 +99,14 @@ class MonitorPage(QDialog):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
-        whole.addLayout(top)
-        whole.addWidget(rule())
         whole.addWidget(across, 1)
 
     # What is shown.
+
+    def choose_fact(self, fact: FactKey) -> None:
+        """Choose the row of a fact, so that its measures are plotted."""
+        self.refresh()
+        self.table.choose((fact[0], str(fact[1])))
 
     @property
     def rows(self) -> tuple[MonitorRow, ...]:
@@ -123,11 +118,6 @@ class MonitorPage(QDialog):
         if not self.isVisible():
             return
         run = self._run
-        file = Path(run.blueprint.file).name if run.foreign and run.blueprint is not None else ""
-        self.phase.show_file(file)
-        self.phase.show_phase(*phase_words(run.phase), run.sentence)
-        for part in (self.phase, self.stop):
-            part.setVisible(run.exists)
         status, blueprint = run.status, run.blueprint
         if status is None or blueprint is None or not status.configuration:
             self._show_nothing()
@@ -173,12 +163,10 @@ class MonitorPage(QDialog):
         """Plot the sources of the chosen fact, if predicates decide it."""
         run, row = self._run, self.table.chosen
         if run.blueprint is None or row is None or len(row.key) < 2:
-            self.plot.show_fact(None, (), 0.0)
+            self.plot.show_measured(None)
             return
         fact = row.key[0], int(row.key[1])
-        traces = traces_of(run.blueprint, fact, run.story.history, run.time)
-        notation = notation_of(run.blueprint, fact_text(*fact)) if traces else ()
-        self.plot.show_fact(fact, traces, run.time, notation)
+        self.plot.show_measured(measured_of(run.blueprint, fact, run.story.history, run.time))
 
     def _show_bar(self) -> None:
         self.bar.show_row(self.table.chosen, self._run.exists)
@@ -186,15 +174,14 @@ class MonitorPage(QDialog):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (self.table, self.plot, self.network, self.checks, self.stop):
+        for part in (self.table, self.plot, self.network, self.checks):
             part.set_tokens(tokens)
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the present state of the run, and give the keyboard focus to the table."""
+        """Show the present state of the run."""
         super().showEvent(event)
         self.refresh()
-        self.table.setFocus()
 
     # Disturbing.
 

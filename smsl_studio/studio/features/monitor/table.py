@@ -242,6 +242,13 @@ class MonitorTable(QTableView):
         rows = self.model_of_rows.rows
         return rows[at] if 0 <= at < len(rows) else None
 
+    def choose(self, key: tuple[str, ...]) -> None:
+        """Select the row with this key, if there is one."""
+        for at, row in enumerate(self.model_of_rows.rows):
+            if row.key == key:
+                self.cell.choose(self.model_of_rows.index(at, 0))
+                return
+
     def show_rows(self, rows: tuple[MonitorRow, ...]) -> None:
         """Show these rows; the selected one stays selected while it exists."""
         kept = self.chosen

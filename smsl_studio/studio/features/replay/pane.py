@@ -19,6 +19,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.features.replay.event_table import EventTable
+from smsl_studio.studio.features.replay.recorded_plot import RecordedPlot
 from smsl_studio.studio.features.replay.replay import Replay
 from smsl_studio.studio.running.facts_table import COLUMNS, FactsTable
 from smsl_studio.studio.running.frames import head, split
@@ -72,6 +73,8 @@ class ReplayPane(QWidget):
         self.canvas.canvas.collapse.join(SharedCollapse(self))
         self.facts, self.check = FactsTable(tokens), StateCheckView(tokens)
         self.facts.setColumnHidden(COLUMNS.index("Age"), True)
+        self.plot = RecordedPlot(replay, tokens)
+        self.facts.chosen.connect(self.plot.choose)
         self.events = EventTable()
         self.timeline = Timeline(tokens)
         self._build()
@@ -90,14 +93,14 @@ class ReplayPane(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
-        for part in (self.canvas, self.facts, self.check, self.timeline):
+        for part in (self.canvas, self.facts, self.check, self.timeline, self.plot):
             part.set_tokens(tokens)
         self._show_moment()
 
     def _build(self) -> None:
         self._count = label("", "small")
         events = panel(head("Events", None, self._count), self.events)
-        facts = panel(head("Facts, as they were sensed"), self.facts)
+        facts = panel(head("Facts, as they were sensed"), self.facts, self.plot)
         facts.setMinimumWidth(FACTS)
         below = split(Qt.Orientation.Horizontal, (facts, panel(self.check)), (428, 383), (1, 1))
         right = split(Qt.Orientation.Vertical, (events, below), (300, 250), (1, 0))
@@ -129,6 +132,7 @@ class ReplayPane(QWidget):
         # A log says when a reading changed, but not how old it was.
         self.facts.show_rows(as_they_were(fact_rows(blueprint, status)))
         check = status.check or last_check(blueprint, status, lost=False)
+        self.plot.refresh()
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         self.events.show_index(replay.index)
         self._count.setText(f"{replay.index:,} of {replay.count:,}")

@@ -9,12 +9,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QIcon, QMouseEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QVBoxLayout
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.reading.sections import ReadingLine
 from smsl_studio.inspection.review.review import ReviewComment
 from smsl_studio.inspection.review.reviewed import ReviewedLine
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.icons import icon, pixmap
+from smsl_studio.studio.base.notation_part import NotationPart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.review.answer_field import AnswerField
@@ -71,6 +73,10 @@ class LineCard(QFrame):
         self.field: AnswerField | None = None
         self.may_write: Callable[[], bool] = lambda: True
         """Whether an answer can be kept now. It tells the person if not."""
+        self.notation_of: Callable[[tuple[Address, ...]], tuple[str, ...]] = lambda about: ()
+        """Returns elements in the notation of the paper."""
+        self.notation = NotationPart()
+        self.notation.hide()
         self.setProperty("role", "readLine")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(plain_text(spoken(reviewed, looks.changed)))
@@ -108,6 +114,8 @@ class LineCard(QFrame):
         self.setProperty("here", here)
         self.style().unpolish(self)
         self.style().polish(self)
+        about = self.reviewed.line.about
+        self.notation.show_lines((lambda: self.notation_of(about)) if here and about else None)
         wanted = here and self.reviewed.approval is None
         self.approve.setProperty("role", "primary" if wanted else "")
         self.approve.style().unpolish(self.approve)
@@ -242,6 +250,7 @@ class LineCard(QFrame):
             view.reply_wanted.connect(self.write_reply)
             view.close_wanted.connect(self.close_wanted)
             self._text.addWidget(view)
+        self._text.addWidget(self.notation)
 
     def _flags(self) -> Iterator[tuple[str, str]]:
         if self.reviewed.line.open_point:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import StudioError, UsageError
+from smsl_studio.errors import AddressError, StudioError, UsageError
 from smsl_studio.front.reviews import keep_answers, review_in, review_of, waiting_answers
 from smsl_studio.inspection.review.entry import ReviewEntry
 from smsl_studio.inspection.review.review import Review, ReviewComment
@@ -22,6 +24,9 @@ from smsl_studio.studio.running.persons import Persons
 
 if TYPE_CHECKING:
     from smsl_studio.front.review_matter import ReviewMatter
+
+NOTED = 6
+"""At most so many elements of a line are shown in the notation of the paper."""
 
 
 class OpenReview(QObject):
@@ -95,6 +100,17 @@ class OpenReview(QObject):
             self._beside.drop()
             self._beside.do(partial(_matter_of, blueprint), partial(self._came, blueprint))
             self.changed.emit()
+
+    def notation_of(self, about: tuple[Address, ...]) -> tuple[str, ...]:
+        """Elements in the notation of the paper; those that are gone meanwhile are left out."""
+        # Few readers ask for it.
+        from smsl_studio.blueprint.notation import notation_of
+
+        blueprint, found = self._session.blueprint, dict[str, None]()
+        for address in about[:NOTED]:
+            with suppress(AddressError):
+                found.update(dict.fromkeys(notation_of(blueprint, str(address))))
+        return tuple(found) or ("It is not in the drawing any more.",)
 
     def may_answer(self) -> bool:
         """Whether answers can be kept beside a file; tells the person if there is no file."""

@@ -317,7 +317,7 @@ class ReviewPage(QWidget):
         card.grew.connect(lambda: self.reading.show_field(card))
         card.typed.connect(lambda kind, to, text: self._typed(card, kind, to, text))
         card.left.connect(lambda: self._left(card.reviewed))
-        card.may_write = review.may_answer
+        card.may_write, card.notation_of = review.may_answer, review.notation_of
         card.approve_wanted.connect(lambda note: self._approve(card, note))
         card.take_back_wanted.connect(lambda: review.take_back(card.reviewed))
         card.comment_wanted.connect(lambda text: self._say(card, text))

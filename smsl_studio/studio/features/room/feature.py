@@ -1,4 +1,4 @@
-"""The page Room as a feature: a page of Run, made when it is first shown."""
+"""The page Room as a feature: a part of the page Monitor, made when it is first shown."""
 
 from __future__ import annotations
 
@@ -21,6 +21,8 @@ class RoomFeature(Feature):
         self._run, self._tokens = run, tokens
         self.disturb: Callable[[], None] = lambda: None
         """Opens the page on which sensors are disturbed."""
+        self.edit: Callable[[str, int], None] = lambda branch, digit: None
+        """Shows the form of a fact: SB, digit."""
         self.part = LatePart(self._make)
 
     @property
@@ -33,6 +35,7 @@ class RoomFeature(Feature):
 
         page = RoomPage(self._run(), self._tokens)
         page.disturb_wanted.connect(lambda: self.disturb())
+        page.edit_wanted.connect(lambda branch, digit: self.edit(branch, digit))
         return page
 
     def set_tokens(self, tokens: Tokens) -> None:

@@ -11,12 +11,19 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QStackedWidget, QVBoxLay
 from smsl_studio.errors import StudioError
 from smsl_studio.front.elsewhere import room_of
 from smsl_studio.front.sites.site_file import KINDS, Site, SiteRoom
-from smsl_studio.front.views.room_view import RoomFact, RoomView, age_words, room_view
+from smsl_studio.front.views.room_view import (
+    FRESH,
+    RoomFact,
+    RoomView,
+    age_words,
+    room_view,
+)
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.studio.base.controls import Elided, Label, label, rule
+from smsl_studio.studio.base.headed_page import HeadedPage
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.room.facts_list import RoomFacts
-from smsl_studio.studio.features.room.node_panel import NodePanel
+from smsl_studio.studio.features.room.node_panel import NodePanel, RoomMoment
 from smsl_studio.studio.features.room.plan import RoomPlan
 from smsl_studio.studio.running.frames import split
 from smsl_studio.studio.running.run_session import RunSession
@@ -26,37 +33,43 @@ EMPTY = "No nodes here. Start the sample site: smsl-studio nodes run FOLDER --br
 LEGEND = "solid: fresh. dashed: stale. hatched, ?: silent. cut corner: two speakers"
 
 
-class RoomPage(QWidget):
+class RoomPage(HeadedPage):
     """The page. It follows the run while it is visible, and switches nothing."""
 
     disturb_wanted = Signal()
     """The person wants to disturb sensors."""
+    edit_wanted = Signal(str, int)
+    """SB, digit: the person wants to edit the predicate of a fact."""
 
     def __init__(self, run: RunSession, tokens: Tokens) -> None:
         super().__init__()
         self._run, self._tokens = run, tokens
         self._site: Site | None = None
-        self._node, self._hidden = "", set[str]()
+        self._node, self._fact, self._hidden = "", "", set[str]()
+        self._certificates: dict[str, str] = {}
         self.view: RoomView | None = None
         self.lock, self.silent = Label(rich=True), label("", "small")
         self.broker, self.fault = Elided(), label("", "refusal")
         self.kinds: dict[str, QPushButton] = {}
         self.plan, self.facts = RoomPlan(tokens), RoomFacts(tokens)
-        self.side = NodePanel(tokens)
+        self.side = NodePanel(tokens, self._certificate)
+        self.setFocusProxy(self.plan)
         self.plan.chosen.connect(self.choose)
         self.facts.chosen.connect(self._choose_fact)
         self.side.disturb_wanted.connect(self.disturb_wanted)
+        self.side.edit_wanted.connect(self.edit_wanted)
         self._build()
         run.changed.connect(self.refresh)
         run.opened.connect(self._new_run)
         self._new_run()
 
     def _build(self) -> None:
-        top = QHBoxLayout()
-        top.setContentsMargins(12, 6, 12, 6)
+        top = QHBoxLayout(self.head)
+        top.setContentsMargins(0, 0, 0, 0)
         top.setSpacing(8)
         for kind in KINDS:
             button = self.kinds[kind] = QPushButton(WORDS[kind])
+            button.setProperty("role", "switch")
             button.setCheckable(True)
             button.setChecked(True)
             button.setToolTip("Show or hide these nodes. A silent node is always shown")
@@ -73,8 +86,6 @@ class RoomPage(QWidget):
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addLayout(top)
-        column.addWidget(rule())
         column.addWidget(legend)
         column.addWidget(across, 1)
         whole = QWidget()
@@ -95,7 +106,7 @@ class RoomPage(QWidget):
 
     def choose(self, node: str) -> None:
         """Show a node at the right."""
-        self._node = node
+        self._node, self._fact = node, ""
         self.refresh()
 
     def refresh(self) -> None:
@@ -113,7 +124,9 @@ class RoomPage(QWidget):
             self._node = view.nodes[0].name
         self.plan.show_room(view, self._room, self._hidden, self._node)
         self.facts.facts.show(view.facts)
-        self.side.show_node(view, view.node(self._node))
+        moment = RoomMoment(view, blueprint, run.story.history, run.time)
+        self.side.show_node(moment, view.node(self._node), self._fact)
+        self._fact = ""
         self._show_head(view)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -124,10 +137,9 @@ class RoomPage(QWidget):
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the present state, and give the keys to the plan."""
+        """Show the present state."""
         super().showEvent(event)
         self.refresh()
-        self.plan.setFocus()
 
     @property
     def _room(self) -> SiteRoom:
@@ -151,6 +163,7 @@ class RoomPage(QWidget):
     def _new_run(self) -> None:
         """Read the site of the run's blueprint. A site that cannot be read has no plan."""
         self._site, words = None, ""
+        self._certificates.clear()
         blueprint = self._run.blueprint
         if blueprint is not None:
             try:
@@ -166,5 +179,23 @@ class RoomPage(QWidget):
         self.refresh()
 
     def _choose_fact(self, fact: RoomFact) -> None:
-        if fact.nodes:
-            self.choose(fact.nodes[0])
+        """Show a fact at the right, with the node that it rests on, a bad one first."""
+        view = self.view
+        if not fact.nodes or view is None:
+            return
+        tags = [tag for name in fact.nodes if (tag := view.node(name)) is not None]
+        bad = [tag.name for tag in tags if tag.standing != FRESH]
+        self._node, self._fact = (*bad, fact.nodes[0])[0], fact.key
+        self.refresh()
+
+    def _certificate(self, node: str) -> str:
+        """What is known of the certificate of a node; its file is read once in a run."""
+        if self.view is None or not self.view.secure:
+            return "none, nothing is encrypted"
+        if self._site is None:
+            return "not known"
+        if node not in self._certificates:
+            from smsl_studio.front.sites.node_certificate import certificate_words
+
+            self._certificates[node] = certificate_words(self._site, node)
+        return self._certificates[node]

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QBrush,
     QColor,
     QKeyEvent,
     QMouseEvent,
@@ -19,10 +18,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from smsl_studio.front.sites.site_file import SiteNode, SiteRoom
 from smsl_studio.front.views.room_view import (
-    CONTESTED,
     FRESH,
     SILENT,
-    STALE,
     NodeTag,
     PersonMark,
     RoomView,
@@ -30,7 +27,8 @@ from smsl_studio.front.views.room_view import (
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.rows import TextInk, paint_text
-from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE, Tokens, mono_font, text_font
+from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.features.room.node_tags import dashed, ground_of, ink_of, paint_tag
 from smsl_studio.studio.features.room.things import draw_patient, draw_thing
 
 TAG_WIDE, TAG_HIGH, GAP = 130.0, 36.0, 10.0
@@ -40,7 +38,6 @@ STRETCH = 1.4
 """How much wider than deep a metre may be drawn where there is room beside."""
 TABLE = 0.12, 0.34, 0.46, 0.26
 """The table in the sterile zone: x, y, width and height as shares of it."""
-MARKS = {FRESH: "signal", STALE: "clock", SILENT: "unknown", CONTESTED: "layers"}
 
 
 class RoomPlan(QWidget):
@@ -177,7 +174,7 @@ class RoomPlan(QWidget):
         for person in view.persons:
             self._person(painter, person)
         for tag in self.tags:
-            self._tag(painter, tag, places[tag.name])
+            paint_tag(painter, tag, places[tag.name], tag.name == self.node, tokens)
 
     def _zone(self, painter: QPainter) -> None:
         if self._room.sterile is None:
@@ -185,7 +182,7 @@ class RoomPlan(QWidget):
         tokens = self._tokens
         x, y, wide, deep = self._room.sterile
         zone = QRectF(self._at((x, y)), self._at((x + wide, y + deep)))
-        painter.setPen(_dashed(tokens.ok, 1.4))
+        painter.setPen(dashed(tokens.ok, 1.4))
         painter.setBrush(tokens.canvas)
         painter.drawRoundedRect(zone, 6, 6)
         a, b, c, d = TABLE
@@ -194,10 +191,19 @@ class RoomPlan(QWidget):
             c * zone.width(), d * zone.height(),
         )  # fmt: skip
         draw_patient(painter, table, tokens.nl, tokens.sunk)
-        words = QRectF(zone.left() + 10, zone.bottom() - 20, 120, 16)
-        paint_text(painter, words, "sterile zone", TextInk(tokens.ok, 11))
+        words = QRectF(zone.right() - 130, zone.top() - 18, 126, 16)
+        paint_text(painter, words, "sterile zone", TextInk(tokens.ok, 11), right=True)
         words = QRectF(table.right() - 60, table.bottom() - 18, 54, 16)
         paint_text(painter, words, "Patient", TextInk(tokens.tx2, 11), right=True)
+
+    def _below(self, at: QPointF) -> QColor:
+        """The colour of the floor at a point."""
+        tokens, zone = self._tokens, self._room.sterile
+        if zone is None:
+            return tokens.surf
+        x, y, wide, deep = zone
+        inside = QRectF(self._at((x, y)), self._at((x + wide, y + deep))).contains(at)
+        return tokens.canvas if inside else tokens.surf
 
     def _scale(self, painter: QPainter) -> None:
         tokens, inside = self._tokens, self._inside()
@@ -214,13 +220,13 @@ class RoomPlan(QWidget):
             return
         tokens, at = self._tokens, self._at(node.place)
         metre = self._inside().width() / self._room.size[0]
-        ink = tokens.acc if tag.standing == FRESH else self._ink(tag)
+        ink = tokens.acc if tag.standing == FRESH else ink_of(tag, tokens)
         if node.draws == "tracker":
             far = node.reach * metre
             wedge = QPolygonF([at, at + QPointF(-far, -0.12 * far), at + QPointF(-far, 0.3 * far)])
             ground = QColor(tokens.accs)
             ground.setAlpha(150 if tag.standing == FRESH else 0)
-            painter.setPen(_dashed(ink, 1.2))
+            painter.setPen(dashed(ink, 1.2))
             painter.setBrush(ground)
             painter.drawPolygon(wedge)
             return
@@ -236,8 +242,9 @@ class RoomPlan(QWidget):
         begin = QPointF(place.center().x(), place.bottom() if upper else place.top())
         bend = QPointF(begin.x(), at.y()) if abs(begin.x() - at.x()) > 2 else at
         fresh = tag.standing == FRESH
-        ink = self._tokens.acc if tag.name == self.node else self._tokens.nl
-        painter.setPen(QPen(ink if fresh else self._ink(tag), 1.2))
+        tokens = self._tokens
+        ink = tokens.acc if tag.name == self.node else tokens.nl
+        painter.setPen(QPen(ink if fresh else ink_of(tag, tokens), 1.2))
         painter.drawPolyline(QPolygonF([begin, bend, at]))
 
     def _thing(self, painter: QPainter, tag: NodeTag) -> None:
@@ -246,9 +253,9 @@ class RoomPlan(QWidget):
             return
         tokens, at = self._tokens, self._at(node.place)
         fresh = tag.standing == FRESH
-        ink = tokens.tx2 if fresh else self._ink(tag)
-        ground = tokens.surf if fresh else self._ground(tag)
-        painter.setPen(QPen(ink, 1.4) if fresh else _dashed(ink, 1.4))
+        ink = tokens.tx2 if fresh else ink_of(tag, tokens)
+        ground = tokens.surf if fresh else ground_of(tag, tokens)
+        painter.setPen(QPen(ink, 1.4) if fresh else dashed(ink, 1.4))
         draw_thing(painter, node.draws, at, ink, ground)
         if node.draws == "tray":
             self._tray(painter, tag, node, at)
@@ -268,10 +275,10 @@ class RoomPlan(QWidget):
         for slot in range(node.tags):
             box = QRectF(at.x() - 34 + slot * (68 / max(node.tags, 1)), at.y() - 13, 12, 26)
             if read is None:
-                painter.setPen(_dashed(tokens.unk, 1))
+                painter.setPen(dashed(tokens.unk, 1))
                 painter.setBrush(Qt.BrushStyle.BDiagPattern)
             elif slot < node.tags - read:
-                painter.setPen(_dashed(tokens.acc, 1.2))
+                painter.setPen(dashed(tokens.acc, 1.2))
                 painter.setBrush(tokens.accs)
             else:
                 painter.setPen(QPen(tokens.tx2, 1))
@@ -292,7 +299,7 @@ class RoomPlan(QWidget):
         ink = tokens.unk if unknown else tokens.tx3 if gone else tokens.tx2
         if mark.here and mark.sterile:
             ink = tokens.ok
-        painter.setPen(_dashed(ink, 1.4) if unknown or gone else QPen(ink, 1.6))
+        painter.setPen(dashed(ink, 1.4) if unknown or gone else QPen(ink, 1.6))
         painter.setBrush(tokens.oks if ink == tokens.ok else tokens.surf)
         painter.drawEllipse(at, DISC, DISC)
         box = QRectF(at.x() - 8, at.y() - 8, 16, 16)
@@ -306,70 +313,14 @@ class RoomPlan(QWidget):
         painter.setPen(tokens.tx)
         centre = Qt.AlignmentFlag.AlignCenter
         name = QRectF(at.x() - 80, at.y() + DISC + 2, 160, 15)
-        painter.drawText(name, centre, plain_text(mark.title))
+        title = plain_text(mark.title)
+        # A line that passes below the words would make them hard to read.
+        wide = painter.fontMetrics().horizontalAdvance(title) + 4
+        painter.fillRect(QRectF(at.x() - wide / 2, name.top(), wide, 28), self._below(at))
+        painter.drawText(name, centre, title)
         painter.setFont(text_font(11, 400))
         painter.setPen(ink)
         painter.drawText(name.translated(0, 14), centre, mark.words)
-
-    def _tag(self, painter: QPainter, tag: NodeTag, place: QRectF) -> None:
-        tokens, fresh = self._tokens, tag.standing == FRESH
-        ink = self._ink(tag)
-        painter.setPen(QPen(tokens.nl, 1.2) if fresh else self._pen(tag))
-        painter.setBrush(self._ground(tag))
-        painter.drawRoundedRect(place, RADIUS_NODE - 3, RADIUS_NODE - 3)
-        if tag.standing == SILENT:
-            hatch = QColor(tokens.unk)
-            hatch.setAlpha(60)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(hatch)
-            painter.setBrush(_hatch(hatch))
-            painter.drawRoundedRect(place, RADIUS_NODE - 3, RADIUS_NODE - 3)
-        if tag.standing == CONTESTED:
-            corner = place.topRight()
-            cut = QPolygonF([corner, corner + QPointF(-11, 0), corner + QPointF(0, 11)])
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(tokens.bad)
-            painter.drawPolygon(cut)
-        if tag.name == self.node:
-            painter.setPen(QPen(tokens.acc, 2))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawRoundedRect(place.adjusted(-3, -3, 3, 3), RADIUS_NODE, RADIUS_NODE)
-        name = place.adjusted(8, 2, -26, -17)
-        paint_text(painter, name, tag.title, TextInk(tokens.tx, 12, 600))
-        mark = QRectF(place.left() + 8, place.bottom() - 16, 12, 12)
-        draw(painter, MARKS[tag.standing], mark, tokens.ok if fresh else ink, tokens.surf)
-        words = place.adjusted(24, 17, -6, -2)
-        paint_text(painter, words, tag.words, TextInk(tokens.tx2 if fresh else ink, 11, 500))
-        count = QRectF(place.right() - 24, place.top() + 3, 16, 15)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(tokens.sunk)
-        painter.drawRoundedRect(count, RADIUS_CHIP, RADIUS_CHIP)
-        painter.setPen(tokens.tx)
-        painter.setFont(text_font(11, 500))
-        painter.drawText(count, Qt.AlignmentFlag.AlignCenter, str(len(tag.facts)))
-
-    def _ink(self, tag: NodeTag) -> QColor:
-        tokens = self._tokens
-        return {FRESH: tokens.ok, CONTESTED: tokens.bad}.get(tag.standing, tokens.unk)
-
-    def _ground(self, tag: NodeTag) -> QColor:
-        tokens = self._tokens
-        grounds = {SILENT: tokens.unks, CONTESTED: tokens.bads}
-        return grounds.get(tag.standing, tokens.surf)
-
-    def _pen(self, tag: NodeTag) -> QPen:
-        ink = self._ink(tag)
-        return QPen(ink, 1.4) if tag.standing == CONTESTED else _dashed(ink, 1.4)
-
-
-def _dashed(ink: QColor, wide: float) -> QPen:
-    pen = QPen(ink, wide)
-    pen.setDashPattern([4, 3])
-    return pen
-
-
-def _hatch(ink: QColor) -> QBrush:
-    return QBrush(ink, Qt.BrushStyle.BDiagPattern)
 
 
 def _count(text: str | None) -> int | None:

@@ -76,17 +76,27 @@ class RunFeature(Feature):
 
     def _page(self) -> Page:
         pane = self.pane
-        pages = self.body = RunPages(pane)
-        pane.run.changed.connect(self._offer_pages)
+        pages = self.body = RunPages(pane, pane.canvas.canvas)
         self._offer_pages()
-        return Page(pages, pane.canvas.canvas, pane.transport)
+        return Page(pages, pages, pane.transport)
 
     def _offer_pages(self) -> None:
-        """Offer further pages while the run listens to nodes, and as long as it is shown."""
+        """Offer the further pages, each made when it is first shown."""
         if self.body is not None:
-            heard = self.pane.run.remote() is not None
             for name, make in self.further.items():
-                self.body.offer(name, make, heard)
+                self.body.offer(name, make)
+
+    def show_page(self, name: str) -> None:
+        """Show a page of Run, and give it the keys."""
+        self._shell.set_mode("run")
+        assert self.body is not None
+        self.body.show_page(name)
+        self.body.setFocus()
+
+    def toggle_page(self, name: str) -> None:
+        """Show a page of Run; if it is shown already, the run itself."""
+        shown = self._shell.mode == "run" and self.body is not None and self.body.shown == name
+        self.show_page(HOME if shown else name)
 
     def _make(self) -> RunPane:
         from smsl_studio.studio.features.run.pane import RunPane

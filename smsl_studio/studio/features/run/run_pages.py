@@ -1,26 +1,31 @@
-"""The pages of Run, with a row of tabs while there is more than one. Stop stays in the mode bar."""
+"""The pages of Run, with a row of tabs if there is more than one. Stop stays in the mode bar."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from smsl_studio.studio.base.controls import name_parts, row, rule
 from smsl_studio.studio.base.tabs import HEIGHT, tab_bar
 
 HOME = "One run"
+HIGH = 600
+"""A page of Run that is lower shows its tabs only beside a further page (pixels). Keys and menus
+lead to those."""
 
 
 class RunPages(QWidget):
-    """The run itself, and further pages, each made when it is first shown."""
+    """The run itself, and further pages, each made when it is first shown.
 
-    shown = Signal()
-    """Another page is shown."""
+    ``focus`` takes the keys of the run itself. The page that is shown takes those of the mode.
+    """
 
-    def __init__(self, home: QWidget) -> None:
+    def __init__(self, home: QWidget, focus: QWidget) -> None:
         super().__init__()
+        self._focus = focus
+        self.setFocusProxy(focus)
         self._stack = QStackedWidget()
         self._stack.addWidget(home)
         self._make: dict[str, Callable[[], QWidget]] = {}
@@ -51,13 +56,15 @@ class RunPages(QWidget):
         """The names on the tabs."""
         return tuple(self.bar.tabText(at) for at in range(self.bar.count()))
 
-    def offer(self, name: str, make: Callable[[], QWidget], offered: bool) -> None:
-        """Offer a page, or take its tab away. ``make`` is called when it is first shown."""
+    @property
+    def shown(self) -> str:
+        """The name of the page that is shown."""
+        return self.bar.tabText(self.bar.currentIndex())
+
+    def offer(self, name: str, make: Callable[[], QWidget]) -> None:
+        """Offer a page. ``make`` is called when it is first shown."""
         self._make[name] = make
-        if offered and name not in self.names:
-            self.bar.addTab(name)
-        elif not offered and name in self.names:
-            self.bar.removeTab(self.names.index(name))
+        self.bar.addTab(name)
         self._fit()
 
     def show_page(self, name: str) -> None:
@@ -75,10 +82,17 @@ class RunPages(QWidget):
         for one in self._pages.values():
             policy = QSizePolicy.Policy.Preferred if one is page else QSizePolicy.Policy.Ignored
             one.setSizePolicy(policy, policy)
+        self.setFocusProxy(self._focus if name == HOME else page)
         self._stack.setCurrentWidget(page)
-        self.shown.emit()
+        self._fit()
 
     def _fit(self) -> None:
         several = self.bar.count() > 1
-        self.top.setVisible(several)
-        self._line.setVisible(several)
+        shown = several and (self.height() >= HIGH or self.shown != HOME)
+        self.top.setVisible(shown)
+        self._line.setVisible(shown)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the tabs out where the run needs their room."""
+        super().resizeEvent(event)
+        self._fit()

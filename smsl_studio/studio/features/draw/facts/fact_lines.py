@@ -40,6 +40,8 @@ class TabledFact:
     """Whether a person says what it is."""
     age: str
     unit: str
+    measured: str = ""
+    """The sources that decide it, if predicates do."""
 
     @property
     def words(self) -> str:
@@ -50,6 +52,7 @@ class TabledFact:
             source = f"expanded by {self.sub}"
         else:
             source = f"read by {self.source}" if self.source else "no sensor"
+            source = f"decided from {self.measured}" if self.measured else source
             source = "a person says it" if self.told and not self.source else source
         name = self.name or f"Fact {self.digit + 1}"
         parts = [name, f"digit {self.digit}", *values, source]
@@ -90,4 +93,5 @@ def _line(branch: StateBranch, digit: int) -> TabledFact:
         note.aggregation == "human",
         age,
         note.unit,
+        ", ".join(note.sources) if isinstance(note.predicate, dict) else "",
     )

@@ -68,8 +68,9 @@ class FactPainter(QStyledItemDelegate):
             self._with_icon(painter, cell, "layers", TextInk(tokens.acc, 12))
         elif cell.kind == "source":
             told = line.told and not line.source
-            words = cell.text or ("a person says it" if told else HINTS["source"])
-            ink = TextInk(tokens.tx2 if cell.text or told else tokens.tx3, 12, mono=bool(cell.text))
+            said = cell.text or line.measured
+            words = said or ("a person says it" if told else HINTS["source"])
+            ink = TextInk(tokens.tx2 if said or told else tokens.tx3, 12, mono=bool(said))
             icon = "person" if line.told else "signal"
             self._with_icon(painter, Cell("source", rect, words), icon, ink)
         else:

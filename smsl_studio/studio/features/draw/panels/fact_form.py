@@ -15,23 +15,26 @@ from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.predicates.fact_sense import HIGHEST
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.lines.text import ListLine, NumberBounds, NumberLine, TextLine
+from smsl_studio.studio.base.notation_part import NotationPart
 from smsl_studio.studio.base.small_button import SmallButton
+from smsl_studio.studio.base.tag import Tag
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
-from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import (
     NoteEntry,
     NoteForm,
     misfits_of,
+    short_step,
     written_words,
 )
-from smsl_studio.studio.features.draw.panels.tag import Tag
+from smsl_studio.studio.features.draw.panels.sense_part import SensePart
 from smsl_studio.studio.features.draw.panels.value_table import ValueTable
 
 PLAIN = FactNote()
@@ -47,6 +50,8 @@ TABLED = ("values", "on", "failure")
 """Keys of a fact note that the table of values shows."""
 SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age", "conflict_after")
 """Keys of a sensed fact. A fact that a sub-SB expands uses none of them."""
+SAID = frozenset(SENSED) - {"max_age"}
+"""Keys of sensors that say a value. A fact that is decided from measures uses none of them."""
 
 
 class FactForm(NoteForm):
@@ -73,7 +78,7 @@ class FactForm(NoteForm):
         self.enter.setProperty("role", "link")
         self.enter.clicked.connect(lambda: self.sub_wanted.emit(self._sub or ""))
         self._sub: str | None = None
-        self._build()
+        self._build(tokens)
         self.set_tokens(tokens)
 
     @property
@@ -85,9 +90,10 @@ class FactForm(NoteForm):
         """Use the colours of another theme."""
         self.chip.set_tokens(tokens)
         self._values.set_tokens(tokens)
+        self.sensed.set_tokens(tokens)
         self.close_button.set_tokens(tokens)
 
-    def _build(self) -> None:
+    def _build(self, tokens: Tokens) -> None:
         self.name = self.add("name", TextLine("Name", "A plain name of the fact, for people")).field
         self.column.addWidget(self._values)
         self._said = Sentence("refusal")
@@ -108,8 +114,14 @@ class FactForm(NoteForm):
                                  "sensors"))  # fmt: skip
         self.add("predicate", TextLine("Predicate", "The threshold or condition that is read, "
                                        "such as distance < 2", "such as distance < 2"))  # fmt: skip
-        self.decided = Sentence("hint")
-        self.column.addWidget(self.decided)
+        self.sensed = SensePart(tokens)
+        self.column.addWidget(self.sensed)
+        self.sensed.given.connect(self._write_sense)
+        self.sensed.opened.connect(lambda: self.show_fact(self._session.blueprint, self._branch,
+                                                          self._digit))  # fmt: skip
+        self.add("log_rate", NumberLine(
+            "Log rate", "How often the log of a run keeps what its sources measure",
+            NumberBounds(0, open=True, most=HIGHEST), "Hz"))  # fmt: skip
         self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
         self.add("max_age", NumberLine(
             "Max. age", "A reading older than this counts as unknown",
@@ -136,18 +148,17 @@ class FactForm(NoteForm):
         written = written_words(branch, "_facts", key) - set(misfits)
         self.chip.show_tag(key, "value", self._sub is not None)
         self._place.setText(f"of {name}")
-        decided = decision_words(note)
-        if decided:
+        measured = self.sensed.show_fact(blueprint, branch, digit, self.who())
+        if isinstance(note.predicate, dict):
             # Predicates are a map, which a line cannot show. It would write a text over them.
             note, written = replace(note, predicate=""), written - {"predicate"}
-        self.decided.say(decided)
         self.show_entries([NoteEntry(name, key, note, PLAIN, written, misfits=misfits)])
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
         self._values.show_values(values, note, branch.on_value(digit))
         self._values.setVisible(bool(self._values.rows))
         self._said.say(_value_misfits(misfits))
         self.name.setPlaceholderText(f"Fact {digit + 1}")
-        self._show_source(blueprint, branch, note, written)
+        self._show_source(blueprint, branch, note, written, measured)
         self.notation.show_element(blueprint, fact_text(name, digit))
 
     def who(self) -> str:
@@ -155,17 +166,23 @@ class FactForm(NoteForm):
         return f"digit {self._digit} of {self._branch}"
 
     def _show_source(
-        self, blueprint: Blueprint, branch: StateBranch, note: FactNote, written: frozenset[str]
+        self,
+        blueprint: Blueprint,
+        branch: StateBranch,
+        note: FactNote,
+        written: frozenset[str],
+        measured: bool,
     ) -> None:
         sub = self._sub
         for word in SENSED:
             # A written key that has no effect is shown, so that it can be removed.
-            self._lines[word].setVisible(sub is None or word in written)
-        if sub is None:
-            count = len(note.sensors)
-            several = count > 1 or "conflict_after" in written
+            useful = sub is None and not (measured and word in SAID)
+            self._lines[word].setVisible(useful or word in written)
+        self.sensed.setVisible(sub is None or measured)
+        self._lines["log_rate"].setVisible(measured or "log_rate" in written)
+        if sub is None and not measured:
+            several = len(note.sensors) > 1 or "conflict_after" in written
             self._lines["conflict_after"].setVisible(several)
-            self._lines["predicate"].setVisible(not self.decided.text())
             self._lines["k"].setVisible(note.aggregation == "k_of_n" or "k" in written)
         asked = sub is None and Levels(blueprint).fact(branch.name, self._digit) != AUTOMATIC
         self.asking.show(asked, written)
@@ -196,18 +213,14 @@ class FactForm(NoteForm):
             f"Use the default for {said} in {self.who()}")  # fmt: skip
         self._write({word: value}, step)
 
+    def _write_sense(self, words: Mapping[str, Any], step: str) -> None:
+        changes = {(self._branch, str(self._digit)): words}
+        self.edit(short_step(step), lambda bp: change_notes(bp, "_facts", changes),
+                  self.sensed.fault.say)  # fmt: skip
+
     def _write(self, words: Mapping[str, Any], step: str) -> None:
         changes = {(self._branch, str(self._digit)): words}
         self.edit(step, lambda bp: change_notes(bp, "_facts", changes), self._said.say)
-
-
-def decision_words(note: FactNote) -> str:
-    """The sources and predicates of a fact, a line for each. Empty if it has no predicates."""
-    if isinstance(note.predicate, str):
-        return ""
-    measured = ", ".join(f"{name} ({unit})" for name, unit in note.sources.items())
-    lines = (f"{value} if {text}" for value, text in note.predicate.items())
-    return as_it_is("\n".join((f"Decided from {measured or 'nothing'}:", *lines)))
 
 
 def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -> str:

@@ -13,9 +13,9 @@ from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.chip_kinds import VALUE
 from smsl_studio.studio.base.controls import Combo, Field, label
+from smsl_studio.studio.base.tag import Tag
 from smsl_studio.studio.base.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.draw.panels.tag import Tag
 
 MOST = 64
 """At most this many facts have a row; a typing error in NUM_FACTS must not add thousands."""

@@ -119,7 +119,7 @@ class NoteForm(Panel):
             """The blueprint with the changed annotations."""
             return change_notes(blueprint, self._table, changes)
 
-        return self.edit(_short(step), change, line.refuse)
+        return self.edit(short_step(step), change, line.refuse)
 
     def edit(
         self, step: str, change: Callable[[Blueprint], Blueprint], refuse: Callable[[str], None]
@@ -164,5 +164,6 @@ def _each(shown: Sequence[ShownValue]) -> list[ShownValue]:
     return found
 
 
-def _short(step: str) -> str:
+def short_step(step: str) -> str:
+    """The words of a step, cut where they are too long for a row of the history."""
     return step if len(step) <= 120 else f"{step[:119]}…"

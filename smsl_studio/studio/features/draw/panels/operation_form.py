@@ -24,6 +24,7 @@ from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue
 from smsl_studio.studio.base.lines.requires import RequiresLine
 from smsl_studio.studio.base.lines.roles import RolesLine
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLine
+from smsl_studio.studio.base.notation_part import NotationPart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
@@ -31,7 +32,6 @@ from smsl_studio.studio.document.rename_loss import RenameWarning
 from smsl_studio.studio.document.rename_scopes import RenameScope, rename_scopes
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
-from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import NoteForm
 from smsl_studio.studio.features.draw.panels.operation_entries import entries_of, noted_edges
 from smsl_studio.studio.features.draw.panels.try_alone import TryAlone

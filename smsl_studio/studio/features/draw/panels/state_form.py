@@ -22,13 +22,13 @@ from smsl_studio.studio.base.lines.box import BoxLine
 from smsl_studio.studio.base.lines.choice import SwitchLine
 from smsl_studio.studio.base.lines.line import ShownValue, labelled
 from smsl_studio.studio.base.lines.text import ListLine, TextLine
+from smsl_studio.studio.base.notation_part import NotationPart
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.kept import KeptValues
-from smsl_studio.studio.features.draw.panels.notation_part import NotationPart
 from smsl_studio.studio.features.draw.panels.note_form import (
     NoteEntry,
     NoteForm,

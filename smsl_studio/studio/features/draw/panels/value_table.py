@@ -13,9 +13,9 @@ from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Field, label
 from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.tag import Tag
 from smsl_studio.studio.base.theme import CONTROL_ROW, Tokens
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.draw.panels.tag import Tag
 
 MOST = 64
 Role = QPalette.ColorRole

@@ -1,6 +1,9 @@
-"""The selected element in the notation of the paper, on demand."""
+"""An element in the notation of the paper, on demand."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
@@ -19,7 +22,7 @@ class NotationPart(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._about: tuple[Blueprint, str] | None = None
+        self._about: Callable[[], Sequence[str]] | None = None
         self.button = QPushButton(SHOW)
         self.button.setProperty("role", "link")
         self.button.setCheckable(True)
@@ -37,8 +40,12 @@ class NotationPart(QWidget):
 
     def show_element(self, blueprint: Blueprint, address: str) -> None:
         """Set what it is about; an empty address hides it."""
-        self._about = (blueprint, address) if address else None
-        self.setVisible(bool(address))
+        self.show_lines(partial(_lines, blueprint, address) if address else None)
+
+    def show_lines(self, about: Callable[[], Sequence[str]] | None) -> None:
+        """Set what returns the definitions; None hides it."""
+        self._about = about
+        self.setVisible(about is not None)
         self._write()
 
     def _write(self) -> None:
@@ -47,8 +54,11 @@ class NotationPart(QWidget):
         self.words.setVisible(shown)
         if not shown or self._about is None:
             return
-        try:
-            lines = notation_of(*self._about)
-        except AddressError as error:
-            lines = (error.sentence,)
-        self.words.setText("\n".join(map(plain_text, lines)))
+        self.words.setText("\n".join(map(plain_text, self._about())))
+
+
+def _lines(blueprint: Blueprint, address: str) -> tuple[str, ...]:
+    try:
+        return notation_of(blueprint, address)
+    except AddressError as error:
+        return (error.sentence,)

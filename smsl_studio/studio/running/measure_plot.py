@@ -6,16 +6,20 @@ from math import isnan
 
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.front.views.measure_traces import AXES, SPAN, MeasureTrace
+from smsl_studio.front.views.measure_traces import AXES, SPAN, MeasuredFact, MeasureTrace
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.base.controls import Combo, Elided, Label, label
 from smsl_studio.studio.base.theme import Tokens, text_font
+from smsl_studio.studio.running.fact_strip import FactStrip
 
-HEIGHT = 230
+HEIGHT, LOW = 250, 232
+"""The height in a wide page, and beside a plan, where the notation is left out."""
+AXIS = 44
+"""The room for the numbers at the left of a plot."""
 MARGIN = 0.12
 """The part of the shown range that stays free above and below."""
 
@@ -26,9 +30,9 @@ class MeasurePlot(QWidget):
     It is hidden while there is nothing to plot.
     """
 
-    def __init__(self, tokens: Tokens) -> None:
+    def __init__(self, tokens: Tokens, low: bool = False) -> None:
         super().__init__()
-        self._tokens = tokens
+        self._tokens, self._low = tokens, low
         self._traces: tuple[MeasureTrace, ...] = ()
         self._fact: FactKey | None = None
         self._now = 0.0
@@ -49,6 +53,10 @@ class MeasurePlot(QWidget):
         self.plot.hideButtons()
         self.plot.setMenuEnabled(False)
         self.plot.setMouseEnabled(x=False, y=False)
+        self.plot.getAxis("left").setWidth(AXIS)
+        self._gaps: list[pg.LinearRegionItem] = []
+        self._between: list[pg.LinearRegionItem] = []
+        self.strip = FactStrip(tokens, AXIS)
         self._curves: list[pg.PlotDataItem] = []
         self._lines: list[pg.InfiniteLine] = []
         across = QHBoxLayout()
@@ -62,23 +70,23 @@ class MeasurePlot(QWidget):
         column.setSpacing(0)
         column.addLayout(across)
         column.addWidget(self.plot, 1)
+        below = QHBoxLayout()
+        below.setContentsMargins(0, 0, 0, 4)
+        below.addWidget(self.strip)
+        column.addLayout(below)
         column.addWidget(self.notation)
-        self.setFixedHeight(HEIGHT)
+        self.notation.setVisible(not low)
+        self.setFixedHeight(LOW if low else HEIGHT)
         self.set_tokens(tokens)
         self.hide()
 
-    def show_fact(
-        self,
-        fact: FactKey | None,
-        traces: tuple[MeasureTrace, ...],
-        now: float,
-        notation: tuple[str, ...] = (),
-    ) -> None:
-        """Show the sources of a fact as they are at ``now`` (simulated s).
-
-        ``notation`` are the lines of the fact in the notation of the paper.
-        """
-        self._traces, self._now = traces, now
+    def show_measured(self, measured: MeasuredFact | None) -> None:
+        """Show the sources of a fact; None hides the plot."""
+        fact = measured.key if measured is not None else None
+        traces = self._traces = measured.traces if measured is not None else ()
+        notation = measured.notation if measured is not None else ()
+        self._now = measured.now if measured is not None else 0.0
+        self.strip.show_values(measured.values if measured is not None else (), self._now)
         if fact != self._fact or self.source.count() != len(traces):
             self._fact = fact
             self.source.blockSignals(True)
@@ -87,7 +95,8 @@ class MeasurePlot(QWidget):
                 self.source.addItem(plain_text(trace.source))
             self.source.blockSignals(False)
         self.notation.setText("\n".join(map(plain_text, notation)))
-        self.setFixedHeight(HEIGHT + max(0, len(notation) - 3) * 16)
+        if not self._low:
+            self.setFixedHeight(HEIGHT + max(0, len(notation) - 3) * 16)
         self.setVisible(bool(traces))
         self._draw()
 
@@ -96,6 +105,11 @@ class MeasurePlot(QWidget):
         names = [one.source for one in self._traces]
         if source in names:
             self.source.setCurrentIndex(names.index(source))
+
+    @property
+    def fact(self) -> FactKey | None:
+        """The fact whose sources are plotted."""
+        return self._fact
 
     @property
     def shown(self) -> MeasureTrace | None:
@@ -108,9 +122,15 @@ class MeasurePlot(QWidget):
         """The heights of the lines that are drawn."""
         return tuple(float(line.value()) for line in self._lines)
 
+    @property
+    def gaps(self) -> tuple[tuple[float, float], ...]:
+        """From and to (s, negative: ago) of each time at which nothing was measured."""
+        return tuple((float(low), float(high)) for low, high in (r.getRegion() for r in self._gaps))
+
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
+        self.strip.set_tokens(tokens)
         self.plot.setBackground(tokens.surf)
         for side in ("left", "bottom"):
             axis = self.plot.getAxis(side)
@@ -121,9 +141,9 @@ class MeasurePlot(QWidget):
 
     def _remake(self) -> None:
         """Draw anew all that has colours."""
-        for item in (*self._curves, *self._lines):
+        for item in (*self._curves, *self._lines, *self._gaps, *self._between):
             self.plot.removeItem(item)
-        self._curves, self._lines = [], []
+        self._curves, self._lines, self._gaps, self._between = [], [], [], []
         self._draw()
 
     def _draw(self) -> None:
@@ -140,11 +160,13 @@ class MeasurePlot(QWidget):
         for curve, line in zip(self._curves, trace.lines, strict=False):
             # A measure stays as it is until the next one, and until now.
             curve.setData([*ago, 0.0] if ago else [], [*line, *line[-1:]])
+        self._place_gaps(trace, ago)
         self._place_lines(trace)
         self._fit(trace)
         unit = "" if trace.unit == "1" else trace.unit
         self.plot.setLabel("left", unit, color=self._tokens.tx2.name())
-        self.plot.setLabel("bottom", "s before now", color=self._tokens.tx2.name())
+        if not self._low:
+            self.plot.setLabel("bottom", "s before now", color=self._tokens.tx2.name())
         self.newest.setText(f"now {trace.newest}" if trace.times else "nothing measured yet")
         many = len(trace.lines) if len(trace.lines) > 1 else 0
         named = zip(AXES[:many], inks, strict=False)
@@ -155,20 +177,55 @@ class MeasurePlot(QWidget):
             plain_text(f"{trace.source}: {self.newest.text()}; thresholds: {said or 'none'}")
         )
 
+    def _place_gaps(self, trace: MeasureTrace, ago: list[float]) -> None:
+        """Hatch the times at which nothing was measured."""
+        gaps: list[tuple[float, float]] = []
+        ends = [*ago[1:], 0.0][: len(ago)]
+        for begin, end, value in zip(ago, ends, trace.lines[0], strict=True):
+            if not isnan(value):
+                continue
+            joined = gaps.pop()[0] if gaps and gaps[-1][1] == begin else begin
+            gaps.append((joined, end))
+        while len(self._gaps) > len(gaps):
+            self.plot.removeItem(self._gaps.pop())
+        while len(self._gaps) < len(gaps):
+            self._gaps.append(self._region("vertical", self._hatch()))
+        for region, gap in zip(self._gaps, gaps, strict=True):
+            region.setRegion(gap)
+
+    def _hatch(self) -> QBrush:
+        return QBrush(self._tokens.unk, Qt.BrushStyle.BDiagPattern)
+
+    def _region(self, way: str, brush: QBrush) -> pg.LinearRegionItem:
+        region = pg.LinearRegionItem(
+            orientation=way, brush=brush, pen=pg.mkPen(None), movable=False
+        )
+        region.setZValue(-10)
+        self.plot.addItem(region)
+        return region
+
     def _place_lines(self, trace: MeasureTrace) -> None:
         """Draw the thresholds. They stay the same for a source, so mostly nothing is to do."""
         wanted = [(one.at, plain_text(one.words)) for one in trace.thresholds]
         if [(line.value(), line.label.format) for line in self._lines] == wanted:
             return
-        for line in self._lines:
-            self.plot.removeItem(line)
+        for item in (*self._lines, *self._between):
+            self.plot.removeItem(item)
+        self._between = []
+        bounds = sorted({at for at, _ in wanted})
+        if len(bounds) == 2:
+            # Between the two bounds the last value stays.
+            self._between = [self._region("horizontal", QBrush(self._tokens.sunk))]
+            self._between[0].setRegion(bounds)
         tokens = self._tokens
-        ink = QColor(tokens.bad)
+        ink = QColor(tokens.tx2)
         pen = pg.mkPen(ink, width=1.2, style=Qt.PenStyle.DashLine)
         self._lines = []
         for number, (at, words) in enumerate(wanted):
-            above = [(0.5, 1.0), (0.5, 1.0)]
-            options = {"position": 0.06 + 0.2 * (number % 4), "color": ink, "anchors": above}
+            # The words of the lowest bound stand below it, so that two close ones are readable.
+            lowest = len(bounds) > 1 and at == bounds[0]
+            anchor = [(0.0, 0.0), (0.0, 0.0)] if lowest else [(0.0, 1.0), (0.0, 1.0)]
+            options = {"position": 0.02 + 0.33 * (number % 3), "color": ink, "anchors": anchor}
             line = pg.InfiniteLine(at, angle=0, pen=pen, label=words, labelOpts=options)
             self._lines.append(line)
             self.plot.addItem(line)
@@ -178,6 +235,10 @@ class MeasurePlot(QWidget):
         values = [value for line in trace.lines for value in line if not isnan(value)]
         values += [one.at for one in trace.thresholds]
         low, high = (min(values), max(values)) if values else (0.0, 1.0)
-        room = MARGIN * (high - low) or abs(high) * MARGIN or 1.0
+        if high - low < 0.2 * abs(high):
+            # So small a part of a number would look like a large change.
+            low, high = min(low, 0.0), max(high, 0.0)
+        margin = 2 * MARGIN if self._low else MARGIN
+        room = margin * (high - low) or abs(high) * margin or 1.0
         self.plot.setXRange(-SPAN, 0.0, padding=0)
         self.plot.setYRange(low - room, high + room, padding=0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.studio.features.draw.panels.notation_part import HIDE, SHOW, NotationPart
+from smsl_studio.studio.base.notation_part import HIDE, SHOW, NotationPart
 from tests.plugin_folder import blueprint_of
 
 MADE = blueprint_of({
