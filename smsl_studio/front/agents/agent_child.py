@@ -120,6 +120,13 @@ def _prepare(entry: SupervisorEntry, options: Mapping[str, Any]) -> None:
         raise UsageError(f"{entry.name} cannot be prepared: {words_for(error)}") from None
 
 
+def _shown(answer: object) -> str:
+    """Show what a supervisor said. Its own ``__repr__`` may raise any error."""
+    if type(answer) is str:
+        return repr(answer[:60])
+    return f"a value of type {brief(type(answer).__name__, 60)!r}"
+
+
 def _must_fit(key: str, text: str, kind: object) -> None:
     """Raise PluginError if a text is no value of the type of its parameter."""
     if kind is bool and text not in ("true", "false"):
@@ -144,7 +151,7 @@ def answer_of(agent: Agent, view: SupervisorView) -> tuple[str, str]:
         return ASK, f"it failed, {words_for(error)}"
     answer, reason = said if type(said) is tuple and len(said) == 2 else (said, "")
     if type(answer) is not str or answer not in ANSWERS:
-        return ASK, f"{brief(repr(answer), 60)} is no answer"
+        return ASK, f"{_shown(answer)} is no answer"
     if type(reason) is not str:
         return ASK, f"its reason is of type {type(reason).__name__!r}"
     return answer, one_line(brief(reason, 400))

@@ -1,13 +1,14 @@
 """The process of the automatic supervisors, seen from the run: it is asked, and ended if it hangs.
 
 A supervisor that gives no answer in its time costs that time and no more: its process is killed,
-and started again for the next question.
+and another one begins to load at once, for the next question.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from smsl_studio.errors import HostError, UsageError
@@ -37,35 +38,42 @@ class AgentProcess:
         self._paths = tuple(map(str, plugin_paths))
         self._child: Child | None = None
         self._limits: tuple[float, ...] = ()
+        self._ready = False
         self._lost = 0
         self._why = ""
 
     def open(self) -> None:
-        """Start the process and load the supervisors, if that has not been done.
+        """Wait until the supervisors are loaded. Start their process if there is none.
 
         UsageError if one does not exist or its options do not fit. HostError if the process is lost
         meanwhile.
         """
-        if self._child is not None:
+        if self._ready:
             return
+        child = self._child or self._begin()
         try:
-            self._child = start_child(CHILD)
-        except OSError as error:
-            raise HostError(f"no process can be started: {error.strerror or error}") from None
-        try:
-            self._child.wire.send("open", (self._asked, self._paths))
-            kind, body = self._heard(self._child, START)
+            kind, body = self._heard(child, START)
             if kind == "refused":
                 raise UsageError(REFUSAL.decode(body))
             self._limits = tuple(limit for _, limit in READY.decode(body))
             if len(self._limits) != len(self._asked):
                 raise NoAnswer("it names other supervisors")
+            self._ready = True
         except (TimeoutError, EOFError, OSError, NoAnswer, Unfit) as error:
-            words = self._lose(self._child, error, START)
+            words = self._lose(child, error, START)
             raise HostError(f"the process of the supervisors {words}") from None
         except BaseException:
             self.close()
             raise
+
+    def _begin(self) -> Child:
+        """Start a process, and let it load the supervisors. HostError if none can be started."""
+        try:
+            self._child = child = start_child(CHILD)
+        except OSError as error:
+            raise HostError(f"no process can be started: {error.strerror or error}") from None
+        child.tell("open", (self._asked, self._paths))
+        return child
 
     def ask(self, number: int, view: SupervisorView) -> tuple[str, str]:
         """Ask one supervisor. Return its answer and its reason.
@@ -92,13 +100,15 @@ class AgentProcess:
 
     def close(self) -> None:
         """End the process. A second call does nothing."""
-        child, self._child = self._child, None
+        child, self._child, self._ready = self._child, None, False
         if child is not None:
+            child.told()
             child.release()
 
     def _heard(self, child: Child, limit: float) -> tuple[str, bytes]:
         """Wait for the next frame, at most ``limit`` seconds of wall time. TimeoutError after
         that."""
+        child.told()
         until = time.monotonic() + limit
         while True:
             heed()
@@ -116,6 +126,10 @@ class AgentProcess:
             words = f"said what is no answer: {error}"
         else:
             words = ending_words(child.ending())
-        self._child, self._lost, self._why = None, self._lost + 1, f"it {words}"
+        self._lost, self._why = self._lost + 1, f"it {words}"
+        self._child, self._ready = None, False
         child.kill()
+        if self._limits and self._lost < LIVES:
+            with suppress(HostError):  # the next question starts it
+                self._begin()
         return words
