@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.arms import PANDA
+from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Box, Floor, Hulls
 from smsl_studio.world.grasps import Grasp
 from smsl_studio.world.known_values import refuse_others
@@ -94,7 +94,7 @@ class Board:
             self.world.add(block)
         for name, place in self._starts({"star": "0B", "circle": "1B"}):
             self.world.add(_piece(name, place))
-        self.world.add(PANDA)
+        self.world.add(ARM)
         self.world.settle(SETTLE)
 
     def arrange(self, facts: Mapping[str, str]) -> None:

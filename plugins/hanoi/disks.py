@@ -1,4 +1,7 @@
-"""The bodies on the table: sizes, colours and meshes of rings and pegs (metres, kilograms)."""
+"""The bodies on the table: sizes, colours and meshes of rings and pegs (metres, kilograms).
+
+All lengths are those for a robot of the size 1. ``size`` makes them smaller.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,9 @@ from smsl_studio.world.meshes import hulls_obj, soup, turned
 from smsl_studio.world.protocol import Vector
 
 PEGS: dict[str, tuple[float, float]] = {"a": (0.50, -0.14), "b": (0.50, 0.0), "c": (0.50, 0.14)}
+MIDDLE = 0.50
+"""The distance (m) of the middle peg from the robot, for every size."""
+
 PEG_RADIUS = 0.008
 PEG_TOP = 0.045
 HOLE = 0.0135
@@ -39,6 +45,7 @@ class Disk:
     number: int
     radius: float
     thickness: float
+    size: float = 1.0
 
     @property
     def name(self) -> str:
@@ -46,7 +53,7 @@ class Disk:
 
     def body(self, position: Vector) -> Body:
         """Return the ring as a body of the world."""
-        volume = math.pi * (self.radius**2 - HOLE**2) * self.thickness
+        volume = math.pi * (self.radius**2 - self._hole**2) * self.thickness
         outline = self._outline()
         return Body(
             self.name,
@@ -58,22 +65,26 @@ class Disk:
             colour=COLOURS[self.number - 1],
         )
 
+    @property
+    def _hole(self) -> float:
+        return HOLE * self.size
+
     def _outline(self) -> list[tuple[float, float]]:
         """Return the outline (radius, height) in metres: up the outer wall, over the top, down the
         hole, and back along the bottom."""
-        r, h, edge = self.radius, self.thickness / 2, 0.0012
-        top = [(r, edge - h), (r, h - edge), (r - edge, h), (HOLE + edge, h), (HOLE, h - edge)]
-        bottom = [(HOLE, edge - h), (HOLE + edge, -h), (r - edge, -h), (r, edge - h)]
+        r, h, edge, hole = self.radius, self.thickness / 2, 0.0012 * self.size, self._hole
+        top = [(r, edge - h), (r, h - edge), (r - edge, h), (hole + edge, h), (hole, h - edge)]
+        bottom = [(hole, edge - h), (hole + edge, -h), (r - edge, -h), (r, edge - h)]
         return top + bottom
 
     def _wedges(self) -> str:
         """Return OBJ text with the wedges that the engine uses for the ring, smaller by its
         margin."""
         half = self.thickness / 2 - MARGIN
-        return _hulls(_tube(HOLE + MARGIN, self.radius - MARGIN, -half, half))
+        return _hulls(_tube(self._hole + MARGIN, self.radius - MARGIN, -half, half))
 
 
-def disks_for(count: int) -> tuple[Disk, ...]:
+def disks_for(count: int, size: float = 1.0) -> tuple[Disk, ...]:
     """Return the rings of a game, smallest first. WorldError if the world cannot have ``count``
     rings."""
     if count not in RADII:
@@ -81,20 +92,26 @@ def disks_for(count: int) -> tuple[Disk, ...]:
             f"the hanoi world has 2, 3 or 4 disks, and this blueprint has {count} facts",
             advice="Use a blueprint with one fact a disk, or the world table.",
         )
-    return tuple(Disk(i + 1, r, THICKNESS[count]) for i, r in enumerate(RADII[count]))
+    thick = THICKNESS[count] * size
+    return tuple(Disk(i + 1, r * size, thick, size) for i, r in enumerate(RADII[count]))
 
 
-def peg_body(name: str) -> Body:
+def pegs_for(size: float) -> dict[str, tuple[float, float]]:
+    """Return where the pegs stand (m)."""
+    return {name: (MIDDLE, y * size) for name, (_, y) in PEGS.items()}
+
+
+def peg_body(name: str, size: float = 1.0) -> Body:
     """Return a peg as a body: a rod with a round top, whose foot is below the table."""
-    x, y = PEGS[name]
-    length = 0.06
-    centre = PEG_TOP - PEG_RADIUS - length / 2
+    x, y = pegs_for(size)[name]
+    length, radius = 0.06 * size, PEG_RADIUS * size
+    centre = PEG_TOP * size - radius - length / 2
     arc = np.linspace(0.0, math.pi / 2, 7)
-    dome = [(PEG_RADIUS * math.cos(a), length / 2 + PEG_RADIUS * math.sin(a)) for a in arc.tolist()]
-    outline = [(PEG_RADIUS, -centre), *dome[:-1], (0.0, length / 2 + PEG_RADIUS)]
+    dome = [(radius * math.cos(a), length / 2 + radius * math.sin(a)) for a in arc.tolist()]
+    outline = [(radius, -centre), *dome[:-1], (0.0, length / 2 + radius)]
     return Body(
         f"peg_{name}",
-        Capsule(PEG_RADIUS, length),
+        Capsule(radius, length),
         (x, y, centre),
         friction=0.2,
         mesh=soup(turned(outline, 24)),
@@ -107,21 +124,30 @@ CAP = "cap"
 """The name of the cap. No ring goes over a peg with the cap. It stands aside until a fault puts it
 on a peg."""
 
-CAP_ASIDE = (0.12, -0.34)
+CAP_ASIDE = (-0.38, -0.34)
+"""Where it stands aside (m), from the middle peg."""
+
 CAP_RADIUS, CAP_HOLE, CAP_HEIGHT, CAP_LID = 0.0175, 0.0115, 0.018, 0.004
 
 
-def cap_body() -> Body:
+def cap_aside(size: float) -> Vector:
+    """Return where the cap stands aside (m)."""
+    x, y = CAP_ASIDE
+    return (MIDDLE + x * size, y * size, CAP_HEIGHT * size / 2)
+
+
+def cap_body(size: float) -> Body:
     """Return the cap as a body. It fits over a peg, and stands on its rim beside the robot."""
-    r, hole, half, lid = CAP_RADIUS, CAP_HOLE, CAP_HEIGHT / 2, CAP_HEIGHT / 2 - CAP_LID
-    outline = [(r, -half), (r, half - 0.002), (r - 0.002, half), (0.0, half)]
+    r, hole, half = CAP_RADIUS * size, CAP_HOLE * size, CAP_HEIGHT * size / 2
+    lid, edge = half - CAP_LID * size, 0.002 * size
+    outline = [(r, -half), (r, half - edge), (r - edge, half), (0.0, half)]
     inside = [(0.0, lid), (hole, lid), (hole, -half), (r, -half)]
     pieces = _tube(hole + MARGIN, r - MARGIN, MARGIN - half, lid)
     pieces += _tube(MARGIN, r - MARGIN, lid + MARGIN, half - MARGIN)
     return Body(
         CAP,
         Hulls(_hulls(pieces)),
-        (*CAP_ASIDE, half),
+        cap_aside(size),
         friction=0.7,
         mass=0.05,
         mesh=soup(turned(outline + inside, 24)),

@@ -10,8 +10,9 @@ from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.errors import WorldError
+from smsl_studio.world.mishaps import seize
 
-from .disks import CAP, CAP_ASIDE, CAP_HEIGHT, CAP_LID, PEG_TOP, PEGS, Disk
+from .disks import CAP, CAP_HEIGHT, CAP_LID, MIDDLE, PEG_TOP, PEGS, Disk, cap_aside
 
 if TYPE_CHECKING:
     from smsl_studio.library.operation_library import OperationLibrary
@@ -44,13 +45,14 @@ def blocked_peg(table: Table, peg: str, seconds: float = 0.0) -> Fault:
     """A cap is put over a peg, for ever or for a while. No ring goes on this peg."""
     if peg not in PEGS:
         raise WorldError(f"there is no peg {peg!r}", advice="There are the pegs a, b and c.")
+    size = table.size
     tower = sum(disk.thickness for disk in table.on_peg(peg))
-    rim = max(tower, PEG_TOP - CAP_HEIGHT + CAP_LID) + 0.0005
-    table.world.place(CAP, (*PEGS[peg], rim + CAP_HEIGHT / 2))
+    rim = max(tower, (PEG_TOP - CAP_HEIGHT + CAP_LID) * size) + 0.0005 * size
+    table.world.place(CAP, (*table.pegs[peg], rim + CAP_HEIGHT * size / 2))
     if seconds > 0.0:
         for _ in range(_ticks(table, seconds)):
             yield
-        table.world.place(CAP, (*CAP_ASIDE, CAP_HEIGHT / 2))
+        table.world.place(CAP, cap_aside(size))
 
 
 def tower_carried(table: Table) -> Fault:
@@ -80,23 +82,23 @@ def wrong_order(table: Table) -> Fault:
         return
     peg, (*under, lower, upper) = next(found for found in towers if found[1])
     floor = sum(disk.thickness for disk in under) + upper.thickness / 2
+    gap = 0.0005 * table.size
     for number, disk in enumerate((upper, lower)):
-        height = floor + number * (upper.thickness + 0.0005) + 0.0005
-        table.world.place(disk.name, (*PEGS[peg], height))
+        height = floor + number * (upper.thickness + gap) + gap
+        table.world.place(disk.name, (*table.pegs[peg], height))
 
 
 def disk_pushed(table: Table, disk: int) -> None:
     """A ring lies beside its peg, flat on the table, towards the robot."""
     one = table.disk(disk)
     (_, y, _), _ = table.world.pose(one.name)
-    table.world.place(one.name, (0.40, y, one.thickness / 2 + 0.001))
+    x = MIDDLE - 0.10 * table.size
+    table.world.place(one.name, (x, y, one.thickness / 2 + 0.001 * table.size))
 
 
 def seized_joint(table: Table, joint: int = 1) -> None:
-    """A joint of the arm (1 to 7, counted from the base) does not move any more."""
-    if not 1 <= joint <= 7:
-        raise WorldError(f"the arm has no joint {joint}", advice="Its joints are 1 to 7.")
-    table.world.robot.seize(joint - 1)
+    """A joint of the arm (counted from 1 at the base) does not move any more."""
+    seize(table.world, joint)
 
 
 def disk_off_board(table: Table, disk: int) -> None:
@@ -135,7 +137,7 @@ def _until_lifted(table: Table) -> Fault:
         held = _gripped(table)
         if held is not None:
             (_, _, z), _ = table.world.pose(held.name)
-            if z - held.thickness / 2 > RAISED:
+            if z - held.thickness / 2 > RAISED * table.size:
                 return
         yield
 
@@ -150,14 +152,15 @@ def _below(table: Table, disk: Disk) -> Disk | None:
     under = []
     for other in table.disks:
         (ox, oy, oz), _ = table.world.pose(other.name)
-        if other is not disk and abs(ox - x) < 0.015 and abs(oy - y) < 0.015 and oz < z:
+        near = 0.015 * table.size
+        if other is not disk and abs(ox - x) < near and abs(oy - y) < near and oz < z:
             under.append((oz, other))
     return max(under, key=lambda found: found[0])[1] if under else None
 
 
 def _put_on(table: Table, upper: Disk, lower: Disk) -> None:
     (x, y, z), _ = table.world.pose(lower.name)
-    height = (lower.thickness + upper.thickness) / 2 + 0.0005
+    height = (lower.thickness + upper.thickness) / 2 + 0.0005 * table.size
     table.world.place(upper.name, (x, y, z + height))
 
 

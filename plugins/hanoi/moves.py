@@ -1,5 +1,7 @@
-"""The motions with which the Panda carries a ring from peg to peg. Each ``yield`` is one tick of
-1/240 s."""
+"""The motions with which a robot carries a ring from peg to peg. Each ``yield`` is one tick.
+
+Lengths and speeds are those of a robot of the size 1. The table makes them smaller.
+"""
 
 from __future__ import annotations
 
@@ -90,15 +92,16 @@ def _pick(table: Table, disk: Disk) -> Motion:
     """Move the tool down around the ring and close the fingers on it."""
     world = table.world
     centre = centre_of(world, disk)
-    grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
+    grasp = np.add(centre, (0.0, 0.0, TIPS * table.size - disk.thickness / 2))
     here = tool(world)
     # Right over the ring there is no way round, and a turn back in mid-way would be taken at speed.
     world.robot.open()
-    if np.hypot(*(centre - here)[:2]) < BESIDE:
+    if np.hypot(*(centre - here)[:2]) < BESIDE * table.size:
         yield from travel(world, [grasp], GENTLE)
     else:
-        yield from travel(world, [above(here), above(centre), grasp], TRAVEL)
-    world.robot.grip(disk.radius - SQUEEZE)
+        way = [above(table, here), above(table, centre), grasp]
+        yield from travel(world, way, TRAVEL)
+    world.robot.grip(disk.radius - SQUEEZE * table.size)
     yield from wait(CLOSING)
 
 
@@ -109,7 +112,7 @@ def lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
     if world.fingers_on(disk.name) < 2:
         return False
     turned = world.arm.tool(world.robot.goal)[1]
-    yield from travel(world, [above(tool(world))], CAREFUL, turned)
+    yield from travel(world, [above(table, tool(world))], CAREFUL, turned)
     return world.fingers_on(disk.name) == 2
 
 
@@ -119,23 +122,23 @@ def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     If the ring moves in the fingers on the way down, it has met an obstacle. Then it is raised
     again and stays in the hand.
     """
-    world = table.world
+    world, size = table.world, table.size
     shift = tool(world) - centre_of(world, disk)
-    over = np.array([*PEGS[peg], CLEAR + disk.thickness / 2]) + shift
+    over = np.array([*table.pegs[peg], CLEAR * size + disk.thickness / 2]) + shift
     yield from travel(world, [over], TRAVEL)
     if world.fingers_on(disk.name) < 2:
         yield from let_go(world)
         return False
     shift = tool(world) - centre_of(world, disk)
-    height = sum(other.thickness for other in table.on_peg(peg)) + 0.001
-    down = np.array([*PEGS[peg], height + disk.thickness / 2]) + shift
+    height = sum(other.thickness for other in table.on_peg(peg)) + 0.001 * size
+    down = np.array([*table.pegs[peg], height + disk.thickness / 2]) + shift
     for _ in travel(world, [down], CAREFUL):
-        if (shift - tool(world) + centre_of(world, disk))[2] > YIELDS:
-            yield from travel(world, [above(tool(world))], CAREFUL)
+        if (shift - tool(world) + centre_of(world, disk))[2] > YIELDS * size:
+            yield from travel(world, [above(table, tool(world))], CAREFUL)
             return False
         yield
     yield from let_go(world)
-    yield from travel(world, [above(tool(world))], CAREFUL)
+    yield from travel(world, [above(table, tool(world))], CAREFUL)
     return True
 
 
@@ -148,6 +151,6 @@ def centre_of(world: BulletWorld, disk: Disk) -> Array:
     return np.array(world.pose(disk.name)[0])
 
 
-def above(point: Array) -> Array:
+def above(table: Table, point: Array) -> Array:
     """Return the position (m) above a point at which a held ring passes over the pegs."""
-    return np.array([point[0], point[1], CLEAR + TIPS])
+    return np.array([point[0], point[1], (CLEAR + TIPS) * table.size])

@@ -11,6 +11,7 @@ from collections.abc import Generator, Mapping
 from typing import TYPE_CHECKING
 
 from smsl_studio.errors import WorldError
+from smsl_studio.world.arms.panda import ARM
 
 from .faults import register_faults
 from .fit import refuse_unfit
@@ -22,21 +23,22 @@ from .table import Table
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
     from smsl_studio.library.operation_library import OperationLibrary
+    from smsl_studio.world.bodies import Robot
     from smsl_studio.world.bullet import BulletWorld
 
 
 def register(library: OperationLibrary) -> None:
     """Register the world ``hanoi`` with its operations, sensors and faults."""
 
-    @library.world("hanoi", settle=0.2, values=("a", "b", "c"))
-    def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Table:
+    @library.world("hanoi", settle=0.2, values=("a", "b", "c"), robots=("panda", "iiwa", "dvrk"))
+    def build(world: BulletWorld, blueprint: Blueprint, seed: int, robot: Robot = ARM) -> Table:
         if len(blueprint) != 1:
             raise WorldError(
                 f"the hanoi world needs a blueprint of one State Branch, this has {len(blueprint)}",
                 advice="Use the world table, which runs any blueprint.",
             )
         (branch,) = blueprint
-        table = Table(world, branch.num_facts, seed)
+        table = Table(world, branch.num_facts, seed, robot)
         refuse_unfit(branch, table.disks)
         table.furnish()
         return table

@@ -13,7 +13,7 @@ import numpy as np
 
 from smsl_studio.world.motions import DOWN, Array, tool, travel, wait
 
-from .disks import CAP, CAP_RADIUS, PEG_RADIUS, PEGS, Disk
+from .disks import CAP, CAP_RADIUS, PEG_RADIUS, Disk
 from .moves import (
     CAREFUL,
     CLOSING,
@@ -70,30 +70,30 @@ def _pick(table: Table, disk: Disk) -> Generator[None, None, None]:
     world = table.world
     centre = centre_of(world, disk)
     turned = _about_z(_clearest(table, disk)) @ DOWN
-    grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
+    grasp = np.add(centre, (0.0, 0.0, TIPS * table.size - disk.thickness / 2))
     world.robot.open()
-    yield from travel(world, [above(tool(world)), above(centre)], TRAVEL)
+    yield from travel(world, [above(table, tool(world)), above(table, centre)], TRAVEL)
     yield from travel(world, [grasp], CAREFUL, turned)
-    world.robot.grip(disk.radius - SQUEEZE)
+    world.robot.grip(disk.radius - SQUEEZE * table.size)
     yield from wait(CLOSING)
 
 
 def _clearest(table: Table, disk: Disk) -> float:
     """Return the turn of the hand (rad) with which the fingers come down beside all obstacles."""
     (x, y, z), _ = table.world.pose(disk.name)
-    obstacles = list(_obstacles(table, disk, z))
+    size, obstacles = table.size, list(_obstacles(table, disk, z))
 
     def room(angle: float) -> float:
         """Return the smallest distance (m) of an opened finger to an obstacle, up to a sufficient
         distance."""
         along = np.array([-math.sin(angle), math.cos(angle)])
-        free = 0.02
+        free = 0.02 * size
         for place, radius in obstacles:
             for side in (along, -along):
-                inner, outer = disk.radius * side, SPREAD * side
-                gap = _distance(np.array(place) - (x, y), inner, outer) - radius - FINGER
+                inner, outer = disk.radius * side, SPREAD * size * side
+                gap = _distance(np.array(place) - (x, y), inner, outer) - radius - FINGER * size
                 free = min(free, gap)
-        return round(free, 3)
+        return round(free / size, 3)
 
     return max(WAYS, key=room)
 
@@ -103,16 +103,18 @@ def _obstacles(
 ) -> Iterator[tuple[tuple[float, float], float]]:
     """Return middle and radius (m) of each obstacle that is as high as the fingers come."""
     (x, y, _), _ = table.world.pose(disk.name)
-    for place in PEGS.values():
-        if math.dist(place, (x, y)) > PEG_RADIUS + 0.006:  # not the peg inside the ring
-            yield place, PEG_RADIUS
+    size, peg = table.size, PEG_RADIUS * table.size
+    for place in table.pegs.values():
+        if math.dist(place, (x, y)) > peg + 0.006 * size:  # not the peg inside the ring
+            yield place, peg
     for other in table.disks:
         (ox, oy, oz), _ = table.world.pose(other.name)
-        if other is not disk and oz + other.thickness / 2 > height - disk.thickness / 2 + 0.002:
+        low = height - disk.thickness / 2 + 0.002 * size
+        if other is not disk and oz + other.thickness / 2 > low:
             yield (ox, oy), other.radius
     (cx, cy, cz), _ = table.world.pose(CAP)
     if cz > height:
-        yield (cx, cy), CAP_RADIUS
+        yield (cx, cy), CAP_RADIUS * size
 
 
 def _distance(point: Array, start: Array, end: Array) -> float:

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.arms import PANDA
-from smsl_studio.world.bodies import Body, Floor
+from smsl_studio.world.arms.panda import ARM
+from smsl_studio.world.bodies import Body, Floor, Robot
 from smsl_studio.world.protocol import Vector
 
-from .disks import PEGS, Disk, cap_body, disks_for, peg_body
+from .disks import PEGS, Disk, cap_body, disks_for, peg_body, pegs_for
 
 if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
@@ -54,11 +54,17 @@ class Stack:
 
 
 class Table:
-    """A Panda, three pegs and the rings of one game in a physical world."""
+    """A robot, three pegs and the rings of one game in a physical world.
 
-    def __init__(self, world: BulletWorld, count: int, seed: int) -> None:
-        self.world = world
-        self.disks = disks_for(count)
+    Rings, pegs and the ways between them have the ``size`` that the robot's hand is made for.
+    ``pegs`` has the place (m) of each peg.
+    """
+
+    def __init__(self, world: BulletWorld, count: int, seed: int, robot: Robot = ARM) -> None:
+        self.world, self.robot = world, robot
+        self.size = robot.size
+        self.disks = disks_for(count, self.size)
+        self.pegs = pegs_for(self.size)
         self.seed = seed
         self._readings: dict[int, str] = {}
         self._read_at = -1
@@ -69,11 +75,11 @@ class Table:
         """Put all bodies into the empty world, with all rings on peg a."""
         self.world.add(Body("table", Floor(), (0.0, 0.0, 0.0), friction=0.5))
         for name in PEGS:
-            self.world.add(peg_body(name))
+            self.world.add(peg_body(name, self.size))
         for disk, place in self._places(dict.fromkeys(self.disks, "a")):
             self.world.add(disk.body(place))
-        self.world.add(cap_body())
-        self.world.add(PANDA)
+        self.world.add(cap_body(self.size))
+        self.world.add(self.robot)
         self.world.settle()
 
     def arrange(self, pegs: Mapping[Disk, str]) -> None:
@@ -119,7 +125,7 @@ class Table:
     def distance(self, disk: Disk, peg: str) -> float:
         """Return the distance (m) of a ring's middle from the axis of a peg, seen from above."""
         (x, y, _), _ = self.world.pose(disk.name)
-        return float(np.hypot(x - PEGS[peg][0], y - PEGS[peg][1]))
+        return float(np.hypot(x - self.pegs[peg][0], y - self.pegs[peg][1]))
 
     def stack(self, disk: Disk) -> Stack:
         """Return how a ring and the rings under it lie. A ring that is around no peg, or in the
@@ -147,7 +153,7 @@ class Table:
 
     def on_peg(self, peg: str) -> list[Disk]:
         """Return the rings around a peg that are not held, at any height, lowest first."""
-        x, y = PEGS[peg]
+        x, y = self.pegs[peg]
         around = []
         for disk in self.disks:
             (px, py, pz), _ = self.world.pose(disk.name)
@@ -178,8 +184,9 @@ class Table:
     def _places(self, pegs: Mapping[Disk, str]) -> Iterator[tuple[Disk, Vector]]:
         """Return the start position (m) of each ring: on its stack, moved from the middle of its
         peg by the jitter of the seed."""
-        jitter = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
-        height = dict.fromkeys(PEGS, 0.0005)
+        drawn = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
+        jitter, gap = drawn * self.size, 0.0005 * self.size
+        height = dict.fromkeys(PEGS, gap)
         for disk in reversed(self.disks):
             peg = pegs.get(disk, "")
             if peg not in PEGS:
@@ -187,5 +194,6 @@ class Table:
                     f"disk {disk.number} cannot start on {peg!r}: there are the pegs a, b and c"
                 )
             dx, dy = jitter[disk.number - 1].tolist()
-            yield disk, (PEGS[peg][0] + dx, PEGS[peg][1] + dy, height[peg] + disk.thickness / 2)
-            height[peg] += disk.thickness + 0.0005
+            x, y = self.pegs[peg]
+            yield disk, (x + dx, y + dy, height[peg] + disk.thickness / 2)
+            height[peg] += disk.thickness + gap

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.arms import PANDA
+from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Box, Floor
 from smsl_studio.world.grasps import Grasp
 from smsl_studio.world.known_values import refuse_others
@@ -78,7 +78,7 @@ class Crossing:
         start = self._starts(dict.fromkeys(ITEMS, "0"))
         for (item, place), colour in zip(start, COLOURS, strict=True):
             self.world.add(_item(item, place, colour))
-        self.world.add(PANDA)
+        self.world.add(ARM)
         self.world.settle()
 
     def arrange(self, places: Mapping[str, str]) -> None:

@@ -91,6 +91,17 @@ def add_world(parser: ArgumentParser, required: bool) -> None:
     )
 
 
+def add_robot(parser: ArgumentParser) -> None:
+    """Add ``--robot NAME``."""
+    parser.add_argument(
+        "--robot",
+        default="",
+        metavar="NAME",
+        help="the robot, where a world has several (see: worlds); the first of them is the usual "
+        "one",
+    )
+
+
 def add_seed_and_host(parser: ArgumentParser) -> None:
     """Add ``--seed N`` and ``--host local|process``."""
     parser.add_argument(

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_robot, add_world
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import UsageError
@@ -24,6 +24,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``campaign``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint")
     add_world(parser, required=True)
+    add_robot(parser)
     parser.add_argument(
         "--seeds", type=_count, required=True, metavar="N", help="the seeds 0 to N-1"
     )
@@ -81,6 +82,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         until=options.until,
         part=part,
         resume=options.resume,
+        robot=options.robot,
     )
     done = campaign(request, _progress)
     told = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")

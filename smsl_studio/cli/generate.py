@@ -25,7 +25,7 @@ _FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": ()
           "text": ("FILE...",)}  # fmt: skip
 """What stands behind each word."""
 _OPTIONS = {
-    "explore": ("world", "start", "repeats", "limit", "against"),
+    "explore": ("world", "robot", "start", "repeats", "limit", "against"),
     "code": ("bindings", "name", "record", "licence", "check"),
     "text": TEXT_OPTIONS,
 }
@@ -46,6 +46,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     explore = parser.add_argument_group("explore")
     explore.add_argument("--world", metavar="W", help="the world that is explored")
+    explore.add_argument("--robot", metavar="NAME", help="the robot, where a world has several")
     explore.add_argument(
         "--start",
         metavar="FILE|VALUES",
@@ -112,7 +113,8 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
     start = _start(options.start, options.world)
     other = None if options.against is None else read_argument(options.against)
     limit = options.limit or LIMIT
-    found = generate_explore(start, options.world, repeats=options.repeats or 1, limit=limit)
+    repeats, robot = options.repeats or 1, options.robot or ""
+    found = generate_explore(start, options.world, repeats=repeats, limit=limit, robot=robot)
     made = found.generated
     _save(options, made, [*inputs_of(start), *(inputs_of(other) if other else ())])
     if found.bound:

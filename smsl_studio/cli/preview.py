@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_robot, add_world
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
@@ -21,6 +21,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``preview``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
+    add_robot(parser)
     parser.add_argument("--edge", required=True, metavar="SB/State/Op", help="the operation")
     parser.add_argument(
         "--start",
@@ -58,6 +59,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         ahead=options.horizon,
         repeats=options.repeats,
         seed=options.seed,
+        robot=options.robot,
     )
     if options.format == "json":
         out.json(told.as_json())

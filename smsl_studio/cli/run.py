@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.cli.arguments import (
     ArgumentParser,
     add_format,
+    add_robot,
     add_seed_and_host,
     add_world,
     host_of,
@@ -45,6 +46,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
     _several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
     _several(parser, "--avoid", "ADDRESS", "an operation not to use")
+    add_robot(parser)
     add_seed_and_host(parser)
     parser.add_argument(
         "--script",
@@ -174,6 +176,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         policy=options.policy,
         record=options.record,
         passphrase=words,
+        robot=options.robot,
     )
     for unbound in done.unbound:
         note(unbound)

@@ -7,6 +7,7 @@ import argparse
 from smsl_studio.cli.arguments import (
     ArgumentParser,
     add_format,
+    add_robot,
     add_seed_and_host,
     add_world,
     host_of,
@@ -23,6 +24,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``sweep``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
+    add_robot(parser)
     add_seed_and_host(parser)
     parser.add_argument(
         "--sb", action="append", metavar="SB", help="only this State Branch; may be repeated"
@@ -50,6 +52,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         host=host_of(options),
         branches=options.sb or (),
         most=options.most,
+        robot=options.robot,
     )
     for event in events:
         out.line(event.line() if options.format == "json" else one_line(line_of(event)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output
@@ -20,7 +21,16 @@ def add_arguments(parser: ArgumentParser) -> None:
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print every world, then the plugins that were not loaded, with the reasons."""
     loaded = describe()
-    worlds = [{"name": TABLE, "engine": TABLE, "hardware": False, "plugin": None, "location": None}]
+    worlds: list[dict[str, Any]] = [
+        {
+            "name": TABLE,
+            "engine": TABLE,
+            "hardware": False,
+            "plugin": None,
+            "location": None,
+            "robots": [],
+        }
+    ]
     for plugin in loaded.plugins:
         for entry in plugin.library.worlds.values():
             worlds.append(
@@ -30,6 +40,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
                     "hardware": entry.hardware,
                     "plugin": plugin.name,
                     "location": plugin.location,
+                    "robots": list(loaded.robots(entry.name)),
                 }
             )
     if options.format == "json":
@@ -41,6 +52,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         origin = f"{world['plugin']}, {world['location']}" if world["plugin"] else "built in"
         hardware = ", hardware" if world["hardware"] else ""
         out.line(one_line(f"{world['name']}: engine {world['engine']}{hardware} ({origin})"))
+        if world["robots"]:
+            out.line(one_line(f"    robots: {', '.join(world['robots'])}"))
     for found in loaded.waiting:
         print_waiting(found, out)
     for fault in loaded.faults:

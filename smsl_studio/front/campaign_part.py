@@ -40,7 +40,8 @@ class CampaignPart:
             below = procedure_digests(request.blueprint)
             survey = surveyed(request.blueprint, request.world)
             parts = (version(), said.closure, said.meaning, request.world, survey.code, below)
-            self._base = repr((*parts, survey.bindings))
+            robot = (request.robot,) if request.robot else ()
+            self._base = repr((*parts, survey.bindings, *robot))
         acts = [
             (act.trigger.kind, act.trigger.address, act.do, sorted(act.given.items()))
             for act in (request.script.acts if request.script else ())

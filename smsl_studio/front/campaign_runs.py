@@ -39,11 +39,12 @@ class Injection:
 
 @dataclass(frozen=True, slots=True)
 class CampaignRun:
-    """What is asked for one run: a world, a seed, and a fault or None."""
+    """What is asked for one run: a world, a seed, a fault or None, and a robot."""
 
     world: str
     seed: int
     injection: Injection | None = None
+    robot: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +64,7 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
     """Return the request of a run."""
     injection = asked.injection
     if injection is None:
-        return RunRequest(blueprint, asked.world, seed=asked.seed, host="local")
+        return RunRequest(blueprint, asked.world, seed=asked.seed, host="local", robot=asked.robot)
     place, edge = Place(BY, 1, 1), str(injection.edge)
     given = {"fault": injection.fault, **injection.given}
     if asked.world == TABLE:
@@ -86,6 +87,7 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
         host="local",
         script=script,
         attended=True,
+        robot=asked.robot,
     )
 
 
@@ -130,7 +132,7 @@ def run_of_json(values: Json) -> CampaignRun:
     injection = None
     if told is not None:
         injection = Injection(**{**told, "edge": Address(*Address.split(told["edge"]))})
-    return CampaignRun(values["world"], values["seed"], injection)
+    return CampaignRun(values["world"], values["seed"], injection, values["robot"])
 
 
 def verdict_as_json(verdict: RunVerdict) -> dict[str, Json]:

@@ -72,6 +72,7 @@ class CampaignRequest:
     until: float | None = None
     part: Path | None = None
     resume: bool = False
+    robot: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +160,7 @@ def _verdicts(
         for look, first in enumerate(range(0, request.seeds, block), 1):
             seeds = range(first, min(first + block, request.seeds))
             asked = [
-                CampaignRun(request.world, seed, injection)
+                CampaignRun(request.world, seed, injection, request.robot)
                 for injection in injections
                 for seed in seeds
             ]
@@ -316,7 +317,8 @@ def _route(request: CampaignRequest) -> list[Address]:
     """Return the operations with a function that the run without a fault carries out, with seed
     0.
     """
-    done = run_request(request_of(request.blueprint, CampaignRun(request.world, 0)))
+    usual = CampaignRun(request.world, 0, robot=request.robot)
+    done = run_request(request_of(request.blueprint, usual))
     began = [e.address for e in done.events if isinstance(e, OperationStarted) and e.function]
     return [Address(*Address.split(text)) for text in dict.fromkeys(began)]
 

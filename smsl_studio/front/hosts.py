@@ -4,6 +4,7 @@ worlds."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,6 +55,7 @@ def _bare(
             refuse_hardware(loaded, world, may_move)
         file = trust.bindings if trust is not None else None
         local = LocalHost(blueprint, world, seed, request.plugin_paths, loaded, file)
+        local.choose(request.robot)
         local.carry(parts)
         return local
     from smsl_studio.host.process import ChildTerms, ProcessHost
@@ -64,18 +66,25 @@ def _bare(
     # A plugin that nobody signed does not run beside signed code: it could change it.
     only = tuple(signed) if signed else _locations(loaded, world)
     file = trust.bindings if trust is not None else None
-    terms = ChildTerms(only, signed=signed, bindings=file, hardware=may_move, parts=parts)
+    terms = ChildTerms(
+        only, signed=signed, bindings=file, hardware=may_move, parts=parts, robot=request.robot
+    )
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 
 def make_ready(
-    spare: Spare, blueprint: Blueprint, world: str, seed: int, loaded: Loaded | None = None
+    spare: Spare,
+    blueprint: Blueprint,
+    world: str,
+    seed: int,
+    loaded: Loaded | None = None,
+    robot: str = "",
 ) -> None:
     """Let a child of ``spare`` build this world for a later run with the same ``loaded``. The call
     does not wait. A world that is hardware is not built before its run is approved."""
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
-    terms = ChildTerms(_locations(loaded, world))
+    terms = ChildTerms(_locations(loaded, world), robot=robot)
     known = loaded is not None and world in loaded.worlds and world != TABLE
     if loaded is not None and known and loaded.world(world)[1].hardware:
         spare.warm()
@@ -111,6 +120,14 @@ def known_world(
         loaded = describe(plugin_paths)
     loaded.world(world)
     return loaded
+
+
+def with_robot(request: RunRequest, loaded: Loaded | None) -> RunRequest:
+    """Return the request with its robot, empty if that is the usual one of the world. UsageError if
+    the world cannot be built with it."""
+    if not request.robot:
+        return request
+    return replace(request, robot=(loaded or Loaded()).robot_name(request.world, request.robot))
 
 
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.errors import PlanningError, UsageError
 from smsl_studio.front.generated import Generated
-from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import carried_out
 from smsl_studio.host.protocol import Host
@@ -61,6 +61,7 @@ def generate_explore(
     limit: int = LIMIT,
     plugin_paths: Sequence[Path] = (),
     going: Callable[[int, int], None] | None = None,
+    robot: str = "",
 ) -> Explored:
     """Return the blueprint of a world: all states that its operations reach, from a start on.
 
@@ -88,7 +89,9 @@ def generate_explore(
     if loaded is None:
         raise UsageError(f"the world {world} has no operations of its own")
     names = bound_names(loaded, world, branch)
-    request = RunRequest(start, world, host="local", plugin_paths=tuple(plugin_paths))
+    paths = tuple(plugin_paths)
+    request = RunRequest(start, world, host="local", plugin_paths=paths, robot=robot)
+    request = with_robot(request, loaded)
     attempts = _Attempts(request, loaded, names, repeats)
     found = _explored(attempts, branch, limit, going)
     return Explored(_generated(found, branch, start, world), found.bound)
@@ -208,9 +211,7 @@ class _Attempts:
         return found
 
     def _host(self, blueprint: Blueprint) -> Host:
-        old = self._request
-        request = RunRequest(blueprint, old.world, host="local", plugin_paths=old.plugin_paths)
-        return make_host(request, self._loaded)
+        return make_host(replace(self._request, blueprint=blueprint), self._loaded)
 
     def _end(
         self, hierarchy: Hierarchy, host: Host, name: str, seed: int

@@ -21,7 +21,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.errors import UsageError
-from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.logs import replay
 from smsl_studio.front.request import RunRequest, Several, several
 from smsl_studio.front.runs import open_request
@@ -93,6 +93,7 @@ def preview(
     ahead: int = 1,
     repeats: int = 1,
     seed: int = 0,
+    robot: str = "",
 ) -> Forecast:
     """Carry one operation out in a simulated world, and compare the facts.
 
@@ -117,11 +118,12 @@ def preview(
     refuse_too_large(hierarchy)
     begun = _start(hierarchy, address, start, log)
     loaded = known_world(world)
+    request = with_robot(RunRequest(blueprint, world, host="local", robot=robot), loaded)
     previews = [
         _once(
             hierarchy,
             loaded,
-            RunRequest(blueprint, world, seed=number, host="local"),
+            replace(request, seed=number),
             address,
             begun,
             ahead,

@@ -47,7 +47,8 @@ class RunRequest:
     ``policy`` is the file of a trust policy, and ``record`` the file of a record. If either is
     given, the run starts only if the blueprint is approved. ``now`` is the time for this question;
     None means the clock of the computer. ``trust`` is the answer to it. ``seal`` signs the head of
-    the log (see ``log_seals``).
+    the log (see ``log_seals``). ``robot`` is the robot to build the world with; empty means the
+    usual one of the world.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -79,6 +80,7 @@ class RunRequest:
     now: datetime | None = None
     trust: RunTrust | None = None
     seal: Seal | None = field(default=None, repr=False)
+    robot: str = ""
 
     @property
     def asks_approval(self) -> bool:
@@ -132,6 +134,7 @@ class RunRequest:
             "levels": dict(self.levels),
             "script": {"file": script.file, "digest": script.digest} if script else None,
             "supervisor": self.supervisor.name if self.supervisor else self.person,
+            **({"robot": self.robot} if self.robot else {}),
         }
 
 

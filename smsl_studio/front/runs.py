@@ -19,7 +19,7 @@ from smsl_studio.front.acceptance import left_out, to_accept
 from smsl_studio.front.agents.agents import Agents
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
-from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.log_seals import seal_of_logs
 from smsl_studio.front.recorder import Recorder, start_log
@@ -85,6 +85,7 @@ def open_run(
     site: str = "",
     login: str = "",
     spare: Spare | None = None,
+    robot: str = "",
 ) -> Dispatcher:
     """Return a dispatcher that is ready to ``open``. The caller ticks it and closes it.
 
@@ -121,6 +122,7 @@ def open_run(
         supervisor=named,
         agents=agents,
         plugin_paths=tuple(plugin_paths),
+        robot=robot,
     )
     return open_request(request, loaded, spare)
 
@@ -134,6 +136,10 @@ def open_request(
 
     >>> open_request(RunRequest(read("hanoi-2.json"), host="local")).close()
     """
+    if request.robot:
+        if loaded is None:
+            loaded = known_world(request.world, request.plugin_paths, request.host)
+        request = with_robot(request, loaded)
     checked = trusted_request(request.checked())
     trust = checked.trust
     if trust is not None:
@@ -145,6 +151,7 @@ def open_request(
         start={at.branch: at.state for at in states_at(blueprint, checked.starts, "start")},
         goals=states_at(blueprint, checked.goals, "goal"),
         seed=checked.seed,
+        robot=checked.robot,
         avoid=operations_at(blueprint, checked.avoid),
         on_mismatch=checked.on_mismatch,
         automatic=not checked.by_hand,
@@ -191,6 +198,7 @@ def run(
     policy: Path | str | None = None,
     record: Path | str | None = None,
     passphrase: bytes = b"",
+    robot: str = "",
 ) -> Run:
     """Run a blueprint without a window to its end, and return what happened.
 
@@ -238,6 +246,7 @@ def run(
         policy=None if policy is None else Path(policy),
         record=None if record is None else Path(record),
         seal=None if log is None else seal_of_logs(passphrase),
+        robot=robot,
     )
     return run_request(request, on_event, stop_when)
 
@@ -269,6 +278,7 @@ def run_request(
         with heeding(asked.heed):
             request = trusted_request(request)
             request, loaded = _with_plugins(request)
+            request = with_robot(request, loaded)
             checked = request.checked()
             if script is not None and not (request.trust and request.trust.refusals):
                 world, drawn = request.world, request.blueprint

@@ -8,7 +8,7 @@ from pathlib import Path
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.route.effort import refuse_too_large, refuse_too_many_edges
-from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import edge_alone
 from smsl_studio.host.protocol import Host
@@ -28,6 +28,7 @@ def sweep(
     plugin_paths: Sequence[Path] = (),
     branches: Collection[str] = (),
     most: int | None = None,
+    robot: str = "",
 ) -> Iterator[EdgeSwept | SweepFinished]:
     """Run every edge alone. Yield one event for each edge, in written order, and a summary last.
 
@@ -36,6 +37,7 @@ def sweep(
     to examine them. ``branches`` are the SBs to sweep; empty means all. ``most`` is the largest
     number of edges (see ``dispatch.route.effort``). RunRefused if there are more edges, or if the
     SUB_SBS have a cycle. WorldError for a world that does not exist or does not suit the blueprint.
+    UsageError for a ``robot`` that the world does not have.
 
     >>> *edges, summary = sweep(read("hanoi-2.json"))
     >>> summary.passed, summary.edges
@@ -46,7 +48,9 @@ def sweep(
     refuse_too_large(hierarchy)
     refuse_too_many_edges(hierarchy, chosen, most)
     loaded = known_world(world, plugin_paths, host)
-    request = RunRequest(blueprint, world, seed=seed, host=host, plugin_paths=tuple(plugin_paths))
+    paths = tuple(plugin_paths)
+    request = RunRequest(blueprint, world, seed=seed, host=host, plugin_paths=paths, robot=robot)
+    request = with_robot(request, loaded)
 
     def fresh() -> Host:
         """Return a new host, so that a lost host does not affect the next edge."""

@@ -70,6 +70,8 @@ class Recipe:
     """Whether the run was approved for a world that is hardware. Without it none is built."""
     parts: tuple[tuple[tuple[str, str, str], ...], ...] = ()
     """The documents of each procedure that the blueprint runs."""
+    robot: str = ""
+    """The robot to build the world with. Empty means the usual one of the world."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -142,6 +144,7 @@ class _Child:
         refuse_hardware(loaded, recipe.world, recipe.hardware)
         file = recipe.bindings
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
+        self.host.choose(recipe.robot)
         self.host.carry(parts)
         self._run = RunAnswers(blueprint, *parts)
         self._answers = self._run.of

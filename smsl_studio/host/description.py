@@ -15,18 +15,18 @@ from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
 from smsl_studio.host.compound import mapped, mapping, optional, row, several
 from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
-from smsl_studio.library.entries import CostEntry, FaultEntry
+from smsl_studio.library.entries import CostEntry, FaultEntry, WorldEntry
 from smsl_studio.library.loaded import Plugin, PluginFault
 from smsl_studio.library.operation_library import (
     STOP_MODES,
     OperationEntry,
     OperationLibrary,
-    WorldEntry,
 )
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.signature import Signature
 from smsl_studio.library.survey import FoundPlugin
+from smsl_studio.world.bodies import Robot
 from smsl_studio.world.engines import ENGINES
 
 LARGEST: Final = 4 * 2**20
@@ -61,9 +61,11 @@ SIGNATURE: Codec[Signature] = mapped(
 )
 
 WORLD = mapped(
-    row(NAME, one_of(ENGINES), flag(), SECONDS),
-    lambda one: (one.name, one.engine, one.hardware, one.settle),
-    lambda told: WorldEntry(told[0], told[1], told[2], told[3], AbsentCode(told[0])),
+    row(NAME, one_of(ENGINES), flag(), SECONDS, several(NAME, MOST)),
+    lambda one: (one.name, one.engine, one.hardware, one.settle, one.robots),
+    lambda told: WorldEntry(
+        told[0], told[1], told[2], told[3], AbsentCode(told[0]), robots=tuple(told[4])
+    ),
 )
 
 OPERATION = mapped(
@@ -137,6 +139,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         several(SENSOR, MOST),
         several(COST, MOST),
         several(FAULT, MOST),
+        several(NAME, MOST),
     ),
     lambda one: (
         one.name,
@@ -146,6 +149,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         tuple(one.sensors),
         tuple(one.costs),
         tuple(one.faults.values()),
+        tuple(one.robots),
     ),
     lambda told: _library(*told),
 )
@@ -195,13 +199,15 @@ def _library(
     *others: Any,
 ) -> OperationLibrary:
     library = OperationLibrary(called)
-    sensors, costs, faults = others
+    sensors, costs, faults, robots = others
     library.worlds.update(_once(worlds, lambda one: one.name))
     library.arrangers.update({world: AbsentCode(world) for world in arranged})
     library.operations.extend(operations)
     library.sensors.extend(sensors)
     library.costs.extend(costs)
     library.faults.update(_once(faults, lambda one: (one.world, one.name)))
+    # Only their names are told: the values are built where the world is.
+    library.robots.update({name: Robot(name, "", "", ()) for name in robots})
     return library
 
 

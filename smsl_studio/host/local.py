@@ -38,10 +38,9 @@ from smsl_studio.host.sensor_schedule import SensorSchedule
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor, joined
-from smsl_studio.library.entries import FaultEntry
+from smsl_studio.library.entries import FaultEntry, WorldEntry
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
-from smsl_studio.library.operation_library import WorldEntry
 from smsl_studio.library.table import facts_of
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.monitor.aggregate import FactRule
@@ -67,6 +66,7 @@ class LocalHost:
         loaded: Loaded | None = None,
         file: BindingsFile | None = None,
     ) -> None:
+        self._robot = ""
         self._blueprint = blueprint
         self._parts: tuple[Blueprint, ...] = ()
         self._name = world
@@ -94,6 +94,11 @@ class LocalHost:
     def carry(self, parts: Sequence[Blueprint]) -> None:
         """Let blueprints of procedures use the same world. This is said before it is built."""
         self._parts = tuple(parts)
+
+    def choose(self, robot: str) -> None:
+        """Build the world with a robot; empty means its usual one. This is said before it is
+        built."""
+        self._robot = robot
 
     def prepare(self) -> None:
         """Find the code and build the world, so that ``open`` is quick. It raises the same errors
@@ -315,10 +320,12 @@ class LocalHost:
             return self._engine
         plugin, entry = self._plugins().world(self._name)
         self._location, self._settle = plugin.location, entry.settle
+        robot = self._plugins().robot(self._name, self._robot)
+        given = () if robot is None else (robot,)
         engine = make_engine(entry.engine, self._name)
         try:
             with self._mending("broke while it was built", StudioError):
-                built = entry.build(engine, self._blueprint, self._seed)
+                built = entry.build(engine, self._blueprint, self._seed, *given)
         except StudioError:
             engine.close()
             raise

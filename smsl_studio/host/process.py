@@ -55,7 +55,7 @@ class ChildTerms:
     the computer's memory. ``signed`` has the SHA-256 of signed code, by location; other code at
     these locations is not loaded. ``bindings`` is the bindings file that was signed; None means the
     one beside the blueprint. ``hardware`` says that the run was approved for a world that is
-    hardware; without it none is built.
+    hardware; without it none is built. ``robot`` is the robot to build the world with.
     """
 
     only: tuple[str, ...] | None = None
@@ -67,6 +67,7 @@ class ChildTerms:
     bindings: BindingsFile | None = None
     hardware: bool = False
     parts: tuple[Blueprint, ...] = ()
+    robot: str = ""
 
 
 USUAL = ChildTerms()
@@ -105,6 +106,7 @@ class ProcessHost:
             terms.bindings,
             terms.hardware,
             tuple(map(_texts, terms.parts)),
+            terms.robot,
         )
         self._terms = terms
         self._blueprint = blueprint

@@ -1,4 +1,4 @@
-"""What a library keeps of a fault, of a cost function, and of an automatic supervisor."""
+"""What a library keeps of worlds, faults, cost functions and automatic supervisors."""
 
 from __future__ import annotations
 
@@ -8,6 +8,27 @@ from typing import Any
 
 from smsl_studio.library.pattern import Pattern
 from smsl_studio.library.signature import Signature
+
+
+@dataclass(frozen=True, slots=True)
+class WorldEntry:
+    """A world of a plugin: ``build(engine, blueprint, seed)`` furnishes a fresh engine.
+
+    The result of ``build`` is the first argument of operations, sensors and ``arrange``. If
+    ``build`` returns None, the engine is this argument. ``settle`` is the time (s) that the state
+    check of a target may take to become true after an operation has ended. ``values`` are the
+    values that facts of the world may have in a start, if the plugin says so. ``robots`` are the
+    names of the robots that it can be built with, the usual one first. If there are some, ``build``
+    gets the chosen one as a fourth argument.
+    """
+
+    name: str
+    engine: str
+    hardware: bool
+    settle: float
+    build: Callable[..., Any]
+    values: tuple[str, ...] = ()
+    robots: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

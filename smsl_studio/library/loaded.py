@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from smsl_studio.errors import Place, WorldError, did_you_mean
+from smsl_studio.errors import Place, UsageError, WorldError, did_you_mean
+from smsl_studio.library.arm_table import arm_named
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
-    from smsl_studio.library.entries import FaultEntry
-    from smsl_studio.library.operation_library import OperationLibrary, WorldEntry
+    from smsl_studio.library.entries import FaultEntry, WorldEntry
+    from smsl_studio.library.operation_library import OperationLibrary
     from smsl_studio.library.survey import FoundPlugin
+    from smsl_studio.world.bodies import Robot
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +81,41 @@ class Loaded:
                 broken += f"{found.reason}."
         advice = near or f"There are {', '.join(self.worlds)}."
         raise WorldError(f"there is no world {name!r}.{broken}".removesuffix("."), advice=advice)
+
+    def robots(self, world: str) -> tuple[str, ...]:
+        """Return the names of the robots that a world can be built with, the usual one first. Empty
+        for a world that has no choice."""
+        if world == TABLE:
+            return ()
+        own = self.world(world)[1].robots
+        more = (name for plugin in self.serving(world)[1:] for name in plugin.library.robots)
+        return tuple(dict.fromkeys((*own, *more))) if own else ()
+
+    def robot_name(self, world: str, asked: str) -> str:
+        """Return the robot that was asked for, empty if it is the usual one of the world.
+        UsageError if the world cannot be built with it."""
+        known = self.robots(world)
+        if asked and asked not in known:
+            if not known:
+                words = f"the world {world!r} has no choice of robots"
+                raise UsageError(words, advice="Leave the robot out.")
+            near = did_you_mean(asked, known)
+            there = f"There are {', '.join(known)}."
+            words = f"the world {world!r} has no robot {asked!r}"
+            raise UsageError(words, advice=f"{near} {there}" if near else there)
+        return "" if known[:1] == (asked,) else asked
+
+    def robot(self, world: str, asked: str) -> Robot | None:
+        """Return the robot to build a world with. None if the world has no choice of robots.
+        UsageError if the world cannot be built with it, WorldError if nobody has registered it."""
+        known = self.robots(world)
+        name = self.robot_name(world, asked) or next(iter(known), "")
+        if not name:
+            return None
+        for plugin in self.serving(world):
+            if name in plugin.library.robots:
+                return plugin.library.robots[name]
+        return arm_named(name)
 
     def serving(self, world: str) -> tuple[Plugin, ...]:
         """Return the plugins whose operations and sensors belong to a world: the world's own

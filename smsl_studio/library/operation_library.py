@@ -37,7 +37,8 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from smsl_studio.errors import PluginError, did_you_mean
-from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry
+from smsl_studio.library.arm_table import arm_names
+from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry, WorldEntry
 from smsl_studio.library.fact_default import default_entry
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.sensor_entry import NO_WORDS, SensorEntry
@@ -49,30 +50,13 @@ from smsl_studio.library.terms import (
     unit_of_measure,
     words_of_values,
 )
+from smsl_studio.world.bodies import Robot
 from smsl_studio.world.engines import ENGINES, TABLE, USUAL
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 _TERMS = ("name", "stop", "timeout", "resumes", "touches", "available", "recovery")
 STOP_MODES = ("abort", "hold", "finish")
-
-
-@dataclass(frozen=True, slots=True)
-class WorldEntry:
-    """A world of a plugin: ``build(engine, blueprint, seed)`` furnishes a fresh engine.
-
-    The result of ``build`` is the first argument of operations, sensors and ``arrange``. If
-    ``build`` returns None, the engine is this argument. ``settle`` is the time (s) that the state
-    check of a target may take to become true after an operation has ended. ``values`` are the
-    values that facts of the world may have in a start, if the plugin says so.
-    """
-
-    name: str
-    engine: str
-    hardware: bool
-    settle: float
-    build: Callable[..., Any]
-    values: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,11 +114,12 @@ class OperationLibrary:
         self.costs: list[CostEntry] = []
         self.faults: dict[tuple[str, str], FaultEntry] = {}
         self.supervisors: dict[str, SupervisorEntry] = {}
+        self.robots: dict[str, Robot] = {}
 
     @property
     def serves(self) -> bool:
         """Whether the library has an entry that a run could use."""
-        return any((self.worlds, self.operations, self.sensors, self.costs))
+        return any((self.worlds, self.operations, self.sensors, self.costs, self.robots))
 
     def world(
         self,
@@ -144,26 +129,43 @@ class OperationLibrary:
         settle: float = 0.5,
         *,
         values: Sequence[str] = (),
+        robots: Sequence[str] = (),
     ) -> Callable[[FunctionT], FunctionT]:
         """Register a world. The decorated ``build(world, blueprint, seed)`` furnishes it.
 
         ``engine`` is the engine's name. ``hardware`` says that real machines move. ``settle`` is
         in seconds (see ``WorldEntry``). ``values`` are those that its facts may have, for
-        ``generate explore``.
+        ``generate explore``. ``robots`` are names of robots, the usual one first: those of
+        ``smsl_studio.world.arms``, and those that the plugin registers. With robots the decorated
+        function is ``build(world, blueprint, seed, robot)``.
         """
         name = proper_name(name, "a world")
         _one_of(engine, ENGINES, "engine")
         hardware, settle = truth(hardware, "hardware"), seconds(settle, "settle", zero=True)
         known = tuple(proper_name(value, "a value") for value in values)
+        arms = tuple(dict.fromkeys(proper_name(robot, "a robot") for robot in robots))
         if name == TABLE or name in self.worlds:
             raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the function that builds the world."""
-            self.worlds[name] = WorldEntry(name, engine, hardware, settle, function, known)
+            self.worlds[name] = WorldEntry(name, engine, hardware, settle, function, known, arms)
             return function
 
         return keep
+
+    def robot(self, robot: Robot) -> None:
+        """Register a robot of the plugin's own (``smsl_studio.world.bodies.Robot``).
+
+        The plugin's worlds can name it. If the plugin has no world, then every world that can be
+        built with several robots can be built with it, too.
+        """
+        if not isinstance(robot, Robot):
+            raise PluginError(f"a robot is of type {type(robot).__name__!r}, no Robot")
+        name = proper_name(robot.name, "a robot")
+        if name in self.robots or name in arm_names():
+            raise PluginError(f"the name {name!r} cannot be given to a robot: it is taken")
+        self.robots[name] = robot
 
     def arrange(self, world: str) -> Callable[[FunctionT], FunctionT]:
         """Register the start of a world. The decorated ``put(world, facts)`` makes the facts true.

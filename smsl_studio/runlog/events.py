@@ -76,7 +76,7 @@ class RunStarted(Event):
     """The run begins. All start states have passed their state checks, which are told next."""
 
     event: ClassVar[str] = "run_started"
-    sparse: ClassVar[tuple[str, ...]] = ("met",)
+    sparse: ClassVar[tuple[str, ...]] = ("met", "robot")
     world: str
     seed: int
     start: Mapping[str, str]
@@ -88,6 +88,8 @@ class RunStarted(Event):
     sensed: tuple[str, ...] = ()
     """The facts (``SB/digit``) that a sensor or a person reports. All others are assumed. Logs of
     earlier versions do not have this list."""
+    robot: str = ""
+    """The robot of the world, if it is not the usual one."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,6 +8,7 @@ engine.
 
 from __future__ import annotations
 
+import math
 import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
@@ -20,17 +21,20 @@ from smsl_studio.errors import WorldError, did_you_mean
 from smsl_studio.world import shapes as drawing
 from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
 from smsl_studio.world.kinematics import Arm
+from smsl_studio.world.links import description, urdf_text
 from smsl_studio.world.manipulator import Manipulator, Pose
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
 from smsl_studio.world.protocol import Quaternion, Shape, Vector
 from smsl_studio.world.rest import CALM, Extent, restless, touching
 from smsl_studio.world.silence import silence
-from smsl_studio.world.urdf import read_urdf
 
 with silence():
     import pybullet
     import pybullet_data
     from pybullet_utils.bullet_client import BulletClient
+
+ROUNDS = 50
+"""The usual number of rounds in which the engine solves the forces of one tick."""
 
 STILL: Vector = (0.0, 0.0, 0.0)
 MODELS = Path(pybullet_data.getDataPath())
@@ -70,6 +74,7 @@ class BulletWorld:
         else:
             check_amounts(part.name, "the rest posture", part.rest)
             check_position(part.name, part.point)
+            check_position(part.name, part.base)
             check_amounts(part.name, "opening and friction", (part.opening, part.friction), 0.0)
         self._plan.append(part)
         self._carriers = None
@@ -99,15 +104,28 @@ class BulletWorld:
 
     def _make(self, part: Body | Robot) -> None:
         if isinstance(part, Robot):
-            urdf = read_urdf(MODELS / part.urdf)
-            self._arm = self._arm or Arm(urdf.chain(part.tool, part.point), part.rest)
-            self._robot = Manipulator(self._engine, part, MODELS / part.urdf, urdf, self._arm)
+            self._robot = self._made(part)
             return
         made = self._engine.createMultiBody(part.mass, self._collision(part), -1, part.position)
         self._ids[part.name] = made
         self._engine.changeDynamics(made, -1, lateralFriction=part.friction)
         if part.mass:
             self._let_sleep(made, at_once=False)
+
+    def _made(self, robot: Robot) -> Manipulator:
+        urdf = description(robot, MODELS)
+        if self._arm is None:
+            self._arm = Arm(urdf.chain(robot.tool, robot.point), robot.rest, robot.base)
+        if robot.size < 1.0:
+            # Between fingers a light thing needs more rounds until their forces agree.
+            rounds = round(ROUNDS / math.sqrt(robot.size))
+            self._engine.setPhysicsEngineParameter(numSolverIterations=rounds)
+        if not robot.links:
+            return Manipulator(self._engine, robot, MODELS / robot.urdf, urdf, self._arm)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "robot.urdf"
+            file.write_text(urdf_text(robot, MODELS), encoding="utf-8")
+            return Manipulator(self._engine, robot, file, urdf, self._arm)
 
     def _let_sleep(self, body: int, *, at_once: bool) -> None:
         """Allow a body to sleep: it costs no time while it rests, and a contact wakes it."""

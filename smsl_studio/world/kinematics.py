@@ -47,10 +47,12 @@ class Arm:
 
     ``rest`` has the joint angles (radians) that a redundant arm prefers. So the solution for a pose
     hardly depends on the posture before it. WorldError if ``rest`` has not one angle for each
-    moving joint.
+    moving joint. A joint turns or slides. ``base`` is where the base stands (m).
     """
 
-    def __init__(self, chain: Sequence[Joint], rest: Sequence[float]) -> None:
+    def __init__(
+        self, chain: Sequence[Joint], rest: Sequence[float], base: Vector = (0.0, 0.0, 0.0)
+    ) -> None:
         moving = [joint for joint in chain if joint.kind != "fixed"]
         if len(moving) != len(rest):
             raise WorldError(f"the arm has {len(moving)} joints, but its rest posture {len(rest)}")
@@ -58,11 +60,13 @@ class Arm:
         self.rest: Array = np.array(rest, dtype=np.float64)
         self._lower = np.array([joint.lower for joint in moving])
         self._upper = np.array([joint.upper for joint in moving])
-        self._steps = [(_frame(j), np.array(j.axis), j.kind != "fixed") for j in chain]
+        self._steps = [(_frame(j), np.array(j.axis), j.kind) for j in chain]
+        self._base: Array = np.array(base, dtype=np.float64)
+        self._slides = np.array([joint.kind == "prismatic" for joint in moving])
 
     def tool(self, joints: Array) -> tuple[Array, Array]:
-        """Return position (m) and rotation matrix (3, 3) of the tool in the frame of the base, for
-        joint angles in radians."""
+        """Return position (m) and rotation matrix (3, 3) of the tool in the frame of the world, for
+        joint angles in radians (ways in metres)."""
         position, rotation, _ = self._forward(joints)
         return position, rotation
 
@@ -95,17 +99,22 @@ class Arm:
         return step * min(1.0, 0.5 / max(float(np.abs(step).max()), 1e-9))
 
     def _forward(self, joints: Array) -> tuple[Array, Array, Array]:
-        rotation, position = np.eye(3), np.zeros(3)
+        rotation, position = np.eye(3), self._base
         axes, points, angle = [], [], iter(joints)
-        for (offset, turn), axis, moves in self._steps:
+        for (offset, turn), axis, kind in self._steps:
             position = position + rotation @ offset
             rotation = rotation @ turn
-            if moves:
+            if kind != "fixed":
                 axes.append(rotation @ axis)
                 points.append(position)
-                rotation = rotation @ _about(axis, float(next(angle)))
+                if kind == "prismatic":
+                    position = position + axes[-1] * float(next(angle))
+                else:
+                    rotation = rotation @ _about(axis, float(next(angle)))
         z = np.array(axes)
         linear = np.cross(z, position - np.array(points))
+        if self._slides.any():
+            linear[self._slides], z[self._slides] = z[self._slides], 0.0
         return position, rotation, np.concatenate([linear, z], axis=1).T
 
 

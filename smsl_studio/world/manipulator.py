@@ -25,8 +25,9 @@ Pose = tuple[Vector, Quaternion]
 GAIN = 0.5
 """The share of its position error that a joint corrects in one tick."""
 
-GRIP = 25.0
-"""The default force (N) of a finger."""
+FINGER_GAIN, JAW_GAIN = 0.1, 0.6
+"""The same of a finger that slides (the engine's own default), and of one that turns. The small
+things that a jaw holds are so light that a gentle finger would let them slip."""
 
 
 class Manipulator:
@@ -36,7 +37,9 @@ class Manipulator:
     def __init__(self, engine: Any, robot: Robot, file: Path, urdf: Urdf, arm: Arm) -> None:
         self._engine, self._urdf, self._plan = engine, urdf, robot
         flags = engine.URDF_IGNORE_VISUAL_SHAPES
-        self.body = int(engine.loadURDF(str(file), useFixedBase=True, flags=flags))
+        self.body = int(
+            engine.loadURDF(str(file), basePosition=robot.base, useFixedBase=True, flags=flags)
+        )
         infos = [engine.getJointInfo(self.body, i) for i in range(engine.getNumJoints(self.body))]
         joints = {info[1].decode(): index for index, info in enumerate(infos)}
         self._links = {info[12].decode(): index for index, info in enumerate(infos)}
@@ -64,7 +67,8 @@ class Manipulator:
 
     def _start(self) -> None:
         opening = self._plan.opening
-        positions = [*self._plan.rest, *(opening for _ in self._fingers)]
+        finger = self._finger(opening)
+        positions = [*self._plan.rest, *(finger for _ in self._fingers)]
         for index, position in zip(self._arm + self._fingers, positions, strict=True):
             self._engine.resetJointState(self.body, index, position)
         self.drive(np.array(self._plan.rest))
@@ -101,11 +105,18 @@ class Manipulator:
             raise WorldError(words, advice=f"It has {len(self._arm)} joints.")
         return found
 
-    def grip(self, opening: float, force: float = GRIP) -> None:
-        """Move both fingers to ``opening`` (m) from the middle with at most ``force`` (N).
+    @property
+    def size(self) -> float:
+        """The size of the things that the hand is made for: 1 for those of a Panda."""
+        return self._plan.size
+
+    def grip(self, opening: float, force: float | None = None) -> None:
+        """Move both fingers to ``opening`` (m) from the middle with at most ``force`` (N). Without
+        one it is the usual force of the robot.
 
         WorldError if a number is not finite, or if the force is below 0.
         """
+        force = self._plan.force if force is None else force
         check_amounts(self._plan.name, "the opening", [opening])
         check_amounts(self._plan.name, "the force", [force], least=0.0)
         self._grip = (opening, force)
@@ -114,9 +125,22 @@ class Manipulator:
                 self.body,
                 joint,
                 self._engine.POSITION_CONTROL,
-                targetPosition=opening,
-                force=min(force, self._strongest),
+                targetPosition=self._finger(opening),
+                force=min(force, self._strongest) * self._lever,
+                positionGain=FINGER_GAIN if self._plan.jaw is None else JAW_GAIN,
             )
+
+    def _finger(self, opening: float) -> float:
+        """Return the position of a finger's joint for a distance (m) from the middle."""
+        return opening if self._plan.jaw is None else self._plan.jaw.angle(opening)
+
+    def _opening(self, position: float) -> float:
+        return position if self._plan.jaw is None else self._plan.jaw.opening(position)
+
+    @property
+    def _lever(self) -> float:
+        """What makes the force of a finger that of its joint."""
+        return 1.0 if self._plan.jaw is None else self._plan.jaw.length
 
     def open(self) -> None:
         """Open the fingers as wide as the plan of the robot says."""
@@ -127,7 +151,7 @@ class Manipulator:
         arm, fingers = np.split(self._states(), [len(self._arm)])
         self.drive(arm[:, 0])
         if len(fingers) and np.abs(fingers[:, 1]).max() > 0.005:
-            self.grip(float(fingers[:, 0].mean()), self._grip[1])
+            self.grip(self._opening(float(fingers[:, 0].mean())), self._grip[1])
 
     def seize(self, joint: int) -> None:
         """Block one joint of the arm (counted from 0): it ignores later commands.
@@ -170,7 +194,7 @@ class Manipulator:
         """Return the frame of each link by its name: position (m) and quaternion (x, y, z, w)."""
         indices = list(self._links.values())
         states = self._engine.getLinkStates(self.body, indices, computeForwardKinematics=True)
-        frames: dict[str, Pose] = {self._urdf.root: ((0.0, 0.0, 0.0), UPRIGHT)}
+        frames: dict[str, Pose] = {self._urdf.root: (self._plan.base, UPRIGHT)}
         return frames | {
             name: (state[4], state[5]) for name, state in zip(self._links, states, strict=True)
         }
@@ -179,7 +203,7 @@ class Manipulator:
         """Return the gripper's width (mm) and its commanded force (N) in words."""
         if not self._fingers:
             return {}
-        width = 2.0 * float(self._states()[len(self._arm) :, 0].mean())
+        width = 2.0 * self._opening(float(self._states()[len(self._arm) :, 0].mean()))
         return {"gripper": f"{1000 * width:.0f} mm, {self._grip[1]:.0f} N"}
 
     # -- coming back ---------------------------------------------------------------------------

@@ -154,6 +154,43 @@ def slab(half: Vector) -> Mesh:
     return np.array(found, dtype=np.float32)
 
 
+def capsule(radius: float, length: float) -> Mesh:
+    """Return the mesh of a round rod along z with round ends. ``length`` is that of its straight
+    part (m)."""
+    arc = np.linspace(0.0, math.pi / 2, 6)
+    dome = [(radius * math.cos(a), length / 2 + radius * math.sin(a)) for a in arc.tolist()]
+    upper = [*dome[:-1], (0.0, length / 2 + radius)]
+    return turned([(r, -z) for r, z in upper[::-1]] + upper, 24)
+
+
+def rounded_box(half: Vector, share: float = 0.25, steps: int = 3) -> Mesh:
+    """Return the mesh of a box with round edges. Their radius is a ``share`` of the smallest of its
+    half lengths (m)."""
+    radius = share * min(half)
+    quarter = np.linspace(0.0, math.pi / 2, steps)
+    inner = np.array(half) - radius
+    rows = []
+    for lower in (-math.pi / 2, 0.0):
+        for up in (lower + quarter).tolist():
+            row = []
+            for turn in range(4):
+                for around in (turn * math.pi / 2 + quarter).tolist():
+                    flat = math.cos(up)
+                    way = (flat * math.cos(around), flat * math.sin(around), math.sin(up))
+                    sx, sy = ((1, 1), (-1, 1), (-1, -1), (1, -1))[turn]
+                    corner = inner * (sx, sy, 1 if lower == 0.0 else -1)
+                    row.append(corner + radius * np.array(way))
+            rows.append([*row, row[0]])
+    found = []
+    for one, other in pairwise(rows):
+        for (a, b), (d, c) in zip(pairwise(one), pairwise(other), strict=True):
+            found += [(a, b, c), (a, c, d)]
+    low, high = rows[0], rows[-1]
+    for i in range(1, len(low) - 2):
+        found += [(low[0], low[i + 1], low[i]), (high[0], high[i], high[i + 1])]
+    return np.array(found, dtype=np.float32)
+
+
 def hulls_obj(hulls: Sequence[Sequence[Vector]], faces: Sequence[Sequence[int]]) -> str:
     """Return OBJ text with one group for each convex hull. All hulls have the same faces over their
     own corners (m)."""

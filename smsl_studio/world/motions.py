@@ -28,8 +28,9 @@ TURNING = 0.6
 SWING = 0.8
 """The greatest speed (rad/s) of a joint on its way to another posture."""
 
-CORNER = 0.03
-"""The distance (m) from a corner at which a way begins to be rounded."""
+CORNER, SPACING = 0.03, 0.012
+"""The distance (m) from a corner at which a way begins to be rounded, and that of the points at
+which the joints are computed, for a robot of the size 1."""
 
 
 def travel(
@@ -37,19 +38,21 @@ def travel(
 ) -> Motion:
     """Move the tool smoothly from its commanded position through the corners (m).
 
-    ``speed`` is the greatest speed (m/s). ``rotation`` (3, 3) is that of the tool on the whole way.
+    ``speed`` is the greatest speed (m/s) of a robot of the size 1; a smaller robot is slower.
+    ``rotation`` (3, 3) is that of the tool on the whole way.
     WorldError if the arm does not reach a point of the way.
     """
     yield from turn(world, rotation)
-    start = world.robot.goal
-    points, ways = waypoints(rounded([world.arm.tool(start)[0], *corners], CORNER))
+    start, size = world.robot.goal, world.robot.size
+    path = rounded([world.arm.tool(start)[0], *corners], CORNER * size)
+    points, ways = waypoints(path, SPACING * size)
     if ways[-1] < 1e-6:
         return
     joints = [start]
     for point in points[1:]:
         joints.append(world.arm.solve(point, rotation, near=joints[-1]))
     before = start
-    for segment, share in timetable(ways, speed, world.tick):
+    for segment, share in timetable(ways, speed * size, world.tick):
         here = joints[segment] + (joints[segment + 1] - joints[segment]) * share
         world.robot.drive(here, (here - before) / world.tick)
         before = here

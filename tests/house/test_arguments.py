@@ -8,7 +8,7 @@ from tests.house.survey import survey
 
 PACKAGE = Path(__file__).parents[2] / "smsl_studio"
 MOST = 6
-VERBS = {"generate_code", "run", "open_run", "preview", "sweep", "try_edge"}
+VERBS = {"generate_code", "generate_explore", "run", "open_run", "preview", "sweep", "try_edge"}
 """The verbs of the front door in their public form, with keywords."""
 
 

@@ -47,7 +47,7 @@ def begin_run(
     run = LiveRun(hierarchy, host, opened, configuration, levels)
     run.guard_against(hazards)
     run.left_out = tuple(terms.left_out)
-    run.approved, run.met = terms.approved, tuple(terms.met)
+    run.approved, run.met, run.robot = terms.approved, tuple(terms.met), terms.robot
     return run, ordered
 
 
@@ -87,6 +87,7 @@ def start_events(
         behaviour=run.blueprint.behaviour,
         met=run.met,
         sensed=tuple(fact_text(*key) for key in run.senses.sensed),
+        robot=run.robot,
     )
     missing = [LeftOut(t=run.time, address=one, sentence=words) for one, words in run.left_out]
     return (started, *missing, *changes, *_checked(run))

@@ -24,6 +24,7 @@ class RunTerms:
     ``left_out`` are annotations of the file that nobody can read, as addresses with sentences.
     ``approved`` says that a policy or a record guards the run and is met, and ``hardware`` that the
     approval is one for a world that is hardware. ``met`` are the typed conditions that are met.
+    ``robot`` is the robot that was asked for, for the record.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -40,6 +41,7 @@ class RunTerms:
     approved: bool = False
     hardware: bool = False
     met: Sequence[str] = ()
+    robot: str = ""
 
     @property
     def adopts(self) -> bool:

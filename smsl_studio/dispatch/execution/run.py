@@ -44,7 +44,7 @@ class LiveRun:
     results of edges, for cost functions. ``hazards`` are those that guard the run, and
     ``told_hazards`` the names of those that are met and were told. ``left_out`` are annotations
     that cannot be read, as addresses with sentences. ``approved`` says that a policy guards the
-    run and is met, ``met`` which typed conditions are met.
+    run and is met, ``met`` which typed conditions are met. ``robot`` was asked for.
     """
 
     def __init__(
@@ -81,6 +81,7 @@ class LiveRun:
         self.left_out: tuple[tuple[str, str], ...] = ()
         self.approved = False
         self.met: tuple[str, ...] = ()
+        self.robot = ""
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []

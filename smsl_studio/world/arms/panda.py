@@ -1,10 +1,10 @@
-"""The arms that plugins share, as plain values. Another arm of the engine's models is one more."""
+"""The Franka Panda of the engine's models, with its hand."""
 
 from __future__ import annotations
 
 from smsl_studio.world.bodies import Robot
 
-PANDA = Robot(
+ARM = Robot(
     "panda",
     "franka_panda/panda.urdf",
     tool="panda_grasptarget",

@@ -1,0 +1,72 @@
+"""Hanoi on other robots than the usual one: one plugin, smaller things, the same way to the goal.
+
+``benches/worlds.py`` sweeps all edges and solves the game from many starts.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import smsl_studio as smsl
+from plugins.hanoi.moves import carry
+from plugins.hanoi.table import Table
+from smsl_studio.front.inputs import read
+from smsl_studio.library.arm_table import arm_named
+from smsl_studio.runlog.events import Committed, RunStarted
+from smsl_studio.shipped import samples_dir
+from smsl_studio.world.arms.dvrk import CENTRE
+from smsl_studio.world.bullet import BulletWorld
+from smsl_studio.world.kinematics import rotation_of
+
+TWO = samples_dir() / "hanoi-2.json"
+OTHERS = ("iiwa", "dvrk")
+WAY = ["State_ba", "State_bc", "State_cc"]
+
+
+@pytest.mark.parametrize("robot", OTHERS)
+def test_a_run_tells_the_same_here_in_a_child_and_in_its_log(robot: str, tmp_path: Path) -> None:
+    blueprint, log = read(TWO), tmp_path / "run.jsonl"
+    here = smsl.run(blueprint, "hanoi", goal="State_cc", seed=1, robot=robot)
+    there = smsl.run(
+        blueprint, "hanoi", goal="State_cc", seed=1, robot=robot, host="process", log=log
+    )
+    assert here.reason == "goal_reached", here.sentence
+    told = [event.line() for event in here.events]
+    assert [event.line() for event in there.events] == told
+    recorded = smsl.replay(log)
+    assert [event.line() for event in recorded.events] == told
+    assert recorded.header["robot"] == robot
+    started = next(event for event in here.events if isinstance(event, RunStarted))
+    assert (started.world, started.robot) == ("hanoi", robot)
+    way = [
+        state for e in here.events if isinstance(e, Committed) for state in e.configuration.values()
+    ]
+    assert way == WAY
+
+
+def test_the_usual_robot_is_told_nowhere(tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    blueprint = read(TWO)
+    plain = smsl.run(blueprint, "hanoi", start="State_bc", goal="State_cc", log=log)
+    named = smsl.run(blueprint, "hanoi", start="State_bc", goal="State_cc", robot="panda")
+    assert [e.line() for e in plain.events] == [e.line() for e in named.events]
+    assert "robot" not in smsl.replay(log).header
+    assert '"robot"' not in "".join(event.line() for event in plain.events)
+
+
+def test_the_shaft_goes_through_the_centre_of_motion_all_the_time() -> None:
+    table = Table(BulletWorld("hanoi"), 2, 0, arm_named("dvrk"))
+    table.furnish()
+    world, worst = table.world, 0.0
+    for _ in carry(table, table.disk(1), "c"):
+        world.step()
+        place, turned = world.robot.frames()["dvrk_outer_roll"]
+        along = rotation_of(turned)[:, 2]
+        off = np.cross(np.subtract(CENTRE, place), along)
+        worst = max(worst, float(np.linalg.norm(off)))
+    assert table.reading(table.disk(1)) == "c"
+    assert worst < 0.0001
+    world.close()
