@@ -20,8 +20,10 @@ HEIGHT, LOW = 250, 232
 """The height in a wide page, and beside a plan, where the notation is left out."""
 AXIS = 44
 """The room for the numbers at the left of a plot."""
-MARGIN = 0.12
+MARGIN = 0.24
 """The part of the shown range that stays free above and below."""
+CLOSE = 0.15
+"""Bounds that are closer than this part of the range of all bounds would cross words."""
 
 
 class MeasurePlot(QWidget):
@@ -48,6 +50,7 @@ class MeasurePlot(QWidget):
         self.notation.setContentsMargins(12, 4, 12, 6)
         self.plot = pg.PlotWidget()
         self.plot.setAccessibleName("Measures of the last 30 s")
+        self.plot.setToolTip("Seconds before now")
         self.plot.setFrameShape(QFrame.Shape.NoFrame)
         self.plot.setMinimumHeight(120)
         self.plot.hideButtons()
@@ -62,7 +65,8 @@ class MeasurePlot(QWidget):
         across = QHBoxLayout()
         across.setContentsMargins(12, 6, 12, 4)
         across.setSpacing(8)
-        for part in (label("Last 30 s of", "second"), self.source, self._legend):
+        for part in (label("30 s of" if low else "Last 30 s of", "second"), self.source,
+                     self._legend):  # fmt: skip
             across.addWidget(part)
         across.addWidget(self.newest, 1)
         column = QVBoxLayout(self)
@@ -165,9 +169,8 @@ class MeasurePlot(QWidget):
         self._fit(trace)
         unit = "" if trace.unit == "1" else trace.unit
         self.plot.setLabel("left", unit, color=self._tokens.tx2.name())
-        if not self._low:
-            self.plot.setLabel("bottom", "s before now", color=self._tokens.tx2.name())
-        self.newest.setText(f"now {trace.newest}" if trace.times else "nothing measured yet")
+        now = trace.newest if trace.missing else f"now {trace.newest}"
+        self.newest.setText(now if trace.times else "nothing measured yet")
         many = len(trace.lines) if len(trace.lines) > 1 else 0
         named = zip(AXES[:many], inks, strict=False)
         words = (f'<span style="color:{ink.name()}">{markup(axis)}</span>' for axis, ink in named)
@@ -222,9 +225,9 @@ class MeasurePlot(QWidget):
         pen = pg.mkPen(ink, width=1.2, style=Qt.PenStyle.DashLine)
         self._lines = []
         for number, (at, words) in enumerate(wanted):
-            # The words of the lowest bound stand below it, so that two close ones are readable.
-            lowest = len(bounds) > 1 and at == bounds[0]
-            anchor = [(0.0, 0.0), (0.0, 0.0)] if lowest else [(0.0, 1.0), (0.0, 1.0)]
+            # The words of a bound stand below it if the next higher one would cross them.
+            crossed = any(at < other < at + CLOSE * (bounds[-1] - bounds[0]) for other in bounds)
+            anchor = [(0.0, 0.0), (0.0, 0.0)] if crossed else [(0.0, 1.0), (0.0, 1.0)]
             options = {"position": 0.02 + 0.33 * (number % 3), "color": ink, "anchors": anchor}
             line = pg.InfiniteLine(at, angle=0, pen=pen, label=words, labelOpts=options)
             self._lines.append(line)
@@ -238,7 +241,6 @@ class MeasurePlot(QWidget):
         if high - low < 0.2 * abs(high):
             # So small a part of a number would look like a large change.
             low, high = min(low, 0.0), max(high, 0.0)
-        margin = 2 * MARGIN if self._low else MARGIN
-        room = margin * (high - low) or abs(high) * margin or 1.0
+        room = MARGIN * (high - low) or abs(high) * MARGIN or 1.0
         self.plot.setXRange(-SPAN, 0.0, padding=0)
         self.plot.setYRange(low - room, high + room, padding=0)

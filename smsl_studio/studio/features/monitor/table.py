@@ -247,6 +247,7 @@ class MonitorTable(QTableView):
         for at, row in enumerate(self.model_of_rows.rows):
             if row.key == key:
                 self.cell.choose(self.model_of_rows.index(at, 0))
+                self.scrollTo(self.model_of_rows.index(at, 0))
                 return
 
     def show_rows(self, rows: tuple[MonitorRow, ...]) -> None:

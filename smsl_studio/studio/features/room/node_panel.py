@@ -130,9 +130,11 @@ class NodePanel(QWidget):
         self.fact.show_facts(moment.blueprint, moment.view.of(tag), fact.key)
         measured = measured_of(moment.blueprint, key, moment.history, moment.now)
         self.plot.show_measured(measured)
-        own = [one.said.source for one in tag.sources if one.fact == key]
+        own = [one for one in tag.sources if one.fact == key]
+        # A tag that was never read has nothing to plot.
+        own.sort(key=lambda one: (one.said.value is None, one.sample is None))
         if before != key and own:
-            self.plot.choose(own[0])
+            self.plot.choose(own[0].said.source)
 
     def _edit(self) -> None:
         fact: RoomFact | None = self.fact.fact
@@ -148,7 +150,7 @@ class NodePanel(QWidget):
         return f'<b style="color:{ink}">{markup(words)}</b>'
 
     def _body(self, tag: NodeTag) -> str:
-        rows = [("Node", f"{tag.name}, {KINDS[tag.kind]}"), *tag.reads]
+        rows = [("Node", f"{tag.name}, {KINDS[tag.kind]}"), *_reads(tag)]
         rows.append(("Certificate", self._certificate(tag.name)))
         rate = f"{tag.site.rate:g} Hz, " if tag.site is not None else ""
         if tag.sources:
@@ -180,6 +182,18 @@ class NodePanel(QWidget):
             return ""
         lines = "".join(f"<br>{markup(words)}" for words in view.refused[:6])
         return f"<b>Messages that count for nothing</b>{lines}"
+
+
+def _reads(tag: NodeTag) -> list[tuple[str, str]]:
+    """Sources with what they read. The fact stands there only where one name reads two things."""
+    said: dict[str, dict[str, str]] = {}
+    for name, words in tag.reads:
+        said.setdefault(name.partition(" of ")[0], {})[name] = words
+    rows: list[tuple[str, str]] = []
+    for short, all_of in said.items():
+        alike = len(set(all_of.values())) == 1
+        rows += [(short, next(iter(all_of.values())))] if alike else all_of.items()
+    return rows
 
 
 def _scrolled(column: QVBoxLayout) -> QScrollArea:
