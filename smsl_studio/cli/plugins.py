@@ -130,6 +130,10 @@ def _as_json(plugin: Plugin) -> dict[str, Any]:
             {"world": entry.world, "fault": entry.name, "parameters": list(entry.signature.types)}
             for entry in library.faults.values()
         ],
+        "supervisors": [
+            {"supervisor": entry.name, "options": list(entry.signature.types)}
+            for entry in library.supervisors.values()
+        ],
     }
 
 
@@ -144,6 +148,7 @@ def _print(plugin: Plugin, out: Output) -> None:
         "operations": [e.pattern.text if e.pattern else e.name for e in library.operations],
         "sensors": [e.pattern.text for e in library.sensors],
         "faults": [_called(entry) for entry in library.faults.values()],
+        "supervisors": list(library.supervisors),
     }
     _print_parts(parts, out)
 

@@ -15,7 +15,7 @@ from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
 from smsl_studio.host.compound import mapped, mapping, optional, row, several
 from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
-from smsl_studio.library.entries import CostEntry, FaultEntry, WorldEntry
+from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry, WorldEntry
 from smsl_studio.library.loaded import Plugin, PluginFault
 from smsl_studio.library.operation_library import (
     STOP_MODES,
@@ -130,6 +130,12 @@ FAULT = mapped(
     lambda told: FaultEntry(told[0], told[1], AbsentCode(told[1]), told[2]),
 )
 
+SUPERVISOR = mapped(
+    row(NAME, SIGNATURE, PATIENCE),
+    lambda one: (one.name, one.signature, one.limit),
+    lambda told: SupervisorEntry(AbsentCode(told[0]), *told),
+)
+
 LIBRARY: Codec[OperationLibrary] = mapped(
     row(
         name(100),
@@ -140,6 +146,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         several(COST, MOST),
         several(FAULT, MOST),
         several(NAME, MOST),
+        several(SUPERVISOR, MOST),
     ),
     lambda one: (
         one.name,
@@ -150,6 +157,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         tuple(one.costs),
         tuple(one.faults.values()),
         tuple(one.robots),
+        tuple(one.supervisors.values()),
     ),
     lambda told: _library(*told),
 )
@@ -199,7 +207,7 @@ def _library(
     *others: Any,
 ) -> OperationLibrary:
     library = OperationLibrary(called)
-    sensors, costs, faults, robots = others
+    sensors, costs, faults, robots, supervisors = others
     library.worlds.update(_once(worlds, lambda one: one.name))
     library.arrangers.update({world: AbsentCode(world) for world in arranged})
     library.operations.extend(operations)
@@ -208,6 +216,7 @@ def _library(
     library.faults.update(_once(faults, lambda one: (one.world, one.name)))
     # Only their names are told: the values are built where the world is.
     library.robots.update({name: Robot(name, "", "", ()) for name in robots})
+    library.supervisors.update(_once(supervisors, lambda one: one.name))
     return library
 
 

@@ -209,6 +209,7 @@ def _check_words(plugin: Plugin, found: FoundPlugin) -> None:
         "operations": tuple(e.pattern.text if e.pattern else e.name for e in library.operations),
         "sensors": tuple(e.pattern.text for e in library.sensors),
         "faults": tuple(name for _, name in library.faults),
+        "supervisors": tuple(library.supervisors),
     }
     for kind, said in manifest.registers.items():
         missing = [name for name in registered[kind] if name not in said]

@@ -19,8 +19,9 @@ class Manifest(BaseModel):
     """The content of ``plugin.toml``.
 
     ``name`` is the first part of the functions' names (``name.function``); the rest is for people.
-    ``worlds``, ``operations``, ``sensors`` and ``faults`` list the entries that the code registers,
-    so that a user can decide whether it may run. A list must be complete, or be left out.
+    ``worlds``, ``operations``, ``sensors``, ``faults`` and ``supervisors`` list the entries that
+    the code registers, so that a user can decide whether it may run. A list must be complete, or be
+    left out.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -34,11 +35,12 @@ class Manifest(BaseModel):
     operations: tuple[str, ...] = ()
     sensors: tuple[str, ...] = ()
     faults: tuple[str, ...] = ()
+    supervisors: tuple[str, ...] = ()
 
     @property
     def registers(self) -> Mapping[str, tuple[str, ...]]:
         """The entries that the code registers, by kind. A kind that is left out is empty."""
-        kinds = ("worlds", "operations", "sensors", "faults")
+        kinds = ("worlds", "operations", "sensors", "faults", "supervisors")
         return {kind: getattr(self, kind) for kind in kinds}
 
 

@@ -44,7 +44,9 @@ def test_a_new_plugin_is_listed_from_its_own_words_and_does_not_run(
 ) -> None:
     told = _told(shell, "lamp")
     assert (told["state"], told["version"], told["location"]) == ("new", "1.5", str(lamp))
-    assert told["manifest"] == {"worlds": ["lamp"], "operations": [], "sensors": [], "faults": []}
+    kinds = ("operations", "sensors", "faults", "supervisors")
+    rest: dict[str, list[str]] = {kind: [] for kind in kinds}
+    assert told["manifest"] == {"worlds": ["lamp"], **rest}
     assert "plugins allow lamp" in str(told["message"])
     text = shell("plugins").out
     assert f"lamp 1.5 (user, {lamp}): new\n    A lamp.\n" in text

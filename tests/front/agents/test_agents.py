@@ -14,6 +14,7 @@ from smsl_studio.front.agents.agent_process import AgentProcess
 from smsl_studio.front.agents.asked_agent import asked_agent
 from smsl_studio.front.inputs import read_bytes
 from smsl_studio.front.runs import Run
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.supervisor_view import SupervisorView
 from smsl_studio.runlog.events import (
     Commanded,
@@ -245,3 +246,18 @@ def test_a_weight_that_does_not_count_is_a_finding() -> None:
         "luck is not understood: there is no such part of a risk. "
         "There are declared, failures, hazard, age",
     ]
+
+
+def test_a_plugin_may_not_register_a_supervisor_that_its_manifest_leaves_out(
+    paths: tuple[Path, ...],
+) -> None:
+    manifest = paths[0] / "plugin.toml"
+    manifest.write_text('name = "odd"\nsupervisors = ["chosen", "hangs", "dies"]\n', "utf-8")
+    with pytest.raises(UsageError, match="it registers 'lies', which is not among the supervisors"):
+        run("chosen", paths=paths)
+
+
+def test_plugins_are_listed_with_their_supervisors(paths: tuple[Path, ...]) -> None:
+    (plugin,) = (one for one in describe(paths).plugins if one.name == "odd")
+    told = {one.name: list(one.signature.types) for one in plugin.library.supervisors.values()}
+    assert told == {"chosen": ["answer", "spare"], "hangs": [], "dies": [], "lies": []}
