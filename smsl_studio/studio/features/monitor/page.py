@@ -86,6 +86,7 @@ class MonitorPage(HeadedPage):
         self.apart.setToolTip(tip_text("Open the monitor beside this window, or on another screen"))
         self.head.setLayout(row(self.words, self._refusal, self._time, self.apart))
         left, column = empty_panel()
+        self._column = column
         for part in (self._pages, self.plot, rule(), self.bar, rule(), self.faults):
             column.addWidget(part, 1 if part is self._pages else 0)
         side = split(
@@ -107,6 +108,9 @@ class MonitorPage(HeadedPage):
         """Choose the row of a fact, so that its measures are plotted."""
         self.refresh()
         self.table.choose((fact[0], str(fact[1])))
+        # The plot takes room of the table.
+        self._column.activate()
+        self.table.show_chosen()
 
     @property
     def rows(self) -> tuple[MonitorRow, ...]:

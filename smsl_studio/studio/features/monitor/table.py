@@ -247,8 +247,11 @@ class MonitorTable(QTableView):
         for at, row in enumerate(self.model_of_rows.rows):
             if row.key == key:
                 self.cell.choose(self.model_of_rows.index(at, 0))
-                self.scrollTo(self.model_of_rows.index(at, 0))
                 return
+
+    def show_chosen(self) -> None:
+        """Scroll to the selected row."""
+        self.scrollTo(self.cell.index)
 
     def show_rows(self, rows: tuple[MonitorRow, ...]) -> None:
         """Show these rows; the selected one stays selected while it exists."""

@@ -28,6 +28,8 @@ from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words
 from smsl_studio.studio.running.timeline import Timeline
 
+HIGH = 800
+"""In a page lower than this the plot takes the place of the state check (pixels)."""
 FACTS = 260
 """The least width of the facts (pixels)."""
 
@@ -75,6 +77,7 @@ class ReplayPane(QWidget):
         self.facts.setColumnHidden(COLUMNS.index("Age"), True)
         self.plot = RecordedPlot(replay, tokens)
         self.facts.chosen.connect(self.plot.choose)
+        self.plot.changed.connect(self._fit_plot)
         self.events = EventTable()
         self.timeline = Timeline(tokens)
         self._build()
@@ -100,9 +103,11 @@ class ReplayPane(QWidget):
     def _build(self) -> None:
         self._count = label("", "small")
         events = panel(head("Events", None, self._count), self.events)
-        facts = panel(head("Facts, as they were sensed"), self.facts, self.plot)
+        facts = panel(head("Facts, as they were sensed"), self.facts)
         facts.setMinimumWidth(FACTS)
-        below = split(Qt.Orientation.Horizontal, (facts, panel(self.check)), (428, 383), (1, 1))
+        below = split(
+            Qt.Orientation.Horizontal, (facts, panel(self.check, self.plot)), (428, 383), (1, 1)
+        )
         right = split(Qt.Orientation.Vertical, (events, below), (300, 250), (1, 0))
         above = split(Qt.Orientation.Horizontal, (self.canvas, right), (628, 811), (44, 56))
         whole = split(Qt.Orientation.Vertical, (above, self.timeline), (626, 160), (1, 0))
@@ -111,6 +116,10 @@ class ReplayPane(QWidget):
         column.setSpacing(0)
         column.addWidget(self.note)
         column.addWidget(whole, 1)
+
+    def _fit_plot(self) -> None:
+        """Leave the state check out in a low page while the plot needs its room."""
+        self.check.setHidden(self.plot.fact is not None and self.height() < HIGH)
 
     def _show_run(self) -> None:
         recording = self._replay.recording

@@ -1,9 +1,10 @@
-"""The plot of what a recorded run measured, below its facts, at the moment that is shown."""
+"""The plot of what a recorded run measured, below its state check, at the moment that is shown."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.check import FactKey
@@ -21,6 +22,9 @@ NOTHING = "Nothing was measured for it: no predicates decide this fact."
 
 class RecordedPlot(QWidget):
     """Hidden until a fact is chosen. The plot is made then, because its library takes time."""
+
+    changed = Signal()
+    """Another fact is plotted, or none."""
 
     def __init__(self, replay: Replay, tokens: Tokens) -> None:
         super().__init__()
@@ -47,6 +51,7 @@ class RecordedPlot(QWidget):
         self.fact = fact
         self.setVisible(fact is not None)
         self.refresh()
+        self.changed.emit()
 
     def refresh(self) -> None:
         """Show the last 30 s before the moment that is shown."""
