@@ -1,4 +1,4 @@
-"""Worlds in physics: every edge alone, and the goal over many seeds.
+"""Worlds in physics, with each of their robots: every edge alone, and the goal over many seeds.
 
 A run counts as true if its end is true by a judge that uses only what is drawn and told
 (``tests/plugins``). Simulated seconds a CPU second tell how quick a world is. Without ``--all`` few
@@ -13,11 +13,15 @@ from pathlib import Path
 
 from benches.row import Row
 from smsl_studio.front.inputs import read
+from smsl_studio.front.runs import run
 from smsl_studio.front.sweeps import sweep
-from smsl_studio.runlog.events import SweepFinished
+from smsl_studio.runlog.events import Committed, SweepFinished
 from smsl_studio.shipped import samples_dir
 from tests.plugins.piece_games import GOALS, file_of, run_game
 from tests.plugins.site_runs import FLAT, SUBBED, run_site
+
+ROBOTS = ("panda", "iiwa", "dvrk")
+HANOI = samples_dir() / "hanoi-corrected.json"
 
 
 def rows() -> Iterator[Row]:
@@ -36,12 +40,37 @@ def _rows(seeds: int) -> Iterator[Row]:
         yield from _goals(file, seeds)
     for game in GOALS:
         yield from _game(game, seeds)
+    ways: set[tuple[str, ...]] = set()
+    for robot in ROBOTS:
+        yield from _hanoi(robot, seeds, ways)
+    yield Row("hanoi, all robots: different sequences of states", len(ways), "", bound="1")
 
 
-def _swept(file: Path, world: str) -> Row:
-    *_, last = sweep(read(file), world)
+def _hanoi(robot: str, seeds: int, ways: set[tuple[str, ...]]) -> Iterator[Row]:
+    """Sweep Hanoi with one robot, then solve it from each seed. ``ways`` gets the states."""
+    begun = time.process_time()
+    yield _swept(HANOI, "hanoi", robot)
+    name = f"hanoi with {robot}"
+    yield Row(f"{name}, sweep: all", time.process_time() - begun, "CPU s")
+    start, simulated, missed = time.process_time(), 0.0, 0
+    for seed in range(seeds):
+        done = run(read(HANOI), "hanoi", "State_ccc", seed=seed, robot=robot)
+        missed += done.reason != "goal_reached"
+        simulated += done.events[-1].t
+        told = (event for event in done.events if isinstance(event, Committed))
+        ways.add(tuple(state for event in told for state in event.configuration.values()))
+    spent = time.process_time() - start
+    name = f"{name}, {seeds} seeds"
+    yield Row(f"{name}: runs that miss the goal", missed, "runs", bound="0")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: all", spent, "CPU s")
+
+
+def _swept(file: Path, world: str, robot: str = "") -> Row:
+    *_, last = sweep(read(file), world, robot=robot)
     assert isinstance(last, SweepFinished)
-    work = f"{world}, {file.name}: edges alone that fail, of {last.edges}"
+    where = f"{world} with {robot}" if robot else world
+    work = f"{where}, {file.name}: edges alone that fail, of {last.edges}"
     return Row(work, last.edges - last.passed, "edges", bound="0")
 
 

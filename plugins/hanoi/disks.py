@@ -21,6 +21,13 @@ MIDDLE = 0.50
 
 PEG_RADIUS = 0.008
 PEG_TOP = 0.045
+CLEAR = PEG_TOP + 0.02
+"""The height (m) of a carried ring's lower side on its way over the pegs."""
+
+TIPS = 0.010
+"""The height (m) of the tool above the lower side of a held ring. The tips of the fingers stay 3 mm
+above this side."""
+
 HOLE = 0.0135
 """Half of the distance (m) between opposite walls of a ring's hole."""
 

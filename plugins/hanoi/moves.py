@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from smsl_studio.errors import WorldError
 from smsl_studio.world.motions import Motion, tool, travel, wait
 
-from .disks import PEG_TOP, PEGS, Disk
+from .disks import CLEAR, PEGS, TIPS, Disk
 from .table import HELD
 
 if TYPE_CHECKING:
@@ -26,13 +26,6 @@ Array = NDArray[np.float64]
 
 TRAVEL, CAREFUL, GENTLE = 0.6, 0.35, 0.15
 """The greatest speeds (m/s): between pegs, while rings are lifted or lowered, and on short ways."""
-
-CLEAR = PEG_TOP + 0.02
-"""The height (m) of a carried ring's lower side on its way over the pegs."""
-
-TIPS = 0.010
-"""The height (m) of the tool above the lower side of a held ring. The tips of the fingers stay 3 mm
-above this side."""
 
 SQUEEZE = 0.006
 """The distance (m) inside the ring's radius to which the closing fingers are sent."""

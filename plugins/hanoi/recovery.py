@@ -13,12 +13,11 @@ import numpy as np
 
 from smsl_studio.world.motions import DOWN, Array, tool, travel, wait
 
-from .disks import CAP, CAP_RADIUS, PEG_RADIUS, Disk
+from .disks import CAP, CAP_RADIUS, PEG_RADIUS, TIPS, Disk
 from .moves import (
     CAREFUL,
     CLOSING,
     SQUEEZE,
-    TIPS,
     TRAVEL,
     above,
     bring,

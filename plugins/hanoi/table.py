@@ -13,8 +13,9 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Floor, Robot
 from smsl_studio.world.protocol import Vector
+from smsl_studio.world.reach import refuse_unreached
 
-from .disks import PEGS, Disk, cap_body, disks_for, peg_body, pegs_for
+from .disks import CLEAR, PEGS, TIPS, Disk, cap_body, disks_for, peg_body, pegs_for
 
 if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
@@ -80,7 +81,14 @@ class Table:
             self.world.add(disk.body(place))
         self.world.add(cap_body(self.size))
         self.world.add(self.robot)
+        refuse_unreached(self.world, self.robot.name, self._heights())
         self.world.settle()
+
+    def _heights(self) -> Iterator[tuple[str, Vector]]:
+        """Yield the lowest and the highest place (m) of the tool at each peg."""
+        for name, (x, y) in self.pegs.items():
+            yield f"the foot of peg {name}", (x, y, TIPS * self.size)
+            yield f"the top of peg {name}", (x, y, (CLEAR + TIPS) * self.size)
 
     def arrange(self, pegs: Mapping[Disk, str]) -> None:
         """Begin again with each ring at rest on its peg, smaller rings above larger rings.

@@ -25,7 +25,7 @@ Pose = tuple[Vector, Quaternion]
 GAIN = 0.5
 """The share of its position error that a joint corrects in one tick."""
 
-FINGER_GAIN, JAW_GAIN = 0.1, 0.6
+FINGER_GAIN, JAW_GAIN = 0.1, 1.0
 """The same of a finger that slides (the engine's own default), and of one that turns. The small
 things that a jaw holds are so light that a gentle finger would let them slip."""
 

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 import smsl_studio as smsl
 from plugins.hanoi.moves import carry
 from plugins.hanoi.table import Table
+from smsl_studio.errors import WorldError
 from smsl_studio.front.inputs import read
 from smsl_studio.library.arm_table import arm_named
 from smsl_studio.runlog.events import Committed, RunStarted
@@ -69,4 +71,12 @@ def test_the_shaft_goes_through_the_centre_of_motion_all_the_time() -> None:
         worst = max(worst, float(np.linalg.norm(off)))
     assert table.reading(table.disk(1)) == "c"
     assert worst < 0.0001
+    world.close()
+
+
+def test_a_robot_that_does_not_reach_is_refused_before_anything_moves() -> None:
+    far = replace(arm_named("iiwa"), name="far", base=(-0.35, 0.0, 0.0))
+    world = BulletWorld("hanoi")
+    with pytest.raises(WorldError, match=r"'far' does not reach the foot of peg a .* \(0.500"):
+        Table(world, 3, 0, far).furnish()
     world.close()

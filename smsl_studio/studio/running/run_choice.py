@@ -38,6 +38,8 @@ class RunChoice:
     """The trust policy that must be met; None if the run needs no approval."""
     script: Script | None = None
     """What is done by hand in this run, one act after the other."""
+    robot: str = ""
+    """The robot of the world; empty means its usual one."""
 
     def request(self, blueprint: Blueprint) -> RunRequest:
         """The request for this run, with a person present to answer.
@@ -54,6 +56,7 @@ class RunChoice:
             attended=True,
             script=self.script,
             policy=self.policy,
+            robot=self.robot,
         )
 
 

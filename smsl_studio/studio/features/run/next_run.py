@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -13,9 +15,12 @@ from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_choice import RunChoice
 from smsl_studio.studio.running.run_session import RunSession
 
-Wanted = tuple[Blueprint, str, int, Loaded]
+Wanted = tuple[Blueprint, str, int, Loaded, str]
 GIVEN = "given states"
 """The data of the entry for a start of several states. No address has this text."""
+
+WITH = "\t"
+"""What stands between a world and its robot in the data of an entry. No name has it."""
 
 
 class NextRun:
@@ -38,17 +43,17 @@ class NextRun:
 
     @property
     def wanted(self) -> Wanted | None:
-        """Blueprint, world, seed and plugins of the run that Play would begin.
+        """Blueprint, world, seed, plugins and robot of the run that Play would begin.
 
         None if there would be none.
         """
-        world = self._transport.world.currentData()
+        world = self.world
         if self._run.exists or self.loaded is None or self._session.broken is not None or not world:
             return None
         if self.is_fixed:
             return None
         seed = int(self._transport.seed.text() or 0)
-        return self._session.blueprint, world, seed, self.loaded
+        return self._session.blueprint, world, seed, self.loaded, self._robot
 
     @property
     def choice(self) -> RunChoice:
@@ -58,21 +63,34 @@ class NextRun:
         if self.step is not None:
             return self._of_step(*self.step)
         return RunChoice(
-            world=transport.world.currentData(),
+            world=self.world,
             start="" if start == GIVEN else start,
             starts=self._given if start == GIVEN else (),
             goal=transport.goal.currentData() or "",
             seed=int(transport.seed.text() or 0),
             by_hand=transport.by_hand.isChecked(),
             levels=self._levels.set,
+            robot=self._robot,
         )
+
+    @property
+    def world(self) -> str:
+        """The chosen world, empty if none is offered yet."""
+        return (self._transport.world.currentData() or "").partition(WITH)[0]
+
+    @property
+    def _robot(self) -> str:
+        """The chosen robot, empty if it is the usual one."""
+        return (self._transport.world.currentData() or "").partition(WITH)[2]
 
     def _of_step(self, starts: tuple[str, ...], goal: str) -> RunChoice:
         """The choice for one step, in the chosen world."""
         transport = self._transport
         seed = int(transport.seed.text() or 0)
-        world = transport.world.currentData()
-        return RunChoice(world, goal=goal, seed=seed, levels=self._levels.set, starts=starts)
+        levels, robot = self._levels.set, self._robot
+        return RunChoice(
+            self.world, goal=goal, seed=seed, levels=levels, starts=starts, robot=robot
+        )
 
     @property
     def is_fixed(self) -> bool:
@@ -101,19 +119,28 @@ class NextRun:
             words.append(f"{names[0]} {short_name(branch, names[1])}")
         return [(", ".join(words), GIVEN)] if words else []
 
+    def _worlds(self, blueprint: Blueprint) -> Iterator[tuple[str, str]]:
+        """Yield the worlds that suit the drawing, each with its usual robot, then with every other
+        one."""
+        if self.loaded is None:
+            return
+        for world in front.worlds_for(blueprint, loaded=self.loaded):
+            yield world, world
+            for robot in self.loaded.robots(world)[1:]:
+                yield f"{world}, {robot}", f"{world}{WITH}{robot}"
+
     def offer(self) -> None:
         """Offer the choices of the drawing, or show and lock those of the run."""
         if self.is_fixed:
             choice = self._run.choice
             if choice is not None:
                 start = GIVEN if choice.starts else choice.start
-                self._transport.show_choice(choice.world, start, choice.goal, choice.seed)
+                where = f"{choice.world}{WITH}{choice.robot}" if choice.robot else choice.world
+                self._transport.show_choice(where, start, choice.goal, choice.seed)
         elif not self._offered:
             self._offered = True
             blueprint = self._session.blueprint
             starts, goals = choices(blueprint)
-            known = self.loaded is not None
             starts = [*starts, *self._given_start(blueprint)]
-            worlds = front.worlds_for(blueprint, loaded=self.loaded) if known else ()
-            self._transport.offer(worlds, starts, goals)
+            self._transport.offer(list(self._worlds(blueprint)), starts, goals)
         self._transport.lock(self.is_fixed)

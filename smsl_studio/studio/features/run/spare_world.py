@@ -14,14 +14,14 @@ from smsl_studio.library.loaded import Loaded
 QUIET = 700
 """Milliseconds without a change before a world is prepared."""
 
-Wanted = tuple[Blueprint, str, int, Loaded]
+Wanted = tuple[Blueprint, str, int, Loaded, str]
 
 
 class SpareWorld(QObject):
     """Prepares a spare process for the run that Play would begin.
 
-    ``wanted`` returns blueprint, world, seed and plugins of that run, or None. Without a ``spare``
-    nothing is prepared, and each run starts its own process.
+    ``wanted`` returns blueprint, world, seed, plugins and robot of that run, or None. Without a
+    ``spare`` nothing is prepared, and each run starts its own process.
     """
 
     def __init__(self, wanted: Callable[[], Wanted | None], parent: QObject) -> None:

@@ -85,15 +85,15 @@ class Transport(QWidget):
 
     def offer(
         self,
-        worlds: Sequence[str],
+        worlds: Sequence[tuple[str, str]],
         starts: Sequence[tuple[str, str]],
         goals: Sequence[tuple[str, str]],
     ) -> None:
-        """Fill the choices with pairs (text, address); the first is the default.
+        """Fill the choices with pairs (text, data); the first is the default.
 
         A choice that a person made stays if it still exists.
         """
-        _fill(self.world, [(name, name) for name in worlds])
+        _fill(self.world, worlds)
         _fill(self.start, starts)
         _fill(self.goal, goals)
 
