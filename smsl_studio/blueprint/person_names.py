@@ -7,6 +7,9 @@ import unicodedata
 UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u180b\u180c\u180d\u180f\u2800")
 """Characters that are invisible although they count as letters, marks or symbols."""
 
+INVISIBLE = frozenset(("Cc", "Cf", "Zl", "Zp", "Zs"))
+"""The categories of control and format characters and of white space."""
+
 NAMELESS = frozenset(("aperson", "script"))
 """The names of people who gave no name (see ``same_name``). They may answer alone, but cannot be
 told from each other.
@@ -21,13 +24,13 @@ def same_name(text: str) -> str:
     """
     plain = unicodedata.normalize("NFKC", text)
     seen = "".join(char for char in plain if not _unseen(char))
-    return "".join(unicodedata.normalize("NFKC", seen.casefold()).split())
+    return unicodedata.normalize("NFKC", seen.casefold())
 
 
 def _unseen(char: str) -> bool:
-    """Return whether a character is invisible: format and control characters, fillers, and
-    variation selectors.
+    """Return whether a character is invisible: white space, format and control characters, fillers,
+    and variation selectors.
     """
     if char in UNSEEN or unicodedata.name(char, "").startswith("VARIATION SELECTOR"):
         return True
-    return unicodedata.category(char) in ("Cf", "Cc") and not char.isspace()
+    return unicodedata.category(char) in INVISIBLE

@@ -56,15 +56,17 @@ n    the number of a fact in it     key  a fact: b and n
 op   an operation that has begun    at   the state in which each State Branch is
 a    the address of an operation    no   refuses the evidence if what follows is so, and says why
 
-A Map is a table: m.key is its value, or () if it has none. What the story notes of a step: acts
-(a function is at work), bad (a check or an operation has failed), op.code (its function), op.how
-(its outcome), op.to (where it leads), op.new (where it leaves every State Branch), moved (the
-State Branches that have moved in this step), veto (what somebody does not want just now).
+A Map is a table: m.key is its value, or an empty Map if it has none. e.a is the address of an
+event, e.at its configuration. What the story notes of a step: acts (a function is at work), bad (a
+check or an operation has failed), op.code (its function), op.how (its outcome), op.to (where it
+leads), op.new (where it leaves every State Branch), moved (the State Branches that have moved in
+this step), veto (what somebody does not want just now), closed (what a guard closes).
 
-sha, once, read, plain, escape, parts, fact and facts read and write texts; raw_of reads base64,
-which has one spelling. fits asks whether a value has the type that TYPES names: else a plural is a
-list, and all others are texts. content reads the blueprint from the texts of its digests, branch
-one State Branch. lines checks the chain and the head of a log.
+sha, once, read, plain, text, parts, fact and facts read and write texts; text writes an address,
+which has one spelling, and raw_of reads base64, which has one too. fits asks whether a value has
+the type that TYPES names: else a plural is a list, and all others are texts. content reads the
+blueprint from the texts of its digests, branch one State Branch. lines checks the chain and the
+head of a log.
 
 How things stand: here says where everything is, with what has been done and is not committed
 yet. holds says whether a fact has a value, terms asks all facts of a state: this is a state check.
@@ -78,8 +80,11 @@ The story: tell tells a log again, story is one that has not begun. What a bluep
 operation runs, one level down, is a story of its own, told in the same way. take asks what each
 event needs: time goes on only where something takes time, and an effect has its command, at the
 same time and of the same person. An event that holds, stops or locates the run ends its step.
-Then on_EVENT asks what this event needs, and notes what it changes. arrived: nothing goes on, and
-the goals that were told still hold. same compares names of people, each gives each wish an offer.
+A command that was carried out owes its effect before anything else. Then on_EVENT asks what this
+event needs, and notes what it changes. arrived: nothing goes on, and the goals that were told still
+hold. same writes the name of a person in one way, without what nobody sees. each asks whether every
+wish has an offer of its own: it has if no kinds of wishes are more than the offers for them (the
+theorem of Hall). It refuses more than 16 kinds.
 
 The records: when reads a time. trusted reads the policy and whose keys count, ring names keys
 by their sums, opened checks a signature. void: a key or a record is revoked, or not valid at

@@ -56,11 +56,12 @@ def is_believed(files: Mapping[str, bytes]) -> bool:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(raw)
         with contextlib.chdir(name), contextlib.redirect_stdout(io.StringIO()):
-            return not _program().main()
+            return not program().main()
 
 
 @cache
-def _program() -> Json:
+def program() -> Json:
+    """``verify.py`` as a module."""
     spec = spec_from_file_location("verify_in_a_bundle", verifier_file())
     assert spec is not None
     assert spec.loader is not None

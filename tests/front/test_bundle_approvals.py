@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -56,8 +56,15 @@ def record(blueprint: Blueprint, member: Member, minutes: int, **other: Any) -> 
 
 def record_files(blueprint: Blueprint, **other: Any) -> dict[str, bytes]:
     """The content of a file, and its record of two people."""
+    return record_files_of(blueprint, (ADA, BEN), **other)
+
+
+def record_files_of(
+    blueprint: Blueprint, members: Sequence[Member], **other: Any
+) -> dict[str, bytes]:
+    """The content of a file, and its record of some people."""
     name = Path(blueprint.file).name
-    records = [record(blueprint, member, n, **other) for n, member in enumerate((ADA, BEN))]
+    records = [record(blueprint, member, n, **other) for n, member in enumerate(members)]
     return {
         f"records/{name}.record.json": written_record_file(one.envelope for one in records),
         **{f"content/{name}/{part}.json": raw for part, raw in content_texts(blueprint).items()},

@@ -40,16 +40,11 @@ ENDS = {"goal_reached", "no_route", "held", "refused", "stopped"}
 ORDER_ALONE = {
     "another_function",
     "bypass_of_nothing",
-    "command_without_an_effect",
     "costs_that_nobody_set",
-    "ends_as_nothing_ends",
-    "failed_for_another_reason",
     "header_of_other_digits",
     "holds_in_no_way",
     "left_out_later",
-    "part_of_a_step_not_checked",
     "paused_twice",
-    "refusal_taken_back",
     "route_at_another_cost",
     "unknown_command",
 }
@@ -85,7 +80,7 @@ def test_the_checks_can_be_read_aloud() -> None:
     plain = [node for node in tree if isinstance(node, ast.Assign | ast.Expr | ast.Return)]
     long = [node for node in plain if node.end_lineno != node.lineno]
     assert [node.lineno for node in long if ";" in lines[node.lineno - 1][: node.col_offset]] == []
-    dense = [node.lineno for node in plain if sum(1 for _ in ast.walk(node)) > 100]
+    dense = [node.lineno for node in plain if sum(1 for _ in ast.walk(node)) > 120]
     assert len(dense) <= 1, f"too much is said at once in lines {dense}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from smsl_studio.blueprint.person_names import same_name
@@ -11,22 +12,13 @@ def seated(wanted: Sequence[str], given: Sequence[str], escalation: str = "") ->
     """Return whether everyone in ``given`` gets a seat of their own among the roles ``wanted``.
 
     An empty role in ``wanted`` is a seat for anybody. A person with the role ``escalation`` may
-    take any seat; an empty text means that there is no such role. All orders of seating are tried.
+    take any seat; an empty text means that there is no such role.
     """
     seats = [same_name(role) for role in wanted]
-    persons = [same_name(role) for role in given]
     also = same_name(escalation)
-
-    def seat(index: int, free: frozenset[int]) -> bool:
-        """Return whether the persons from ``index`` on can take the free seats."""
-        if index == len(persons):
-            return True
-        role = persons[index]
-        jumps = bool(also) and role == also
-        return any(
-            seat(index + 1, free - {one})
-            for one in sorted(free)
-            if jumps or not seats[one] or seats[one] == role
-        )
-
-    return len(persons) <= len(seats) and seat(0, frozenset(range(len(seats))))
+    persons = [same_name(role) for role in given]
+    bound = Counter(role for role in persons if not also or role != also)
+    own = bound & Counter(seat for seat in seats if seat)
+    # Whoever finds no seat of the own role needs an open one.
+    standing = bound.total() - own.total()
+    return len(persons) <= len(seats) and standing <= seats.count("")

@@ -241,6 +241,12 @@ def test_seats_are_found_wherever_there_are_any(
     assert seated(wanted, persons, escalation) is bool(fits)
 
 
+def test_twelve_seats_take_no_long_time() -> None:
+    """All orders of twelve seats would take hours."""
+    assert seated(["surgeon"] * 12, ["surgeon"] * 12)
+    assert not seated(["surgeon"] * 12, ["surgeon"] * 11 + ["nurse"])
+
+
 ACTS = st.one_of(
     st.tuples(st.just("open"), st.lists(ROLES, min_size=1, max_size=3), st.sampled_from([2, 8])),
     st.tuples(
