@@ -1,4 +1,4 @@
-"""The hanoi world: the cost of physics, and the reliability of the arm."""
+"""The hanoi world: the cost of physics, and the reliability of the arm, in both engines."""
 
 from __future__ import annotations
 
@@ -18,12 +18,17 @@ CORRECTED, PRINTED = "samples/hanoi-corrected.json", "samples/hanoi.json"
 FOUR = "samples/hanoi-4.json"
 
 
+OTHER = "hanoi-mujoco"
+
+
 def rows() -> Iterator[Row]:
     """Measure sweeps and solves in CPU seconds, then single calls of a world in milliseconds."""
     yield _sweep(CORRECTED, "at most 120 s and 78 of 78")
     yield _sweep(PRINTED, "76 of 78: the two misprints fail")
     yield from _solves(CORRECTED, 20)
     yield from _solves(FOUR, 2)
+    yield _sweep(CORRECTED, "78 of 78", OTHER)
+    yield from _solves(CORRECTED, 5, OTHER)
     yield from _doings()
     yield from _starts()
 
@@ -34,32 +39,39 @@ def all_rows() -> Iterator[Row]:
     yield _sweep(PRINTED, "76 of 78: the two misprints fail")
     yield from _solves(CORRECTED, 100)
     yield from _solves(FOUR, 10)
+    yield _sweep(CORRECTED, "78 of 78", OTHER)
+    yield from _solves(CORRECTED, 30, OTHER)
     yield from _doings()
     yield from _starts()
 
 
-def _sweep(file: str, bound: str) -> Row:
+def _sweep(file: str, bound: str, world: str = "hanoi") -> Row:
     start = time.process_time()
-    *_, last = smsl.sweep(smsl.read(file), "hanoi")
+    *_, last = smsl.sweep(smsl.read(file), world)
     spent = time.process_time() - start
     assert isinstance(last, SweepFinished)
-    return Row(f"sweep {file}: {last.passed} of {last.edges}", spent, "CPU s", bound=bound)
+    name = "" if world == "hanoi" else f"{world}: "
+    words = f"{name}sweep {file}: {last.passed} of {last.edges}"
+    return Row(words, spent, "CPU s", bound=bound)
 
 
-def _solves(file: str, seeds: int) -> Iterator[Row]:
+def _solves(file: str, seeds: int, world: str = "hanoi") -> Iterator[Row]:
     """All disks from a to c by the cheapest way, one solve a seed; each starts 3 mm off at most."""
     blueprint = smsl.read(file)
     disks = blueprint["SB1"].num_facts
     reached, simulated, start = 0, 0.0, time.process_time()
     for seed in range(seeds):
-        done = smsl.run(blueprint, "hanoi", seed=seed)
+        done = smsl.run(blueprint, world, seed=seed)
         reached += done.reason == "goal_reached"
         simulated += done.events[-1].t
     spent = time.process_time() - start
-    words = f"{disks} disks, {2**disks - 1} moves, sensed at 50 Hz: {reached} of {seeds} seeds"
+    name = "" if world == "hanoi" else f"{world}: "
+    words = (
+        f"{name}{disks} disks, {2**disks - 1} moves, sensed at 50 Hz: {reached} of {seeds} seeds"
+    )
     simulated_each = (("simulated time", simulated / seeds),)
     yield Row(words, spent / seeds, "CPU s", simulated_each, "all seeds reach")
-    rate = f"{disks} disks: simulated seconds a CPU second"
+    rate = f"{name}{disks} disks: simulated seconds a CPU second"
     yield Row(rate, simulated / spent, "s", bound="at least 5")
 
 

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 Fault = Generator[None, None, None]
 
+OTHER = "hanoi-mujoco"
+"""The name of the world in the other engine."""
+
 RAISED = 0.03
 """The height (m) of a held ring's lower side above the table from which it counts as lifted."""
 
@@ -126,9 +129,10 @@ FAULTS: tuple[Callable[..., Any], ...] = (
 
 
 def register_faults(library: OperationLibrary) -> None:
-    """Register the nine faults of the world ``hanoi``."""
+    """Register the nine faults of the worlds ``hanoi`` and ``hanoi-mujoco``."""
     for function in FAULTS:
-        library.fault("hanoi", function.__name__)(function)
+        for world in ("hanoi", OTHER):
+            library.fault(world, function.__name__)(function)
 
 
 def _until_lifted(table: Table) -> Fault:

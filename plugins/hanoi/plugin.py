@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
 
-from .faults import register_faults
+from .faults import OTHER, register_faults
 from .fit import refuse_unfit
 from .moves import carry
 from .recovery import recover
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def register(library: OperationLibrary) -> None:
-    """Register the world ``hanoi`` with its operations, sensors and faults."""
+    """Register both worlds with their operations, sensors and faults."""
 
     @library.world("hanoi", settle=0.2, values=("a", "b", "c"), robots=("panda", "iiwa", "dvrk"))
     def build(world: BulletWorld, blueprint: Blueprint, seed: int, robot: Robot = ARM) -> Table:
@@ -48,6 +48,9 @@ def register(library: OperationLibrary) -> None:
         pegs = {table.disk(digit + 1): value for (_, digit), value in facts.items()}
         table.arrange(pegs)
 
+    # The same table in another engine.
+    library.world(OTHER, engine="mujoco", settle=0.2, values=("a", "b", "c"))(build)
+    library.arrange(OTHER)(arrange)
     register_sensors(library)
 
     @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)

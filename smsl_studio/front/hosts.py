@@ -134,6 +134,6 @@ def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
     """Return the names of all worlds, ``table`` first. No plugin's code runs in this process.
 
     >>> print(*worlds())
-    table chess hanoi registration river
+    table chess hanoi hanoi-mujoco registration river
     """
     return describe(plugin_paths).worlds

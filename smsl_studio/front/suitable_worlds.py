@@ -31,7 +31,7 @@ def worlds_for(
     process.
 
     >>> print(*worlds_for(read("hanoi.json")))
-    hanoi table
+    hanoi hanoi-mujoco table
     """
     known = loaded if loaded is not None else describe(plugin_paths)
     names = [name for name in known.worlds if name != TABLE]

@@ -10,8 +10,8 @@ from smsl_studio.errors import WorldError
 if TYPE_CHECKING:
     from smsl_studio.world.protocol import World
 
-BULLET, TABLE = "bullet", "table"
-ENGINES = (BULLET, TABLE)
+BULLET, MUJOCO, TABLE = "bullet", "mujoco", "table"
+ENGINES = (BULLET, MUJOCO, TABLE)
 USUAL = BULLET
 """The engine of a plugin's world that names none."""
 
@@ -23,6 +23,15 @@ def make_engine(engine: str, name: str) -> World:
         from smsl_studio.world.table import TableWorld
 
         return TableWorld(name)
+    if engine == MUJOCO:
+        try:
+            from smsl_studio.world.mujoco_world import MujocoWorld
+        except ImportError as error:
+            raise WorldError(
+                f"the world {name!r} needs MuJoCo, which cannot be loaded: {error}",
+                advice="Install smsl-studio[mujoco], or run in another world.",
+            ) from None
+        return MujocoWorld(name)
     try:
         from smsl_studio.world.bullet import BulletWorld
     except ImportError as error:

@@ -201,3 +201,16 @@ def hulls_obj(hulls: Sequence[Sequence[Vector]], faces: Sequence[Sequence[int]])
         lines += [f"v {x:.7f} {y:.7f} {z:.7f}" for x, y, z in corners]
         lines += ["f " + " ".join(str(base + corner) for corner in face) for face in faces]
     return "\n".join(lines) + "\n"
+
+
+def hulls_of(obj: str) -> list[list[Vector]]:
+    """Return the corners (m) of each hull of a text that ``hulls_obj`` made."""
+    hulls: list[list[Vector]] = []
+    for line in obj.splitlines():
+        word, *rest = line.split()
+        if word == "o":
+            hulls.append([])
+        elif word == "v":
+            x, y, z = map(float, rest)
+            hulls[-1].append((x, y, z))
+    return hulls

@@ -58,6 +58,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet": (BULLET,),
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),
+    "mujoco": ("world/mujoco_world.py",),
     "defusedxml": ("exchange/",),
     "jinja2": ("generate/code/templates.py",),
     "networkx": ("graph/exchange.py",),

@@ -12,7 +12,7 @@ import pytest
 from smsl_studio import ApprovalRequest, approve, make_key, read
 from smsl_studio.shipped import samples_dir
 
-HEAVY = ("PySide6", "shiboken6", "pybullet", "pyqtgraph", "moderngl")
+HEAVY = ("PySide6", "shiboken6", "pybullet", "pyqtgraph", "moderngl", "mujoco", "PIL")
 
 ABSENT = (*HEAVY, "pybullet_data")
 
@@ -29,9 +29,10 @@ sys.meta_path.insert(0, Absent())
 
 EVERY_CORE_MODULE = """
 import importlib, pkgutil, smsl_studio
+ENGINES = ("smsl_studio.world.bullet", "smsl_studio.world.mujoco_world")
 DOOR = ("smsl_studio.studio", "smsl_studio.__main__", "smsl_studio._shipped")
 for module in pkgutil.walk_packages(smsl_studio.__path__, "smsl_studio.", lambda name: None):
-    if not module.name.startswith(DOOR) and module.name != "smsl_studio.world.bullet":
+    if not module.name.startswith(DOOR) and module.name not in ENGINES:
         importlib.import_module(module.name)
 """
 

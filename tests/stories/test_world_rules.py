@@ -49,7 +49,7 @@ def test_a_world_is_offered_with_each_of_its_robots(sit: Sit, tmp_path: Path) ->
     worlds, pane = run.pane.transport.world, run.pane
     person.until(lambda: worlds.findText("hanoi, iiwa") >= 0)
     assert [worlds.itemText(at) for at in range(worlds.count())] == [
-        "hanoi", "hanoi, iiwa", "hanoi, dvrk", "table",
+        "hanoi", "hanoi, iiwa", "hanoi, dvrk", "hanoi-mujoco", "table",
     ]  # fmt: skip
     person.choose(worlds, "hanoi, iiwa")
     asked = pane.next.choice

@@ -142,7 +142,8 @@ def test_choices_begin_with_what_the_blueprint_says() -> None:
 
 
 def test_worlds_that_suit_stand_before_the_table() -> None:
-    assert front.worlds_for(front.read(SAMPLES / "hanoi-corrected.json")) == ("hanoi", "table")
+    hanoi = front.read(SAMPLES / "hanoi-corrected.json")
+    assert front.worlds_for(hanoi) == ("hanoi", "hanoi-mujoco", "table")
     assert front.worlds_for(front.read(SAMPLES / "registration.json")) == ("registration", "table")
 
 
