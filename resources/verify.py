@@ -231,7 +231,7 @@ def tell(known, raw, files=()):  # a log, of a blueprint and of files that are h
 	for number, event in enumerate(events, 2):
 		try: take(s, event)
 		except Exception as error: raise Wrong(f"line {number}: {event.event}: {error}")
-	no(not s.over, "it has no end"); h.policy = h.policy or Map(); return h
+	no(not s.over, "it has no end"); h.about = [of.closure, *h.procedures.values()]; return h
 def when(at): return dt.datetime.fromisoformat(at + "T23:59:59Z" * ("T" not in at))
 def ring(them): return {"sha256:" + sha(raw_of(k)): Map(p, key=k) for p in them for k in p["keys"]}
 def raw_of(b): raw = base64.b64decode(b); no(base64.b64encode(raw) != b.encode()); return raw
@@ -252,20 +252,20 @@ def recorder(log):  # who has signed the head of a log
 	policy, keys = trusted(); body, key = opened(log.signed, keys, "smsl-studio.log-head")
 	no(key.roles != ["recorder"] or void(key, when(log.wall_time), policy) or body != log.head)
 	return key.person
-def judge(known, log, closure, day=0, bot={"automatic", "recorder"}):  # why it is not approved
+def judge(known, h, closure, day=0, bot={"automatic", "recorder"}):  # why it is not approved
 	(policy, keys), raw, last, ask, before = trusted(), load(known[closure].record), {}, [], 0
 	no(not raw, "nobody signed it"); told = [opened(one, keys) for one in read(raw).records]
-	day = day or when(log.wall_time if log else read(told[-1][0]).predicate.time); ran = log.policy
+	day = day or when(h.wall_time if h else read(told[-1][0]).predicate.time); ran = h.policy or Map()
 	for body, key in told:  # the last word of each person counts; what ran was signed
 		them, say = read(body).subject, read(body).predicate; at = when(say.time)
 		who, may = same(key.person), {*map(same, key.roles)}; no(before and at <= before); before = at
 		if at > day + dt.timedelta(minutes=5): continue
 		word = them[0].digest.closure == closure and not void(key, at, policy, body, them) and say.verdict
-		good = word and not (ran.code and log.digests.closure == closure and ran.code !=
-			sha(plain(say.worlds[log.world])) or any(one.code != sha(f"{one.id} {ran.rules}".encode()) for
+		good = word and not (ran.code and h.digests.closure == closure and ran.code !=
+			sha(plain(say.worlds[h.world])) or any(one.code != sha(f"{one.id} {ran.rules}".encode()) for
 			one in say.rules if ran.rules))
 		if day > when(say.expires or NEVER) or day - at > dt.timedelta(policy.valid_days or 1e5): good = 0
-		for one in say.relies_on: good = good and not judge(known, log, one.digest.closure, day)
+		for one in say.relies_on: good = good and not judge(known, h, one.digest.closure, day)
 		no(good and may & bot and policy.automatic != "may_sign", "a program signs")
 		last[who] = word if word == "rejected" else good and not may & bot and may
 		ask = [a for a in ask if (a[0] != who or say.met) and not (last[who] and a[1] in say.met and a[2]
@@ -273,7 +273,7 @@ def judge(known, log, closure, day=0, bot={"automatic", "recorder"}):  # why it 
 	seats = [same(role) for role, n in policy.roles.items() for _ in range(min(n, 99))]
 	ok, few = [*filter(None, last.values())], max(1, policy.get("persons", len(seats)))
 	bad = "rejected" in ok and "rejected" or (len(ok) < few or not each(seats, ok)) and "too few sign"
-	for a in ask: bad = bad or last[a[0]] and a[1] not in log.met and "a condition is open: " + a[1]
+	for a in ask: bad = bad or last[a[0]] and a[1] not in h.met and "a condition is open: " + a[1]
 	return bad
 def real(file): return file.is_file() > file.is_symlink()
 def files(way): return sorted(filter(real, pathlib.Path().glob(way)))
@@ -291,8 +291,7 @@ def main():  # 5 THE FOLDER
 		for h in logs]; page = load("report.html")
 	tried("report.html", no, page and sha(page).encode() not in load("README.txt"))
 	for log in (logs or [Map()]) * bool(records or files("policy.toml")):
-		about = log and [log.digests.closure, *log.procedures.values()]
-		for one in about or [c for c in known if load(known[c].record)] or known:
+		for one in log.about or [c for c in known if load(known[c].record)] or known:
 			tried("records", lambda: no(why := judge(known, log, one), why))
 	said += ["No log."] * (not logs) + ["No policy: one signature counts."] * (not load("policy.toml"))
 	said += ["No record: nobody has approved this blueprint."] * (not records)

@@ -15,7 +15,7 @@ from smsl_studio.blueprint.person_names import same_name
 from smsl_studio.front.verifier import told_again
 from smsl_studio.seal.strict_json import base64_text
 from tests.approval import ADA, DOOR, EVE, Member, entry, register_of
-from tests.front.bundle_tampers import is_believed, program
+from tests.front.bundle_tampers import LOG, is_believed, program, whole
 from tests.front.test_bundle_approvals import record_files_of
 from tests.front.told_runs import ToldRun, told_runs
 from tests.plugin_folder import blueprint_of
@@ -136,3 +136,11 @@ def test_what_an_operation_has_reached_is_checked_before_the_next_one_ends(tmp_p
     story = impossible(Story.of(run.raw), operator, Random("8"))
     assert story is not None
     assert told_again(story.raw(), run.blueprint)
+
+
+@pytest.mark.parametrize("value", [None, 5, "x", ["x"], {"x": 5}, {"x": None}])
+def test_a_header_with_other_procedures_is_refused_and_no_traceback(value: Json) -> None:
+    files = dict(whole())
+    story = Story.of(files[LOG])
+    story.header["procedures"] = value
+    assert not is_believed({**files, LOG: story.raw()})
