@@ -62,6 +62,8 @@ def by_action(windows: Windows, window: Window) -> Iterator[tuple[str, QDialog]]
     for action in ("help_pages", "shortcuts", "about", "monitor", "levels", "persons",
                    "compare_saved", "export_picture", "print", "settings"):  # fmt: skip
         known = set(window.findChildren(QDialog))
+        # The command opens the monitor in a window of its own beside Supervise.
+        window.set_mode("supervise" if action == "monitor" else "draw")
         window.actions_table[action].trigger()
         yield action, next(one for one in window.findChildren(QDialog) if one not in known)
 

@@ -76,6 +76,8 @@ def test_every_control_shows_that_it_has_the_focus(sit: Sit, mode: str) -> None:
 def test_every_control_of_a_dialog_shows_that_it_has_the_focus(sit: Sit) -> None:
     person = sit(SAMPLES / "hfsm.json")
     for action in DIALOGS:
+        # The command opens the monitor in a window of its own beside Supervise.
+        person.window.set_mode("supervise" if action == "monitor" else "draw")
         person.window.actions_table[action].trigger()
         person.until(lambda: bool(shown(person.window)))
         (dialog,) = shown(person.window)
