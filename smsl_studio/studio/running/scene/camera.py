@@ -59,11 +59,11 @@ class WorldCamera:
         for _ in range(24):
             middle = (near + far) / 2
             seen = replace(self, target=(x, y, z), distance=middle)
-            near, far = (near, middle) if seen._has(low, high, aspect) else (middle, far)
+            near, far = (near, middle) if seen.shows(low, high, aspect) else (middle, far)
         return replace(self, target=(x, y, z), distance=far)
 
-    def _has(self, low: Corner, high: Corner, aspect: float) -> bool:
-        """Whether a box lies inside the picture, with a margin."""
+    def shows(self, low: Corner, high: Corner, aspect: float) -> bool:
+        """Whether a box of the world (m) lies inside the picture, with a margin."""
         corners = [[(low, high)[part][axis] for axis, part in enumerate(one)] for one in EIGHT]
         points = np.hstack([np.array(corners), np.ones((8, 1))])
         clip = points @ self.view_projection(aspect).T.astype(np.float64)
