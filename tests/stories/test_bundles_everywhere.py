@@ -81,7 +81,8 @@ def by_hand(run: AtRun) -> None:
 def test_a_run_is_bundled_as_the_drawing_and_shows_its_own_operations_alone(
     sit: Sit, crowded: Path
 ) -> None:
-    person = sit(crowded)
+    # In a lower window the legend, with its button, would cover states of the run's drawing.
+    person = sit(crowded, size=(1440, 980))
     assert bundled(person.window.canvas) == HIDDEN
     run = AtRun(person)
     canvas = run.pane.canvas.canvas

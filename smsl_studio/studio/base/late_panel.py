@@ -28,10 +28,12 @@ class LatePanel(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         """Make what stands here."""
-        self._part()
         super().showEvent(event)
+        self._part()
 
     def _take(self, panel: Made) -> None:
         assert isinstance(panel, QWidget)
         self._column.addWidget(panel)
+        # Else Qt would show it a moment later, after what is asked of it now.
+        panel.show()
         self.setFocusProxy(panel)
