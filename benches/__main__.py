@@ -28,6 +28,7 @@ BENCHES = (
     "source",
     "physics",
     "faults",
+    "agents",
     "worlds",
     "previews",
     "saving",
