@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
@@ -90,6 +91,7 @@ class Reviewer:
         """
         asked = proposal(run, step)
         if isinstance(supervisor, Estimating) and supervisor.estimates:
+            asked = _estimated(run, step, asked)
             said = asked.estimate
             told = RiskEstimated(
                 t=run.time, address=str(asked.operation), risk=said.risk, reasons=said.reasons
@@ -106,21 +108,28 @@ class Reviewer:
 
 
 def proposal(run: LiveRun, step: JointStep) -> Proposal:
-    """Return the partial view of a step for a supervisor."""
-    risk, facts = declared_risk(run, step), seen_facts(run)
+    """Return the partial view of a step for a supervisor, without what only an estimate needs."""
     return Proposal(
         time=run.time,
         configuration=dict(run.configuration),
         operation=step.asked.address,
         operations=(*(edge.address for edge in step.edges[1:]), step.asked.address),
         target=step.asked.target,
-        risk=risk,
+        risk=declared_risk(run, step),
         cost=step.cost,
         scene=run.senses.scene,
+    )
+
+
+def _estimated(run: LiveRun, step: JointStep, asked: Proposal) -> Proposal:
+    """Return the same with the facts, the neighbours, the history and the estimated risk."""
+    facts = seen_facts(run)
+    return replace(
+        asked,
         neighbours=tuple(_neighbours(run)),
         facts=facts,
         history=tuple(run.history),
-        estimate=estimate(run, step, facts, risk),
+        estimate=estimate(run, step, facts, asked.risk),
     )
 
 

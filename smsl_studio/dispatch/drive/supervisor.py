@@ -26,9 +26,11 @@ class Proposal:
 
     ``operations`` are all edges of the joint step. The proposed operation comes last, the others in
     the order in which they start. ``risk`` is the highest declared risk among them, empty if none
-    is declared. ``time`` is simulated seconds. ``neighbours`` are all operations out of the active
-    states. ``facts`` are those that are sensed, by ``SB/digit``. ``history`` has the results of
-    edges so far, and ``estimate`` the risk with its parts.
+    is declared. ``time`` is simulated seconds.
+
+    The rest is filled for an ``Estimating`` supervisor alone. ``neighbours`` are all operations out
+    of the active states. ``facts`` are those that are sensed, by ``SB/digit``. ``history`` has the
+    results of edges so far, and ``estimate`` the risk with its parts.
     """
 
     time: float
