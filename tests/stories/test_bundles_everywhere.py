@@ -81,8 +81,7 @@ def by_hand(run: AtRun) -> None:
 def test_a_run_is_bundled_as_the_drawing_and_shows_its_own_operations_alone(
     sit: Sit, crowded: Path
 ) -> None:
-    # In a lower window the legend, with its button, would cover states of the run's drawing.
-    person = sit(crowded, size=(1440, 980))
+    person = sit(crowded)
     assert bundled(person.window.canvas) == HIDDEN
     run = AtRun(person)
     canvas = run.pane.canvas.canvas

@@ -79,10 +79,9 @@ class Overlays:
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Give all floating widgets the colours of another theme."""
-        for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
+        notes = self.banner, self.word, self.empty
+        for widget in (self.zoom, self.map, self.pad, self.bundle, self.dense, *notes):
             widget.set_tokens(tokens)
-        self.bundle.set_tokens(tokens)
-        self.dense.set_tokens(tokens)
         for plain in (self.breadcrumb, self.legend, self.run_legend, self.key, self.ring):
             plain.tokens = tokens
             plain.update()
@@ -211,6 +210,7 @@ class Overlays:
         middle = (canvas.width() - size.width()) // 2
         below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
         places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
+        places += along_the_rim(QRect(EDGE, below, room, canvas.height() - EDGE - below), size)
         free = (at for at in places if not self._taken(at, size, dense))
         clear = next((at for at in free if is_clear_of_dense(self._canvas, at, size)), None)
         fits = clear is not None and size.width() <= room
