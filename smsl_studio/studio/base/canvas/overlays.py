@@ -211,10 +211,10 @@ class Overlays:
         below = 48 + (self.banner.height() + 4 if self.banner.text else 0)
         places = [QPoint(x, y) for y in (foot, below) for x in (EDGE, middle)]
         places += along_the_rim(QRect(EDGE, below, room, canvas.height() - EDGE - below), size)
-        free = (at for at in places if not self._taken(at, size, dense))
-        clear = next((at for at in free if is_clear_of_dense(self._canvas, at, size)), None)
-        fits = clear is not None and size.width() <= room
-        dense.setVisible(fits and not dense.empty)
+        # An empty legend needs no place: each one that is tried looks at all nodes.
+        free = (at for at in places if not dense.empty and not self._taken(at, size, dense))
+        clear = next((at for at in free if is_clear_of_dense(canvas, at, size)), None)
+        dense.setVisible(clear is not None and size.width() <= room)
         if clear is not None:
             dense.move(clear)
 
