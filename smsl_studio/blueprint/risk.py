@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 KEY = "_risk"
 DEFAULT: Mapping[str, float] = MappingProxyType(
-    {"declared": 1.0, "failures": 1.0, "hazard": 0.3, "age": 0.1}
+    {"declared": 1.0, "failures": 1.0, "forecast": 0.8, "hazard": 0.3, "age": 0.1}
 )
-"""The weights of the declared risk, the share of failures of the operation in this run, the
-nearness of a hazard, and the age of the facts that it rests on."""
+"""The weights of the declared risk, the share of failures of the operation in this run, a forecast
+that differs, the nearness of a hazard, and the age of the facts that it rests on."""
 DECLARED: Mapping[str, float] = MappingProxyType({"low": 0.1, "": 0.4, "medium": 0.4, "high": 0.8})
 """The part of a declared risk. One that is not declared counts as medium."""
 

@@ -14,7 +14,7 @@ from smsl_studio.legible import one_line
 from smsl_studio.stop import look_for_garbage
 
 if TYPE_CHECKING:
-    from smsl_studio.front.previews import Forecast
+    from smsl_studio.front.forecasts import Forecast
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -58,8 +58,15 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME[:KEY=VALUE,...]",
-        help="an automatic supervisor: limit, rules, familiar, or one of a plugin; may be "
-        "repeated, and the most careful answer counts",
+        help="an automatic supervisor: limit, rules, familiar, forecast, or one of a plugin; may "
+        "be repeated, and the most careful answer counts",
+    )
+    parser.add_argument(
+        "--forecast",
+        choices=("show", "ask", "hold"),
+        default="",
+        help="try each operation in a simulated world first; where the forecast differs: tell it, "
+        "ask a person, or hold",
     )
     parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
     parser.add_argument(
@@ -177,6 +184,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         record=options.record,
         passphrase=words,
         robot=options.robot,
+        forecast=options.forecast,
     )
     for unbound in done.unbound:
         note(unbound)

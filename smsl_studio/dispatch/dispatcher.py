@@ -63,7 +63,7 @@ class Dispatcher(Commands):
         self.host = host
         self._waiting: list[Command] = []
         self._blueprint, self._terms = blueprint, terms
-        self._reviewer = Reviewer(supervisor)
+        self._reviewer = Reviewer(supervisor, terms.foresight)
         self._levels, self._someone = levels, someone
         self._leaving = False
         self._driver: Driver | None = None

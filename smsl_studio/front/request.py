@@ -48,7 +48,8 @@ class RunRequest:
     given, the run starts only if the blueprint is approved. ``now`` is the time for this question;
     None means the clock of the computer. ``trust`` is the answer to it. ``seal`` signs the head of
     the log (see ``log_seals``). ``robot`` is the robot to build the world with; empty means the
-    usual one of the world.
+    usual one of the world. ``forecast`` is the level at which each operation is tried in a
+    simulated world before it begins (see ``foresight``): show, ask or hold; empty means never.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -81,6 +82,7 @@ class RunRequest:
     trust: RunTrust | None = None
     seal: Seal | None = field(default=None, repr=False)
     robot: str = ""
+    forecast: str = ""
 
     @property
     def asks_approval(self) -> bool:
@@ -110,7 +112,13 @@ class RunRequest:
             avoid=operations_at(self.blueprint, self.avoid),
             levels=levels,
             supervisor=supervisor_of(Levels(self.blueprint, levels), self._named()),
+            forecast=self.forecast or self._implied_forecast(),
         )
+
+    def _implied_forecast(self) -> str:
+        """Return the level that a supervisor needs which decides by forecasts."""
+        names = (text.partition(":")[0] for text in self.agents)
+        return "show" if "forecast" in names else ""
 
     def _named(self) -> Supervisor | None:
         if self.supervisor is not None or not self.agents:
@@ -135,6 +143,7 @@ class RunRequest:
             "script": {"file": script.file, "digest": script.digest} if script else None,
             "supervisor": self.supervisor.name if self.supervisor else self.person,
             **({"robot": self.robot} if self.robot else {}),
+            **({"forecast": self.forecast} if self.forecast else {}),
         }
 
 

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.foresight import Foresight
 from smsl_studio.dispatch.drive.supervisor import Closing
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
@@ -86,6 +87,7 @@ def open_run(
     login: str = "",
     spare: Spare | None = None,
     robot: str = "",
+    forecast: str = "",
 ) -> Dispatcher:
     """Return a dispatcher that is ready to ``open``. The caller ticks it and closes it.
 
@@ -123,6 +125,7 @@ def open_run(
         agents=agents,
         plugin_paths=tuple(plugin_paths),
         robot=robot,
+        forecast=forecast,
     )
     return open_request(request, loaded, spare)
 
@@ -161,6 +164,7 @@ def open_request(
         approved=trust is not None,
         hardware=trust is not None and trust.hardware,
         met=trust.met if trust is not None else (),
+        foresight=_foresight(checked, loaded),
     )
     supervisor = checked.supervisor
     if checked.agents and isinstance(supervisor, Agents):
@@ -172,6 +176,14 @@ def open_request(
             supervisor.close()
         raise
     return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=supervisor)
+
+
+def _foresight(request: RunRequest, loaded: Loaded | None) -> Foresight | None:
+    if not request.forecast:
+        return None
+    from smsl_studio.front.twin import foresight_of
+
+    return foresight_of(request, loaded)
 
 
 def run(
@@ -199,6 +211,7 @@ def run(
     record: Path | str | None = None,
     passphrase: bytes = b"",
     robot: str = "",
+    forecast: str = "",
 ) -> Run:
     """Run a blueprint without a window to its end, and return what happened.
 
@@ -247,6 +260,7 @@ def run(
         record=None if record is None else Path(record),
         seal=None if log is None else seal_of_logs(passphrase),
         robot=robot,
+        forecast=forecast,
     )
     return run_request(request, on_event, stop_when)
 

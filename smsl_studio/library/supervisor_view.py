@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from smsl_studio.library.prediction import Prediction
+
 APPROVE, ASK, VETO, TAKE_OVER = "approve", "ask", "veto", "take_over"
 ANSWERS = (APPROVE, ASK, VETO, TAKE_OVER)
 """The answers of a supervisor, the most careful last: the operation may begin, a person decides, it
@@ -60,7 +62,8 @@ class SupervisorView:
     the address of the proposed operation, ``operations`` are all of its joint step, and ``target``
     is the state to which it leads. ``facts`` has each sensed fact by ``SB/digit``. ``declared`` is
     the declared risk: low, medium, high or empty. ``history`` has a pair (address, ``committed`` or
-    ``failed``) for each operation of the run so far.
+    ``failed``) for each operation of the run so far. ``forecast`` is what the simulated world
+    predicts, None in a run without forecasts.
     """
 
     time: float
@@ -74,3 +77,4 @@ class SupervisorView:
     facts: Mapping[str, SeenFact] = field(default_factory=dict)
     history: tuple[tuple[str, str], ...] = ()
     estimate: RiskEstimate = NO_RISK
+    forecast: Prediction | None = None

@@ -12,6 +12,10 @@ from typing import ClassVar
 
 from smsl_studio.runlog.event import Event
 
+AGREES, DIFFERS, NONE = "agrees", "differs", "none"
+FORECASTS = (AGREES, DIFFERS, NONE)
+"""What a forecast says about the declared facts. ``none`` is no forecast."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RiskEstimated(Event):
@@ -23,6 +27,34 @@ class RiskEstimated(Event):
     address: str
     risk: float
     reasons: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ForecastMade(Event):
+    """A simulated world has carried out a proposed operation.
+
+    ``verdict`` is ``agrees`` or ``differs`` (from what the blueprint declares), or ``none`` without
+    a forecast. ``after`` has the facts (``SB/digit``) that will change, null for unknown ones.
+    ``reason`` says what differs, or why there is no forecast.
+    """
+
+    event: ClassVar[str] = "forecast_made"
+    address: str
+    verdict: str
+    after: Mapping[str, str | None]
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ForecastCompared(Event):
+    """An operation has ended, and the facts are those of its forecast, or not. ``reason`` says
+    which are not.
+    """
+
+    event: ClassVar[str] = "forecast_compared"
+    address: str
+    right: bool
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

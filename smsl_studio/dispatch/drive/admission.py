@@ -15,7 +15,15 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.drive.conduct import Conduct
 from smsl_studio.dispatch.drive.loop_guard import LoopGuard
 from smsl_studio.dispatch.drive.review import Reviewer
-from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, PAUSE, PRUNE, TAKE_OVER, Verdict
+from smsl_studio.dispatch.drive.supervisor import (
+    ALLOW,
+    ASK,
+    HOLD,
+    PAUSE,
+    PRUNE,
+    TAKE_OVER,
+    Verdict,
+)
 from smsl_studio.dispatch.execution.desk import Desk, no_words, who_words
 from smsl_studio.dispatch.execution.guards import refusals
 from smsl_studio.dispatch.execution.hazard_guard import HAZARD, objection
@@ -187,10 +195,13 @@ class Admission:
         or lock the automation out.
         """
         run, address = self._run, step.asked.address
-        reason, name = verdict.reason, self._reviewer.name
+        reason, name = verdict.reason, verdict.by or self._reviewer.name
         said = {"by": name, "address": str(address), "reason": reason}
         if verdict.decision == TAKE_OVER:
             self._conduct.taken_over(name, f"{name} takes over before {address}: {reason}")
+            return
+        if verdict.decision == HOLD:
+            self._conduct.hold(Hold(f"{address} waits: {reason}"))
             return
         run.emit(Commanded(t=run.time, command=verdict.decision, **said))
         if verdict.decision == PAUSE:

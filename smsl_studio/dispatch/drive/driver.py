@@ -230,9 +230,11 @@ class Driver:
                 carrier.unanswered(nobody)
         if carrier.failure is not None:
             self.carrier = None
+            self.reviewer.compare(self.run, carrier.step)
             self._failed(carrier.step, carrier.failure)
         elif carrier.stage is DONE:
             self.carrier = None
+            self.reviewer.compare(self.run, carrier.step)
             if not self.endangered() and self.run.broken():
                 self.hold(self.trouble.relocalise())
         if self.ended is not None:

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.risk import DECLARED, combined, weights_of
 from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.library.prediction import DIFFERS, Prediction
 from smsl_studio.library.supervisor_view import RiskEstimate, SeenFact
 
 RISKS = ("", "low", "medium", "high")
@@ -20,7 +21,11 @@ def declared_risk(run: LiveRun, step: JointStep) -> str:
 
 
 def estimate(
-    run: LiveRun, step: JointStep, facts: Mapping[str, SeenFact], declared: str
+    run: LiveRun,
+    step: JointStep,
+    facts: Mapping[str, SeenFact],
+    declared: str,
+    forecast: Prediction | None = None,
 ) -> RiskEstimate:
     """Return the estimate for a step. ``facts`` are those that the run senses, by ``SB/digit``."""
     parts: dict[str, float] = {"declared": DECLARED[declared]}
@@ -30,6 +35,9 @@ def estimate(
     if failed:
         parts["failures"] = failed / len(tried)
         reasons.append(f"it failed {failed} of {len(tried)} times in this run")
+    if forecast is not None and forecast.verdict == DIFFERS:
+        parts["forecast"] = 1.0
+        reasons.append(f"its forecast differs: {forecast.reason}")
     away, name = _hazard(run, step)
     if name:
         parts["hazard"] = 0.5**away

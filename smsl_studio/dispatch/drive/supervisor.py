@@ -8,6 +8,7 @@ from typing import Protocol, runtime_checkable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
+from smsl_studio.library.prediction import Prediction
 from smsl_studio.library.supervisor_view import (
     NO_RISK,
     Neighbour,
@@ -17,7 +18,7 @@ from smsl_studio.library.supervisor_view import (
 )
 
 ALLOW, VETO, PRUNE, PAUSE, ASK = "allow", "veto", "prune", "pause", "ask"
-TAKE_OVER = "take_over"
+TAKE_OVER, HOLD = "take_over", "hold"
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,8 @@ class Proposal:
 
     The rest is filled for an ``Estimating`` supervisor alone. ``neighbours`` are all operations out
     of the active states. ``facts`` are those that are sensed, by ``SB/digit``. ``history`` has the
-    results of edges so far, and ``estimate`` the risk with its parts.
+    results of edges so far, and ``estimate`` the risk with its parts. ``forecast`` is what the
+    simulated world predicts, None in a run without forecasts.
     """
 
     time: float
@@ -45,6 +47,7 @@ class Proposal:
     facts: Mapping[str, SeenFact] = field(default_factory=dict)
     history: tuple[tuple[str, str], ...] = ()
     estimate: RiskEstimate = NO_RISK
+    forecast: Prediction | None = None
 
     def view(self) -> SupervisorView:
         """Return the same for a supervisor in another process."""
@@ -60,17 +63,20 @@ class Proposal:
             facts=dict(self.facts),
             history=self.history,
             estimate=self.estimate,
+            forecast=self.forecast,
         )
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
     """A supervisor's decision, with its reason: ``allow``, ``veto`` (once), ``prune``, ``pause``,
-    ``ask`` (a person) or ``take_over`` (the automation is locked out until a person gives it back).
+    ``ask`` (a person), ``take_over`` (the automation is locked out until a person gives it back) or
+    ``hold`` (of a forecast). ``by`` is who decided, if not the supervisor of the run.
     """
 
     decision: str
     reason: str = ""
+    by: str = ""
 
 
 class Supervisor(Protocol):

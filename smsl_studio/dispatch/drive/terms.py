@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.drive.foresight import Foresight
 from smsl_studio.dispatch.drive.loop_guard import VISITS
 
 
@@ -24,7 +25,8 @@ class RunTerms:
     ``left_out`` are annotations of the file that nobody can read, as addresses with sentences.
     ``approved`` says that a policy or a record guards the run and is met, and ``hardware`` that the
     approval is one for a world that is hardware. ``met`` are the typed conditions that are met.
-    ``robot`` is the robot that was asked for, for the record.
+    ``robot`` is the robot that was asked for, for the record. ``foresight`` looks at each step in a
+    simulated world before it begins.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -42,6 +44,7 @@ class RunTerms:
     hardware: bool = False
     met: Sequence[str] = ()
     robot: str = ""
+    foresight: Foresight | None = None
 
     @property
     def adopts(self) -> bool:

@@ -11,6 +11,7 @@
     failed = 1                     # at least so often in this run
     age_above = 0.2                # of any fact, in seconds
     facts = { "SB1/0" = "a" }      # "?" is an unknown fact
+    forecast = "differs"           # or agrees, or none
     answer = "veto"
     reason = "the largest disk stays"
 """
@@ -26,6 +27,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from smsl_studio.errors import Place, ReadError
+from smsl_studio.library.prediction import NONE
 from smsl_studio.library.supervisor_view import SupervisorView
 from smsl_studio.library.toml_text import read_toml
 
@@ -47,6 +49,7 @@ class AgentRule(BaseModel):
     failed: int = Field(default=0, ge=0)
     age_above: float | None = Field(default=None, ge=0)
     facts: Mapping[str, str] = Field(default_factory=dict)
+    forecast: Literal["agrees", "differs", "none"] | None = None
     answer: Answer
     reason: str = Text
 
@@ -61,6 +64,9 @@ class AgentRule(BaseModel):
             return False
         oldest = max((fact.age for fact in view.facts.values()), default=0.0)
         if self.age_above is not None and oldest <= self.age_above:
+            return False
+        told = NONE if view.forecast is None else view.forecast.verdict
+        if self.forecast not in (None, told):
             return False
         return all(_value(view, name) == value for name, value in self.facts.items())
 

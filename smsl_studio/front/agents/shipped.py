@@ -1,4 +1,4 @@
-"""The automatic supervisors that come with the program: ``limit``, ``rules`` and ``familiar``."""
+"""The automatic supervisors of the program: ``limit``, ``rules``, ``familiar``, ``forecast``."""
 
 from __future__ import annotations
 
@@ -6,7 +6,15 @@ from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.front.agents.known_edges import known_edges
 from smsl_studio.front.agents.rule_table import decision, read_rules
 from smsl_studio.library.operation_library import OperationLibrary
-from smsl_studio.library.supervisor_view import APPROVE, ASK, TAKE_OVER, VETO, SupervisorView
+from smsl_studio.library.prediction import DIFFERS, NONE
+from smsl_studio.library.supervisor_view import (
+    ANSWERS,
+    APPROVE,
+    ASK,
+    TAKE_OVER,
+    VETO,
+    SupervisorView,
+)
 
 Answer = tuple[str, str]
 ABOVE = (ASK, VETO, TAKE_OVER)
@@ -38,7 +46,25 @@ def shipped() -> OperationLibrary:
             return ASK, f"{new[0]} stands in none of {known.runs} recorded runs"
         return APPROVE, f"it stands in {known.runs} recorded runs"
 
+    @library.supervisor("forecast", prepare=_check_forecast)
+    def forecast(view: SupervisorView, differs: str = VETO, missing: str = ASK) -> Answer:
+        """Veto operations whose forecast differs from the blueprint. ``missing`` is the answer
+        without a forecast."""
+        told = view.forecast
+        if told is None or told.verdict == NONE:
+            return missing, f"no forecast: {told.reason if told else 'the run makes none'}"
+        if told.verdict == DIFFERS:
+            return differs, told.reason
+        return APPROVE, "the forecast agrees"
+
     return library
+
+
+def _check_forecast(differs: str = VETO, missing: str = ASK) -> None:
+    for word in (differs, missing):
+        if word not in ANSWERS:
+            near = did_you_mean(word, ANSWERS) or f"There are {', '.join(ANSWERS)}."
+            raise UsageError(f"there is no answer {word!r}", advice=near)
 
 
 def _check_limit(risk: float = 0.5, above: str = VETO) -> None:

@@ -68,6 +68,8 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.HazardMet: EventRow(scene.hazard_met, before=False),
         run.Held: EventRow(scene.held),
         run.RiskEstimated: EventRow(regulation.risk_estimated, before=False),
+        run.ForecastMade: EventRow(regulation.forecast_made, before=False),
+        run.ForecastCompared: EventRow(regulation.forecast_compared, before=False),
         run.Commanded: EventRow(regulation.commanded),
         run.Paused: EventRow(regulation.paused),
         run.Resumed: EventRow(regulation.resumed),

@@ -107,7 +107,7 @@ class Memory:
     time of the last event that is not a fact, a cost or a goal. ``goal_of`` has the goal of each SB
     and its state, and ``standing`` are the SBs that are there. ``reached`` are the goals that were
     told, in order, and ``away`` the SBs that have left such a goal since. ``endangered`` says that
-    a hazard was met since the last hold.
+    a hazard was met since the last hold. ``foreseen`` are the operations that had a forecast.
     """
 
     def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
@@ -150,6 +150,7 @@ class Memory:
         self.goal_of: dict[str, tuple[str, str]] = {}
         self.reached: dict[str, None] = {}
         self.away: set[str] = set()
+        self.foreseen: set[str] = set()
 
     def stands(self, branch: str) -> str:
         """Return the state of an SB, committed or pending. Empty if there is no such SB."""

@@ -244,7 +244,7 @@ def test_a_weight_that_does_not_count_is_a_finding() -> None:
     assert found == [
         "declared is not understood: a weight is a number from 0 to 1",
         "luck is not understood: there is no such part of a risk. "
-        "There are declared, failures, hazard, age",
+        "There are declared, failures, forecast, hazard, age",
     ]
 
 

@@ -1,0 +1,103 @@
+"""Foresight: the forecast of a step before it begins, and its comparison with what happened.
+
+A forecast is no evidence. It can keep a step from beginning. Only a state check commits a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, HOLD, Verdict
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.library.prediction import AGREES, NONE, Prediction
+from smsl_studio.runlog.events import ForecastCompared, ForecastMade
+
+SHOW = "show"
+LEVELS = (SHOW, ASK, HOLD)
+"""What a forecast that differs does: it is told alone, a person is asked, or the run holds."""
+FORECAST = "forecast"
+"""The name under which it stands in the record."""
+BY_PERSON = "a person carries it out"
+ASKS = "a person has to answer before it goes on"
+OF_PEOPLE = (BY_PERSON, ASKS)
+"""Why there is no forecast, if it is a person who decides. Such a step needs none."""
+
+
+class Simulator(Protocol):
+    """A simulated world beside the one of the run. Nothing that it does moves the run."""
+
+    def predict(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
+        """Carry out an operation from a configuration. Stopped if the run must stop meanwhile."""
+        ...
+
+    def close(self) -> None:
+        """Free the simulated world. A second call does nothing."""
+        ...
+
+
+class Foresight:
+    """Asks a simulator before each step, at one of the ``LEVELS``."""
+
+    def __init__(self, simulator: Simulator, level: str) -> None:
+        self._simulator, self._level = simulator, level
+        self._made: tuple[Address, Prediction] | None = None
+
+    def look(self, run: LiveRun, step: JointStep) -> Prediction:
+        """Tell the forecast of a step, and return it."""
+        edge = step.asked.address
+        if any(run.by_person(one) for one in step.edges):
+            found = Prediction(NONE, reason=BY_PERSON)
+        else:
+            found = self._simulator.predict(dict(run.configuration), edge)
+        self._made = (edge, found)
+        now = sensed_values(run)
+        changes = {key: value for key, value in found.after.items() if now.get(key) != value}
+        run.emit(
+            ForecastMade(
+                t=run.time,
+                address=str(edge),
+                verdict=found.verdict,
+                after=changes,
+                reason=found.reason,
+            )
+        )
+        return found
+
+    def verdict(self, found: Prediction) -> Verdict:
+        """Return what the level says about a forecast."""
+        if self._level == SHOW or found.verdict == AGREES or found.reason in OF_PEOPLE:
+            return Verdict(ALLOW)
+        words = "no forecast" if found.verdict == NONE else "the forecast differs"
+        return Verdict(self._level, f"{words}: {found.reason}", by=FORECAST)
+
+    def compare(self, run: LiveRun, step: JointStep) -> None:
+        """Tell whether the forecast of a step that has ended was right.
+
+        Facts that are not known now are left out. Nothing is told if there was no forecast.
+        """
+        made, self._made = self._made, None
+        if made is None or made[0] != step.asked.address or made[1].verdict == NONE:
+            return
+        now = sensed_values(run)
+        wrong = [
+            f"{key} is {now[key]}, not {value or 'unknown'}"
+            for key, value in made[1].after.items()
+            if now.get(key) is not None and now[key] != value
+        ]
+        told = ForecastCompared(
+            t=run.time, address=str(made[0]), right=not wrong, reason=", ".join(wrong)
+        )
+        run.emit(told)
+
+    def close(self) -> None:
+        """Free the simulated world."""
+        self._simulator.close()
+
+
+def sensed_values(run: LiveRun) -> dict[str, str | None]:
+    """Return the value of each sensed fact (None: unknown), by ``SB/digit``."""
+    readings = run.senses.scene.readings
+    return {f"{Address(key[0])}/{key[1]}": readings[key].value for key in sorted(run.senses.sensed)}

@@ -1,0 +1,111 @@
+"""The twin of a run: a world beside it, in which each operation is tried before it begins.
+
+The twin is built like the world of the run, with the same seed and robot, and begins each forecast
+anew in the configuration of the run. So it knows neither faults of the run's world nor how exactly
+things lie there: if it is wrong, that is told after the operation. It is a world of its own, and
+with ``host="process"`` a process of its own, so nothing in it touches the run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.foresight import ASKS, LEVELS, Foresight
+from smsl_studio.errors import HostError, StudioError, UsageError, WorldError, did_you_mean
+from smsl_studio.front.forecasts import Forecast, carried, terms_of
+from smsl_studio.front.hosts import make_host
+from smsl_studio.front.request import RunRequest
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.prediction import AGREES, DIFFERS, NONE, Prediction
+from smsl_studio.world.engines import TABLE
+
+LIVES = 3
+"""After so many lost worlds, no further one is built."""
+
+
+class Twin:
+    """Predicts operations of one run. The world is built at the first forecast.
+
+    ``loaded`` are plugins that were found before (see ``make_host``).
+    """
+
+    def __init__(self, request: RunRequest, loaded: Loaded | None = None) -> None:
+        self._request = replace(request, by_hand=True, attended=True, supervisor=None, agents=())
+        self._hierarchy = Hierarchy(request.blueprint)
+        self._loaded = loaded
+        self._host: Host | None = None
+        self._lost = 0
+        self._why = ""
+
+    def predict(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
+        """Carry out an operation from a configuration. A world that breaks gives no forecast."""
+        if self._lost >= LIVES:
+            return Prediction(NONE, reason=self._why)
+        try:
+            return self._tried(configuration, edge)
+        except StudioError as error:
+            self.close()
+            self._lost, self._why = self._lost + 1, error.sentence
+            return Prediction(NONE, reason=error.sentence)
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Free the world. A second call does nothing; a later forecast builds it again."""
+        host, self._host = self._host, None
+        if host is not None:
+            host.close()
+
+    def _tried(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
+        if self._host is None:
+            if self._is_hardware():
+                self._lost = LIVES
+                raise WorldError("a world that is hardware cannot be tried beforehand")
+            self._host = make_host(self._request, self._loaded)
+        terms = terms_of(configuration, self._request.seed)
+        blueprint = self._hierarchy.blueprint
+        levels = Levels(blueprint, self._request.levels)
+        dispatcher = Dispatcher(blueprint, self._host, terms, levels=levels)
+        dispatcher.open()
+        if dispatcher.finished:
+            return Prediction(NONE, reason=dispatcher.standing.sentence)
+        found = carried(self._hierarchy, self._host, dispatcher, edge)
+        if dispatcher.finished:
+            raise HostError(dispatcher.standing.sentence)
+        if dispatcher.phase == "waiting":
+            return Prediction(NONE, reason=ASKS)
+        return _compared(found)
+
+    def _is_hardware(self) -> bool:
+        world, loaded = self._request.world, self._loaded
+        return loaded is not None and world != TABLE and loaded.world(world)[1].hardware
+
+
+def foresight_of(request: RunRequest, loaded: Loaded | None) -> Foresight:
+    """Return the forecasts of a run. UsageError for an unknown level."""
+    if request.forecast not in LEVELS:
+        near = did_you_mean(request.forecast, LEVELS) or f"There are {', '.join(LEVELS)}."
+        raise UsageError(f"there is no level of forecasts {request.forecast!r}", advice=near)
+    return Foresight(Twin(request, loaded), request.forecast)
+
+
+def _compared(found: Forecast) -> Prediction:
+    """Return a forecast as supervisors see it, with what differs in words."""
+    words = [
+        f"{key} will be {found.after[key] or 'unknown'}, not {value or 'unknown'}"
+        for key, value in found.declared.items()
+        if found.after.get(key) != value
+    ]
+    if found.sentence:
+        words.append(found.sentence)
+    if found.hazard:
+        words.append(f"the hazard {found.hazard} will be met")
+    good = found.agrees and not found.hazard
+    return Prediction(AGREES if good else DIFFERS, found.after, "" if good else "; ".join(words))

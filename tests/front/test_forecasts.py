@@ -1,0 +1,297 @@
+"""Forecasts in a run: what is told, what differs, and what the levels do about it."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from smsl_studio import front
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.foresight import Foresight
+from smsl_studio.errors import UsageError
+from smsl_studio.front.inputs import read
+from smsl_studio.front.logs import verify_stream
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.runs import Run, open_request
+from smsl_studio.front.script.lines import read_script
+from smsl_studio.front.script.script import Script
+from smsl_studio.front.twin import Twin
+from smsl_studio.runlog.events import (
+    Commanded,
+    Committed,
+    Event,
+    ForecastCompared,
+    ForecastMade,
+    Held,
+    OperationRefused,
+    OperationStarted,
+    RiskEstimated,
+)
+from smsl_studio.shipped import samples_dir
+from tests.plugin_folder import blueprint_of, write_plugin
+
+SAMPLE = samples_dir() / "hanoi-2.json"
+ODD = """
+import os
+
+def register(library):
+    @library.world("odd", engine="table", settle=0.1)
+    def build(world, blueprint, seed):
+        return world
+
+    @library.arrange("odd")
+    def arrange(world, facts):
+        world.set_facts(facts)
+
+    @library.sensor("fact", fact="1", period=0.1)
+    def fact(world):
+        return world.fact("SB", 0)
+
+    @library.operation("Go", timeout=5.0)
+    def go(world):
+        yield
+        world.set_facts({("SB", 0): "b"})
+
+    @library.operation("Stray", timeout=5.0)
+    def stray(world):
+        yield
+        world.set_facts({("SB", 0): "c"})
+
+    @library.operation("Die", timeout=5.0)
+    def die(world):
+        yield
+        os._exit(3)
+"""
+ROW = {"Go": "State_b", "Stray": "State_b", "Die": "State_b"}
+TABLE: dict[str, Any] = {
+    "SB": {
+        "HEADER": {"INITIAL": "State_a", "ACTIVATING": "State_b", "NUM_FACTS": 1},
+        "State_a": ROW,
+        "State_b": {},
+        "State_c": {},
+    }
+}
+
+
+@pytest.fixture
+def odd(tmp_path: Path) -> Callable[..., Run]:
+    """Run in a world in which ``Stray`` leads elsewhere and ``Die`` kills its process."""
+    write_plugin(tmp_path, "odd", ODD)
+
+    def run(operation: str, forecast: str, script: Script | None = None, **more: Any) -> Run:
+        left = tuple(f"SB/State_a/{name}" for name in ROW if name != operation)
+        return front.run(
+            blueprint_of(TABLE),
+            "odd",
+            avoid=left,
+            forecast=forecast,
+            script=script,
+            plugin_paths=(tmp_path / "odd",),
+            **more,
+        )
+
+    return run
+
+
+def of(done: Run, kind: type[Event]) -> list[Any]:
+    return [event for event in done.events if isinstance(event, kind)]
+
+
+def script_of(folder: Path, act: dict[str, Any], blueprint: Blueprint) -> Script:
+    file = folder / "script.jsonl"
+    file.write_text(json.dumps(act))
+    return read_script(file, blueprint)
+
+
+def test_each_operation_has_a_forecast_before_and_a_comparison_after() -> None:
+    done = front.run(read(SAMPLE), forecast="show")
+    kinds = (ForecastMade, OperationStarted, Committed, ForecastCompared)
+    told = [type(event) for event in done.events if isinstance(event, kinds)]
+    assert told == [*kinds] * 3
+    assert [e.verdict for e in of(done, ForecastMade)] == ["agrees"] * 3
+    assert of(done, ForecastMade)[0].after == {"SB1/0": "b"}
+    assert all(e.right and not e.reason for e in of(done, ForecastCompared))
+
+
+def test_without_its_own_events_the_trace_is_that_of_a_run_without_forecasts() -> None:
+    without = front.run(read(SAMPLE))
+    own = (ForecastMade, ForecastCompared)
+    for level in ("show", "ask", "hold"):
+        done = front.run(read(SAMPLE), forecast=level)
+        assert tuple(e for e in done.events if not isinstance(e, own)) == without.events
+
+
+@pytest.mark.parametrize("host", ["local", "process"])
+def test_a_fault_of_the_live_world_makes_the_forecast_wrong(host: str, tmp_path: Path) -> None:
+    act = {"when": "SB1/State_ba", "do": "inject", "fault": "fail"}
+    script = script_of(tmp_path, act, read(SAMPLE))
+    done = front.run(read(SAMPLE), forecast="hold", script=script, host=host)
+    (wrong,) = (e for e in of(done, ForecastCompared) if not e.right)
+    assert wrong.address == "SB1/State_ba/Op_2c"
+    assert wrong.reason == "SB1/1 is a, not c"
+
+
+def test_a_forecast_that_differs_is_told_asked_about_or_holds(odd: Callable[..., Run]) -> None:
+    shown = odd("Stray", "show")
+    (made,) = of(shown, ForecastMade)
+    assert (made.verdict, made.after) == ("differs", {"SB/0": "c"})
+    assert made.reason.startswith("SB/0 will be c, not b")
+    assert of(shown, OperationStarted)
+    assert [e.right for e in of(shown, ForecastCompared)] == [True]
+    asked = odd("Stray", "ask")
+    assert (asked.reason, of(asked, OperationStarted)) == ("held", [])
+    (command,) = of(asked, Commanded)
+    assert (command.command, command.by) == ("ask", "forecast")
+    held = odd("Stray", "hold")
+    assert (held.reason, of(held, OperationStarted), of(held, Commanded)) == ("held", [], [])
+    assert "the forecast differs: SB/0 will be c, not b" in of(held, Held)[0].reason
+    assert odd("Go", "hold").reason == "goal_reached"
+
+
+def test_a_world_that_dies_gives_no_forecast_and_the_run_goes_on_living(
+    odd: Callable[..., Run],
+) -> None:
+    held = odd("Die", "hold", host="process")
+    (made,) = of(held, ForecastMade)
+    assert (made.verdict, made.after) == ("none", {})
+    assert "process" in made.reason
+    assert (held.reason, of(held, OperationStarted)) == ("held", [])
+
+
+def test_a_person_who_asks_for_it_all_the_same_gets_it(
+    odd: Callable[..., Run], tmp_path: Path
+) -> None:
+    act = {"at": 0, "do": "ask", "address": "SB/State_a/Stray"}
+    script = script_of(tmp_path, act, blueprint_of(TABLE))
+    done = odd("Go", "hold", script)
+    assert not [e for e in of(done, OperationStarted) if e.address.endswith("Stray")]
+    free = front.run(
+        blueprint_of(TABLE),
+        "odd",
+        forecast="hold",
+        script=script,
+        plugin_paths=(tmp_path / "odd",),
+    )
+    assert of(free, ForecastMade)[0].verdict == "differs"
+    assert of(free, OperationStarted)[0].address == "SB/State_a/Stray"
+
+
+def test_a_resume_after_the_hold_is_the_answer_of_a_person(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "odd", ODD)
+    request = RunRequest(
+        blueprint_of(TABLE),
+        "odd",
+        host="local",
+        avoid=("SB/State_a/Go", "SB/State_a/Die"),
+        attended=True,
+        forecast="hold",
+        plugin_paths=(tmp_path / "odd",),
+    )
+    dispatcher = open_request(request)
+    try:
+        events = [*dispatcher.open(), *_until(dispatcher, "fault_hold")]
+        assert not any(isinstance(event, OperationStarted) for event in events)
+        dispatcher.resume(by="Ada")
+        events = list(_until(dispatcher, "fault_hold"))
+        assert [e.address for e in events if isinstance(e, OperationStarted)] == [
+            "SB/State_a/Stray"
+        ]
+    finally:
+        dispatcher.close()
+
+
+def _until(dispatcher: Dispatcher, phase: str) -> Iterator[Event]:
+    for _ in range(200):
+        yield from dispatcher.tick()
+        if dispatcher.phase == phase or dispatcher.finished:
+            return
+    raise AssertionError(f"{phase} was expected, not {dispatcher.phase}: {dispatcher.standing}")
+
+
+def test_what_a_person_carries_out_has_no_forecast_and_does_not_hold(tmp_path: Path) -> None:
+    by_hand = {"_operations": {"Go": {"actor": "human"}}, "State_a": {"Go": "State_b"}}
+    blueprint = blueprint_of({"SB": {**TABLE["SB"], **by_hand}})
+    act = {"do": "answer", "kind": "operation", "option": "done", "at": 0.2}
+    script = script_of(tmp_path, act, blueprint)
+    done = front.run(blueprint, forecast="hold", script=script)
+    (made,) = of(done, ForecastMade)
+    assert (made.verdict, made.reason) == ("none", "a person carries it out")
+    assert of(done, OperationStarted)
+    assert not of(done, ForecastCompared)
+
+
+def test_the_supervisor_forecast_vetoes_and_the_risk_counts_it(odd: Callable[..., Run]) -> None:
+    done = odd("Stray", "", supervisor="forecast")
+    (estimated,) = of(done, RiskEstimated)
+    assert estimated.risk > 0.8
+    assert any(reason.startswith("its forecast differs") for reason in estimated.reasons)
+    assert [e.command for e in of(done, Commanded)] == ["veto"]
+    assert of(done, OperationRefused)
+    assert not of(done, OperationStarted)
+    assert odd("Go", "", supervisor="forecast").reason == "goal_reached"
+    with pytest.raises(UsageError, match="no answer 'no'"):
+        odd("Go", "", supervisor="forecast:differs=no")
+
+
+def test_rules_may_name_the_forecast(odd: Callable[..., Run], tmp_path: Path) -> None:
+    rules = tmp_path / "rules.toml"
+    rules.write_text('[[rule]]\nforecast = "differs"\nanswer = "veto"\nreason = "it strays"\n')
+    done = odd("Stray", "show", supervisor=f"rules:file={rules}")
+    assert [e.reason for e in of(done, Commanded)] == ["it strays"]
+    assert odd("Go", "show", supervisor=f"rules:file={rules}").reason == "goal_reached"
+
+
+def test_the_log_says_the_level_and_its_order_is_checked(tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    front.run(read(SAMPLE), forecast="ask", log=log)
+    raw = log.read_bytes()
+    assert json.loads(raw.splitlines()[0])["forecast"] == "ask"
+    assert verify_stream(io.BytesIO(raw), "run.jsonl").doubt is None
+
+
+def test_an_unknown_level_is_refused_with_the_names() -> None:
+    with pytest.raises(UsageError, match="no level of forecasts 'holds'"):
+        front.run(read(SAMPLE), forecast="holds")
+
+
+def test_a_stop_in_the_middle_of_a_forecast_is_heeded() -> None:
+    """At each moment at which a run asks whether it must stop."""
+    looks = 0
+
+    def stops_at(last: int) -> Run:
+        nonlocal looks
+        looks = 0
+
+        def stop() -> bool:
+            nonlocal looks
+            looks += 1
+            return looks >= last
+
+        return front.run(read(SAMPLE), forecast="hold", stop_when=stop)
+
+    assert stops_at(10_000).reason == "goal_reached"
+    every = looks
+    assert every > 12
+    for last in range(1, every + 1):
+        done = stops_at(last)
+        assert done.reason == "stopped", last
+        assert len(of(done, OperationStarted)) <= len(of(done, ForecastMade)), last
+
+
+def test_a_level_that_only_shows_allows_everything() -> None:
+    twin = Twin(RunRequest(read(SAMPLE), host="local"))
+    try:
+        edge = Address("SB1", "State_aa", "Op_1b")
+        found = twin.predict({"SB1": "State_aa"}, edge)
+        again = twin.predict({"SB1": "State_aa"}, edge)
+    finally:
+        twin.close()
+    assert found == again
+    assert Foresight(twin, "show").verdict(found).decision == "allow"
