@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +13,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Box, Floor, Hulls
 from smsl_studio.world.grasps import Grasp
-from smsl_studio.world.known_values import refuse_others
+from smsl_studio.world.known_values import refuse_impossible, refuse_others
 from smsl_studio.world.meshes import hulls_obj, slab, soup, turned
 from smsl_studio.world.protocol import Vector
 
@@ -85,6 +85,7 @@ class Board:
                 advice="Use the world table, which runs any blueprint.",
             )
         refuse_others(branches[0], PIECES, (*PLACES, HELD, NOWHERE))
+        refuse_impossible(branches[0], impossible)
         self.world, self.seed = world, seed
 
     def furnish(self) -> None:
@@ -190,8 +191,9 @@ class Board:
                 )
         blocks = [facts[piece][0] for piece in PIECES]
         layers = "".join(facts[piece][1] for piece in PIECES)
-        if layers == "TT" or (blocks[0] == blocks[1]) != (TOP in layers):
-            raise WorldError("a piece on top needs the other one below it on the same block")
+        reason = impossible([facts[piece] for piece in PIECES])
+        if reason:
+            raise WorldError(reason)
         z = GROUND + HEIGHT / 2 + 0.0005
         below = layers.index(BOTTOM)
         draw = np.random.default_rng(self.seed)
@@ -207,6 +209,20 @@ class Board:
             else:
                 x, y = at[number].tolist()
                 yield piece, (x, y, z)
+
+
+def impossible(places: Sequence[str]) -> str:
+    """Return why two pieces cannot stand at these places, or the empty text. Of a piece that is
+    held or stands nowhere nothing is said."""
+    if not all(place in PLACES for place in places):
+        return ""
+    one, other = places
+    if one == other and one[1] == BOTTOM:
+        return f"both pieces would be in one place, on block {one[0]}"
+    tops = [place[1] for place in places].count(TOP)
+    if tops == 2 or (one[0] == other[0]) != (tops == 1):
+        return "a piece on top needs the other one below it on the same block"
+    return ""
 
 
 def _piece(name: str, place: Vector) -> Body:

@@ -7,16 +7,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .disks import PEGS
-from .table import HELD, NOWHERE, Table
+from .table import HELD, LEVEL, NOWHERE, REACH, Table
 
 if TYPE_CHECKING:
     from smsl_studio.library.operation_library import OperationLibrary
 
 RESTS = (
-    "disk_{n}_fingers < 2 and disk_{n}_from_%s < 8.5 mm and disk_{n}_gap < 4 mm"
-    " and disk_{n}_tilt < 8.11 deg and disk_{n}_smaller_under < 1"
+    "disk_{n}_fingers < 2 and disk_{n}_from_%s - peg_play < 0 mm"
+    " and disk_{n}_gap - stack_play < 0 mm and disk_{n}_tilt < 8.11 deg"
+    " and disk_{n}_smaller_under < 1"
 )
-"""A ring is on a peg if it rests there on larger rings only."""
+"""A ring is on a peg if it rests there on larger rings only. How exact that is depends on the size
+of the rings."""
 
 
 def register_sensors(library: OperationLibrary) -> None:
@@ -48,6 +50,16 @@ def register_sensors(library: OperationLibrary) -> None:
     def smaller_under(table: Table, n: int) -> float | None:
         """How many of it and the rings under it lie on a smaller ring."""
         return table.measured(n, lambda: table.stack(table.disk(n)).smaller)
+
+    @library.sensor("peg_play", unit="m")
+    def peg_play(table: Table) -> float:
+        """How far the middle of a ring on a peg may be from the axis of the peg."""
+        return REACH * table.size
+
+    @library.sensor("stack_play", unit="m")
+    def stack_play(table: Table) -> float:
+        """How far a ring that rests may be from its height on the stack."""
+        return LEVEL * table.size
 
     library.fact(
         "disk_{n}_peg",

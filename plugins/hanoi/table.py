@@ -25,10 +25,12 @@ JITTER = 0.003
 
 HELD, NOWHERE = "h", "x"
 REACH = 0.0085
-"""The largest distance (m) between the middles of a ring and its peg for a ring on the peg."""
+"""The largest distance (m) between the middles of a ring and its peg for a ring on the peg, for a
+robot of the size 1."""
 
 LEVEL = 0.004
-"""The largest distance (m) of a resting ring from its height on the stack."""
+"""The largest distance (m) of a resting ring from its height on the stack, for a robot of the
+size 1."""
 
 TILT = 0.99
 """The smallest vertical part of a resting ring's axis: the cosine of 8 degrees."""
@@ -161,11 +163,11 @@ class Table:
 
     def on_peg(self, peg: str) -> list[Disk]:
         """Return the rings around a peg that are not held, at any height, lowest first."""
-        x, y = self.pegs[peg]
+        (x, y), play = self.pegs[peg], REACH * self.size
         around = []
         for disk in self.disks:
             (px, py, pz), _ = self.world.pose(disk.name)
-            if np.hypot(px - x, py - y) < REACH and self.world.fingers_on(disk.name) < 2:
+            if np.hypot(px - x, py - y) < play and self.world.fingers_on(disk.name) < 2:
                 around.append((pz, disk.number, disk))
         return [disk for _, _, disk in sorted(around, key=lambda found: found[:2])]
 
@@ -187,7 +189,7 @@ class Table:
         """Whether a ring lies flat with its lower side at this height (m)."""
         (_, _, z), (qx, qy, _, _) = self.world.pose(disk.name)
         flat = abs(1.0 - 2.0 * (qx * qx + qy * qy)) > TILT  # upside down it is the same ring
-        return flat and abs(z - disk.thickness / 2 - height) < LEVEL
+        return flat and abs(z - disk.thickness / 2 - height) < LEVEL * self.size
 
     def _places(self, pegs: Mapping[Disk, str]) -> Iterator[tuple[Disk, Vector]]:
         """Return the start position (m) of each ring: on its stack, moved from the middle of its

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +12,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Box, Floor
 from smsl_studio.world.grasps import Grasp
-from smsl_studio.world.known_values import refuse_others
+from smsl_studio.world.known_values import refuse_impossible, refuse_others
 from smsl_studio.world.meshes import slab, soup, turned
 from smsl_studio.world.protocol import Vector
 
@@ -68,6 +68,7 @@ class Crossing:
                 advice="Use the world table, which runs any blueprint.",
             )
         refuse_others(branches[0], ITEMS, (*PLACES, HELD, NOWHERE))
+        refuse_impossible(branches[0], impossible)
         self.world, self.seed = world, seed
 
     def furnish(self) -> None:
@@ -130,9 +131,17 @@ class Crossing:
             y, ground = BANKS[value]
             x = next(aboard, None) if value == "B" else SEATS[value][number]
             if x is None:
-                raise WorldError("at most two can be in the boat", advice="Choose another start.")
+                raise WorldError(FULL, advice="Choose another start.")
             dx, dy = jitter[number].tolist()
             yield item, (x + dx, y + dy, ground + HEIGHT / 2 + 0.0005)
+
+
+FULL = "at most two can be in the boat"
+
+
+def impossible(places: Sequence[str]) -> str:
+    """Return why the items cannot be at these places, or the empty text."""
+    return FULL if places.count("B") > len(SEATS["B"]) else ""
 
 
 def _item(name: str, place: Vector, colour: Vector) -> Body:

@@ -12,7 +12,7 @@ from smsl_studio.errors import UsageError
 from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
 from smsl_studio.legible import one_line
 from smsl_studio.library.entries import FaultEntry
-from smsl_studio.library.loaded import Plugin, PluginFault
+from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.survey import FoundPlugin
 
 VERBS = ("allow", "forbid")
@@ -54,13 +54,13 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 def _list(as_json: bool, out: Output) -> int:
     loaded = plugins()
     if as_json:
-        listed = [_as_json(plugin) for plugin in loaded.plugins]
+        listed = [_as_json(plugin, loaded) for plugin in loaded.plugins]
         listed += [waiting_as_json(found) for found in loaded.waiting]
         faults = [fault_as_json(fault) for fault in loaded.faults]
         out.json({"plugins": listed, "faults": faults})
         return 0
     for plugin in loaded.plugins:
-        _print(plugin, out)
+        _print(plugin, loaded, out)
     for found in loaded.waiting:
         print_waiting(found, out)
     for fault in loaded.faults:
@@ -111,7 +111,7 @@ def print_waiting(found: FoundPlugin, out: Output) -> None:
     _print_parts(words.registers if words else {}, out)
 
 
-def _as_json(plugin: Plugin) -> dict[str, Any]:
+def _as_json(plugin: Plugin, loaded: Loaded) -> dict[str, Any]:
     library = plugin.library
     return {
         "name": plugin.name,
@@ -121,6 +121,11 @@ def _as_json(plugin: Plugin) -> dict[str, Any]:
         "source": plugin.source,
         "location": plugin.location,
         "worlds": list(library.worlds),
+        "world_robots": [
+            {"world": world, "robots": list(robots)}
+            for world, robots in _choices(plugin, loaded).items()
+        ],
+        "robots": list(library.robots),
         "operations": [
             {"function": entry.name, "pattern": entry.pattern.text if entry.pattern else None}
             for entry in library.operations
@@ -137,14 +142,23 @@ def _as_json(plugin: Plugin) -> dict[str, Any]:
     }
 
 
-def _print(plugin: Plugin, out: Output) -> None:
+def _choices(plugin: Plugin, loaded: Loaded) -> dict[str, tuple[str, ...]]:
+    """Return the robots of each world of a plugin that can be built with several."""
+    chosen = {world: loaded.robots(world) for world in plugin.library.worlds}
+    return {world: robots for world, robots in chosen.items() if robots}
+
+
+def _print(plugin: Plugin, loaded: Loaded, out: Output) -> None:
     library = plugin.library
     where = f"{plugin.source}, {plugin.location}"
     out.line(f"{one_line(f'{plugin.name} {plugin.version} ({where})')}: allowed")
     if plugin.description:
         out.line(f"    {one_line(plugin.description)}")
-    parts = {
+    choices = {f"robots of {world}": names for world, names in _choices(plugin, loaded).items()}
+    parts: dict[str, Iterable[str]] = {
         "worlds": list(library.worlds),
+        **choices,
+        "robots": list(library.robots),
         "operations": [e.pattern.text if e.pattern else e.name for e in library.operations],
         "sensors": [e.pattern.text for e in library.sensors],
         "faults": [_called(entry) for entry in library.faults.values()],

@@ -9,7 +9,7 @@ import hashlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, closing, nullcontext
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,8 @@ from smsl_studio.front.campaign_runs import (
     request_of,
 )
 from smsl_studio.front.campaign_workers import CampaignWorkers
-from smsl_studio.front.hosts import known_world
+from smsl_studio.front.hosts import known_world, with_robot
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import run_request
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
@@ -115,8 +116,9 @@ Told = Callable[[int, int], None]
 def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) -> Campaign:
     """Run a campaign.
 
-    UsageError for a fault that the world does not have, or whose parameters nobody can choose; for
-    numbers that do not fit; or for more than 1,000,000 runs. WorldError if a worker dies.
+    UsageError for a robot or a fault that the world does not have, or whose parameters nobody can
+    choose; for numbers that do not fit; or for more than 1,000,000 runs. WorldError if there is no
+    such world, or if a worker dies.
 
     >>> done = campaign(CampaignRequest(read("hanoi-2.json"), seeds=3))
     >>> done.runs, done.reached, len(done.rows)
@@ -124,6 +126,11 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
     """
     if request.seeds < 1 or request.workers < 1:
         raise UsageError("a campaign needs at least one seed and one worker")
+    if request.world != TABLE or request.robot:
+        # A worker could not say more of a wrong name than that it ended.
+        named = RunRequest(request.blueprint, request.world, robot=request.robot)
+        known = known_world(request.world, host="process")
+        request = replace(request, robot=with_robot(named, known).robot)
     injections, left_out = _chosen(request)
     if len(injections) * request.seeds > MOST:
         raise UsageError(

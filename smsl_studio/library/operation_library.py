@@ -334,8 +334,11 @@ class OperationLibrary:
             raise PluginError(f"the name {name!r} cannot be given to a fault of {world!r}")
 
         def keep(function: FunctionT) -> FunctionT:
-            """Register the fault."""
+            """Register the fault. PluginError for a parameter with a name that a script needs."""
             entry = FaultEntry(world, name, function, signature_of(function))
+            taken = next((one for one in ("fault", "by") if one in entry.signature.types), None)
+            if taken is not None:
+                raise PluginError(f"a parameter of the fault {name!r} cannot be called {taken!r}")
             self.faults[world, name] = entry
             return function
 

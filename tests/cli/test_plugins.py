@@ -138,3 +138,22 @@ def test_a_name_of_two_plugins_and_one_of_none_are_refused_with_the_names(
         assert shell("plugins", verb).status == 2
     assert shell("plugins", "allow", str(lamp)).status == 0
     assert shell("plugins", "permit", "lamp").status == 2
+
+
+def test_the_robots_of_a_world_are_listed(shell: Shell, tmp_path: Path, home: Path) -> None:
+    code = """\
+from dataclasses import replace
+from smsl_studio.world.arms.panda import ARM
+def register(library):
+    library.robot(replace(ARM, name="long_panda"))
+"""
+    write_plugin(home / "plugins", "more", code)
+    shell("plugins", "allow", "more")
+    hanoi, more = _told(shell, "hanoi"), _told(shell, "more")
+    choice = {"world": "hanoi", "robots": ["panda", "iiwa", "dvrk", "long_panda"]}
+    assert (hanoi["world_robots"], hanoi["robots"]) == ([choice], [])
+    assert (more["world_robots"], more["robots"]) == ([], ["long_panda"])
+    assert _told(shell, "chess")["world_robots"] == []
+    text = shell("plugins").out
+    assert "    robots of hanoi: panda, iiwa, dvrk, long_panda\n" in text
+    assert "    robots: long_panda\n" in text

@@ -203,3 +203,13 @@ def test_a_plugin_that_ends_its_process_is_told(
     monkeypatch.setenv("SMSL_PLUGIN_PATH", str(folder))
     with pytest.raises(WorldError, match="a worker of the campaign died"):
         smsl.campaign(CampaignRequest(smsl.read(file), "lamp"))
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_unknown_world_or_robot_is_refused_by_name(workers: int) -> None:
+    with pytest.raises(WorldError, match="there is no world 'hanio'"):
+        smsl.campaign(asked(world="hanio", workers=workers))
+    with pytest.raises(UsageError, match="the world 'hanoi' has no robot 'kuka'"):
+        smsl.campaign(asked(world="hanoi", robot="kuka", workers=workers))
+    with pytest.raises(UsageError, match="the world 'table' has no choice of robots"):
+        smsl.campaign(asked(robot="panda", workers=workers))

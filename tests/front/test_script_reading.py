@@ -211,3 +211,41 @@ def test_the_pages_have_every_word_with_what_belongs_to_it() -> None:
         assert [key for key in takes.may if f"`{key}`" not in line] == [], word
         if takes.row and word != takes.row.word:
             assert f"`{word}`" in line
+
+
+def test_a_parameter_with_the_name_of_a_key_of_the_moment_stands_in_with() -> None:
+    opens = {"do": "inject", "fault": "gripper_opens"}
+    script = _script(
+        {"at": 2, **opens, "seconds": 1, "with": {"after": 0.5}},
+        {"during": EDGE, "after": 0.2, **opens, "with": {"after": 0.5, "times": 2}},
+    )
+    assert [act.given for act in script.acts] == [
+        {"fault": "gripper_opens", "seconds": 1, "after": 0.5},
+        {"fault": "gripper_opens", "after": 0.5, "times": 2},
+    ]
+    assert [act.trigger for act in script.acts] == [Trigger(AT, 2.0), Trigger(DURING, 0.2, EDGE)]
+
+
+@pytest.mark.parametrize(
+    ("line", "words", "advice"),
+    [
+        (
+            {"at": 2, "after": 0.5},
+            "'after' needs a state or an operation",
+            '"with": {"after": 0.5}',
+        ),
+        ({"with": {"after": [1]}}, "neither a text nor a number", ""),
+        ({"with": {}}, "'with' is no object", "Write it like"),
+        ({"with": "after"}, "'with' is no object", "Write it like"),
+        ({"with": {"a b": 1}}, "inject takes no 'a b'", ""),
+        ({"with": {"by": "Ada"}}, "'by' stands in 'with'", ""),
+        ({"with": {"fault": "drop"}}, "'fault' stands in 'with'", ""),
+        ({"seconds": 1, "with": {"seconds": 1}}, "'seconds' stands in 'with'", ""),
+    ],
+)
+def test_what_does_not_belong_into_with_is_refused(
+    line: dict[str, Any], words: str, advice: str
+) -> None:
+    fault = _fault({"do": "inject", "fault": "gripper_opens", **line})
+    assert words in fault.sentence
+    assert advice in fault.advice

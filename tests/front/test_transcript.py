@@ -130,6 +130,18 @@ def test_a_run_by_hand_with_a_take_over_and_a_stop() -> None:
     assert hand.again() == hand.told
 
 
+def test_a_parameter_called_after_is_no_moment() -> None:
+    hand = Hand(smsl.read(samples_dir() / "hanoi-2.json"), world="hanoi", goals=("SB1/State_ca",))
+    hand.tick(3)
+    hand.say("inject", fault="gripper_opens", after=0.1, seconds=0.5)
+    while not hand.dispatcher.finished and hand.dispatcher.phase != "held":
+        hand.tick()
+    hand.say("end")
+    assert hand.lines[0]["with"] == {"after": 0.1, "seconds": 0.5}
+    assert "failed" in "".join(hand.told)
+    assert hand.again() == hand.told
+
+
 def test_the_first_line_says_how_the_script_is_run() -> None:
     hand = Hand(HANOI, starts=("SB1/State_caa",), goals=("SB1/State_bbb",), seed=7,
                 levels={"supervision": "automatic"})  # fmt: skip

@@ -24,11 +24,14 @@ from plugins.river.crossing import BANKS, HEIGHT, ITEMS, SEATS, Crossing
 from plugins.river.plugin import register as river
 from smsl_studio import front
 from smsl_studio.host.default_decision import decided
+from smsl_studio.library.arm_table import arm_named
 from smsl_studio.library.fact_default import default_of
 from smsl_studio.library.operation_library import OperationLibrary
 
 ROOT = Path(__file__).parents[2]
 SCENES = 1500
+ON_PEGS = 1007
+"""How often a ring of the scenes is on a peg, whatever its size."""
 FLAT = (0.0, 0.0, 0.0, 1.0)
 Pose = tuple[tuple[float, float, float], tuple[float, float, float, float]]
 
@@ -76,16 +79,19 @@ def reader(register: Callable[[OperationLibrary], None], name: str) -> Callable[
     return read
 
 
-def test_hanoi() -> None:
-    chance, seen = Random(1), set[str | None]()
+@pytest.mark.parametrize("robot", ["panda", "dvrk"])
+def test_hanoi(robot: str) -> None:
+    chance, seen, on_pegs = Random(1), set[str | None](), 0
     read = reader(hanoi, "disk_{n}_peg")
     for _ in range(SCENES):
         world = Poses()
-        table = Table(world, 3, 0)  # type: ignore[arg-type]
+        table = Table(world, 3, 0, arm_named(robot))  # type: ignore[arg-type]
+        size = table.size
         for disk in table.disks:
-            x, y = chance.choice([*PEGS.values()])
-            height = chance.choice((0.009, 0.027, 0.045, 0.009, 0.9))
-            place = near(chance, x, 0.01), near(chance, y, 0.01), near(chance, height, 0.006)
+            x, y = chance.choice([*table.pegs.values()])
+            height = size * chance.choice((0.009, 0.027, 0.045, 0.009, 0.9 / size))
+            aside, above = 0.01 * size, 0.006 * size
+            place = near(chance, x, aside), near(chance, y, aside), near(chance, height, above)
             world.found[disk.name] = place, turned(chance, 12.0)
             world.fingers[disk.name] = chance.choice((0, 0, 0, 1, 2))
         if chance.random() < 0.05:
@@ -94,7 +100,10 @@ def test_hanoi() -> None:
             value = read(table, disk.number)
             assert value == table.reading(disk)
             seen.add(value)
+            on_pegs += value in PEGS
     assert seen == {"a", "b", "c", "h", "x", None}
+    # The smaller rings are read as exactly, for their size, as the larger ones.
+    assert on_pegs == ON_PEGS
 
 
 def test_river() -> None:

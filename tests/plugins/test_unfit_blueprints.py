@@ -28,13 +28,16 @@ UNFIT = [
     ("river", ["0000", "0020"], STEVE, "SB1/State_0020 has steve at '2', and this world knows 0 B"),
     ("chess", ["AB0BaB", "aB0BaB"], STAR, "needs one State Branch with 2 facts"),
     ("chess", ["AB0B", "EB0B"], STAR, "SB1/State_EB0B has star at 'EB', and this world knows AB"),
+    ("river", ["00B0", "BBB0"], STEVE, "SB1/State_BBB0 cannot be in this world: at most two"),
+    ("chess", ["0B1B", "0B0B", "AB1B"], STAR, "State_0B0B cannot be in this world: both pieces"),
+    ("chess", ["0B1B", "0TAB"], STAR, "State_0TAB cannot be in this world: a piece on top needs"),
     ("registration", ["00000", "10000"], PLAN, "needs one root with 3 or 4 facts"),
     ("registration", ["0000", "2000"], PLAN, "SB1/State_2000 has planned at '2'"),
 ]
 WORLDS = ("hanoi", "river", "chess", "registration")
 IMPOSSIBLE = [
     ("river", ["BBB0", "B0B0"], STEVE, "at most two can be in the boat"),
-    ("chess", ["0B0B", "AB0B"], STAR, "a piece on top needs the other one below it"),
+    ("chess", ["0B0B", "AB0B"], STAR, "both pieces would be in one place, on block 0"),
     ("chess", ["0T0T", "AB0B"], STAR, "a piece on top needs the other one below it"),
     ("chess", ["0TaB", "AB0B"], STAR, "a piece on top needs the other one below it"),
     ("hanoi", ["xaa", "baa"], "Op_1b", "disk 1 cannot start on 'x'"),

@@ -16,7 +16,18 @@ from typing import Any
 from smsl_studio.blueprint.levels import fault_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place, ReadError, UsageError, did_you_mean
-from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Act, Script, Trigger
+from smsl_studio.front.script.script import (
+    ASKED,
+    AT,
+    DURING,
+    EVERY,
+    MOMENT,
+    WHEN,
+    WITH,
+    Act,
+    Script,
+    Trigger,
+)
 from smsl_studio.front.script.words import WORDS, checked, operation, seconds, state, text
 from smsl_studio.monitor.disturbance import checked as checked_disturbance
 from smsl_studio.seal.digest import sha256_hex
@@ -29,7 +40,6 @@ ENCODE = "Save the script as UTF-8."
 SHORTER = "Make it shorter; a script is written for one run."
 FAULTS = 20
 """The largest number of wrong lines that are reported together."""
-_MOMENT = (AT, WHEN, DURING, "after", "times", "turn", "do", "by")
 BY = "script"
 
 
@@ -179,13 +189,18 @@ def _given(
 ) -> Mapping[str, Json]:
     """Return the checked arguments of a command."""
     word, given = WORDS[do], {}
-    for key, value in values.items():
-        if key in _MOMENT:
-            continue
+    inner = _inner(line, values) if word.free and WITH in values else {}
+    outer = {key: one for key, one in values.items() if key not in MOMENT}
+    if inner:
+        del outer[WITH]
+    for key, value in (*outer.items(), *inner.items()):
+        if key in given or (key in inner and key in (*word.needs, "by")):
+            words = f"{key[:60]!r} stands in {WITH!r}"
+            raise line.wrong(line.value_at(WITH), words, "Write it beside it, and once.")
         check = word.check_of(key)
         if check is None or not key.isidentifier() or key == "self":
             known = (*word.needs, *word.may)
-            near = did_you_mean(key[:80], (*known, *_MOMENT))
+            near = did_you_mean(key[:80], (*known, *MOMENT))
             takes = f"It takes {', '.join(known)}." if known else "It takes nothing."
             raise line.wrong(line.key_at(key), f"{do} takes no {key[:60]!r}", near or takes)
         given[key] = line.of(key, partial(checked, check, blueprint, value))
@@ -199,6 +214,15 @@ def _given(
     return given
 
 
+def _inner(line: _Line, values: Mapping[str, Json]) -> Mapping[str, Json]:
+    """Return the arguments that stand in the object ``with``."""
+    inner = values[WITH]
+    if not isinstance(inner, dict) or not inner:
+        words = f"{WITH!r} is no object with parameters"
+        raise line.wrong(line.value_at(WITH), words, f'Write it like "{WITH}": {{"after": 0.5}}.')
+    return inner
+
+
 def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint) -> Trigger:
     """Return the moment of an act. Without a moment it is the start of the run, or, for an answer,
     the opening of its task."""
@@ -209,8 +233,11 @@ def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Bluepr
     kind = said[0] if said else ASKED if do == "answer" else AT
     for key in ("after", "times"):
         if kind == AT and key in values:
+            inside = f' A parameter of the fault stands in "{WITH}": {{"{key}": 0.5}}.'
             raise line.wrong(
-                line.key_at(key), f"{key!r} needs a state or an operation", "Say when, or during."
+                line.key_at(key),
+                f"{key!r} needs a state or an operation",
+                f"Say when, or during.{inside if WORDS[do].free else ''}",
             )
     turn = line.of("turn", lambda: _count(values.get("turn", 1)))
     if kind == AT:
@@ -243,7 +270,7 @@ def _set_level(
     blueprint: Blueprint,
     levels: dict[str, str],
 ) -> None:
-    late = next((key for key in _MOMENT[:6] if key in values), None)
+    late = next((key for key in MOMENT[:6] if key in values), None)
     if late is not None:
         words = "a level is set before the start, at no other moment"
         raise line.wrong(line.key_at(late), words, f"Leave {late!r} out.")

@@ -13,6 +13,13 @@ AT, WHEN, DURING, ASKED = "at", "when", "during", "asked"
 EVERY = 0
 """The value of ``times`` that means every time."""
 
+MOMENT = (AT, WHEN, DURING, "after", "times", "turn", "do", "by")
+"""The keys of a line that say when, what and who. All others are arguments of the command."""
+
+WITH = "with"
+"""The key of an object with further arguments. An argument that has the name of a key of the moment
+stands there."""
+
 
 @dataclass(frozen=True, slots=True)
 class Trigger:

@@ -14,7 +14,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.front.script.moments import Moments
 from smsl_studio.front.script.script import AT, DURING
-from smsl_studio.front.script.words import said_as
+from smsl_studio.front.script.words import apart, said_as
 from smsl_studio.runlog.events import Event, TaskOpened
 
 Json = Any
@@ -83,7 +83,7 @@ class Transcript:
         task = self._tasks.get(str(command.said.get("task", "")))
         about = {} if task is None else {"kind": task.kind, "address": task.address}
         about = {key: value for key, value in about.items() if value}
-        return {"do": word, **about, **given, "by": command.by}
+        return {"do": word, **about, **apart(word, given), "by": command.by}
 
 
 def _rounded(seconds: float) -> float:

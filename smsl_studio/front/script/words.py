@@ -26,6 +26,7 @@ from smsl_studio.dispatch.supervision.row import (
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import StudioError, UsageError, did_you_mean
 from smsl_studio.front.script.addresses import operations_at, state_at
+from smsl_studio.front.script.script import MOMENT, WITH
 from smsl_studio.monitor.disturbance import KINDS as DISTURBANCES
 
 Json = Any
@@ -211,6 +212,15 @@ def said_as(command: Command) -> tuple[str, Mapping[str, Json]]:
                 if key not in word.says and word.check_of(key) and value not in (None, "")
             }
     raise UsageError(f"a script has no word for {command.word}")
+
+
+def apart(do: str, given: Mapping[str, Json]) -> dict[str, Json]:
+    """Return the arguments of a command as a line has them. If a parameter has the name of a key of
+    the moment, all parameters stand in an object of their own, so that their order stays."""
+    if not any(key in MOMENT for key in given):
+        return dict(given)
+    known = {key: value for key, value in given.items() if key in WORDS[do].needs}
+    return {**known, WITH: {key: value for key, value in given.items() if key not in known}}
 
 
 def checked(check: Check, blueprint: Blueprint, value: Json) -> Json:

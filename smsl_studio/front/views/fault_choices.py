@@ -17,6 +17,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.errors import UsageError
 from smsl_studio.front.script.script import AT, DURING, WHEN
+from smsl_studio.front.script.words import apart
 from smsl_studio.front.views.fact_tiles import value_words
 from smsl_studio.front.views.states import short_name
 from smsl_studio.library.bound import leaf_facts
@@ -144,7 +145,7 @@ def fault_line(
     elif choice.moment == AFTER and edge is not None:
         target = blueprint[edge.branch].table[edge.state][edge.operation]
         moment = {WHEN: str(Address(edge.branch, target))}
-    return {**moment, "do": choice.do, **choice.given, "by": by}
+    return {**moment, "do": choice.do, **apart(choice.do, choice.given), "by": by}
 
 
 def parameters_of(text: str) -> dict[str, float | str]:
