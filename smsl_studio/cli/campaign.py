@@ -41,6 +41,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--workers", type=_count, default=1, metavar="N", help="so many processes (default 1)"
     )
     parser.add_argument(
+        "--dask",
+        default="",
+        metavar="ADDRESS",
+        help="a Dask scheduler, whose workers carry the runs out: tcp://HOST:PORT",
+    )
+    parser.add_argument(
         "--resume", action="store_true", help="take over what OUT.json.part has already"
     )
     parser.add_argument(
@@ -83,6 +89,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         part=part,
         resume=options.resume,
         robot=options.robot,
+        dask=options.dask,
     )
     done = campaign(request, _progress)
     told = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
@@ -39,6 +39,9 @@ from smsl_studio.runlog.events import OperationStarted
 from smsl_studio.stop import Stopped, heed
 from smsl_studio.world.engines import TABLE
 
+if TYPE_CHECKING:
+    from smsl_studio.front.campaign_cluster import CampaignCluster
+
 Json = Any
 ALL, ROUTE = "all", "route"
 BLOCK = 20
@@ -58,7 +61,8 @@ class CampaignRequest:
     ``seeds`` is the number of seeds, from 0. ``faults`` are names, or ``all``; without faults there
     is one row. ``edges`` is ``route`` (those of a run without fault) or ``all``. ``until`` is the
     width of the intervals at which the campaign ends early. ``resume`` takes over what an earlier
-    campaign has kept in ``part``.
+    campaign has kept in ``part``. ``dask`` is the address of a Dask scheduler, whose workers take
+    the place of ``workers`` here.
 
     >>> CampaignRequest(read("hanoi-2.json"), seeds=100, faults=("fail",)).edges
     'route'
@@ -74,6 +78,7 @@ class CampaignRequest:
     part: Path | None = None
     resume: bool = False
     robot: str = ""
+    dask: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +131,8 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
     """
     if request.seeds < 1 or request.workers < 1:
         raise UsageError("a campaign needs at least one seed and one worker")
+    if request.dask and request.workers > 1:
+        raise UsageError("a campaign has workers here or on a cluster", advice="Name one of both.")
     if request.world != TABLE or request.robot:
         # A worker could not say more of a wrong name than that it ended.
         named = RunRequest(request.blueprint, request.world, robot=request.robot)
@@ -183,7 +190,7 @@ def _verdicts(
 def _judged(
     request: CampaignRequest,
     asked: Sequence[CampaignRun],
-    pool: CampaignWorkers | None,
+    pool: CampaignWorkers | CampaignCluster | None,
     part: CampaignPart,
 ) -> Iterator[RunVerdict]:
     """Yield the verdicts in the order of ``asked``. What is known from before is not run again."""
@@ -208,10 +215,16 @@ def _judged(
             yield part.known[key]
 
 
-def _pool(request: CampaignRequest) -> AbstractContextManager[CampaignWorkers | None]:
+def _pool(
+    request: CampaignRequest,
+) -> AbstractContextManager[CampaignWorkers | CampaignCluster | None]:
     """Give the workers. None for one worker in the table world: it runs no code of plugins, and is
     this process.
     """
+    if request.dask:
+        from smsl_studio.front.campaign_cluster import CampaignCluster
+
+        return closing(CampaignCluster(request.dask, request.blueprint, request.world))
     if request.workers == 1 and request.world == TABLE:
         return nullcontext()
     file = request.blueprint.file

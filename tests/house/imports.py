@@ -58,6 +58,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet": (BULLET,),
     "pybullet_data": (BULLET,),
     "pybullet_utils": (BULLET,),
+    "distributed": ("front/campaign_cluster.py",),
     "mujoco": ("world/mujoco_world.py",),
     "defusedxml": ("exchange/",),
     "jinja2": ("generate/code/templates.py",),
