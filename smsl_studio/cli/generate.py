@@ -60,7 +60,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     explore.add_argument("--against", metavar="FILE", help="compare the edges with a blueprint")
     code = parser.add_argument_group("code")
-    code.add_argument("--target", choices=("python", "cpp"), default="python", help="the language")
+    code.add_argument("--target", choices=("python", "cpp", "ros2"), default="python", help="what")
     code.add_argument("--bindings", metavar="FILE", help="a bindings file: which function is which")
     code.add_argument("--name", metavar="NAME", help="the name of the package")
     code.add_argument("--record", metavar="RECORD", help="the record whose digest stands in it")

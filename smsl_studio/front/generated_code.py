@@ -18,6 +18,7 @@ from smsl_studio.generate.code.cpp_package import CppPackage
 from smsl_studio.generate.code.identifiers import is_package_name, package_name
 from smsl_studio.generate.code.kept_parts import parts_of, refuse_lost, with_parts
 from smsl_studio.generate.code.python_package import PythonPackage
+from smsl_studio.generate.code.ros2_package import Ros2Package
 from smsl_studio.generate.code.templates import BY
 from smsl_studio.library.bindings_file import read_bindings
 from smsl_studio.smsl.inputs import read_ordinary
@@ -25,7 +26,11 @@ from smsl_studio.smsl.outputs import replace_file
 
 Name = str | os.PathLike[str]
 Package = CppPackage | PythonPackage
-TARGETS: dict[str, type[Package]] = {"python": PythonPackage, "cpp": CppPackage}
+TARGETS: dict[str, type[Package]] = {
+    "python": PythonPackage,
+    "cpp": CppPackage,
+    "ros2": Ros2Package,
+}
 LARGEST = 1 << 24
 """The largest size of a licence, a record, or a generated file that is read again, in bytes."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -15,33 +14,17 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.generated_code import generate_code
-from smsl_studio.shipped import resources_dir, samples_dir
+from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.forms import form_named
 from tests.dispatch.generated import blueprint_values
+from tests.generate.compiler import COMPILER, FLAGS, needs_compiler
 from tests.generate.generated_runs import studio
 from tests.generate.spiced import asked_of
 
 Json = Any
-COMPILER = shutil.which("g++")
-FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O0")
 RANDOM = (11, 20)
 """A few of those that ``benches/code.py`` leaves to Python: a compiler takes seconds for each."""
 SAMPLES = ("three-levels",)
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="needs g++")
-
-
-@pytest.fixture(scope="module")
-def engine(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """The dispatcher, which is the same for every blueprint, as object files."""
-    folder = tmp_path_factory.mktemp("engine")
-    sources = sorted((resources_dir() / "code" / "cpp" / "dsfo").glob("*.cpp"))
-    objects = [folder / f"{one.stem}.o" for one in sources]
-    running = [
-        subprocess.Popen([str(COMPILER), *FLAGS, "-c", str(one), "-o", str(made)])
-        for one, made in zip(sources, objects, strict=True)
-    ]
-    assert not any([one.wait() for one in running])  # noqa: C419 (wait for all of them)
-    return objects
 
 
 def _built(blueprint: Blueprint, folder: Path, engine: list[Path]) -> Path:

@@ -87,6 +87,23 @@ class CppPackage:
     @property
     def files(self) -> dict[str, str]:
         """Every file as text."""
+        core = self.core
+        cmake = self._text("CMakeLists.txt", sources=self._sources(core))
+        return {
+            **core,
+            "tests/test_run.cpp": self._cpp("test_run.cpp"),
+            "CMakeLists.txt": f"# {BY}.\n{cmake}",
+            "README.md": f"<!-- {BY}. -->\n\n{self._readme(len(self._functions()))}",
+        }
+
+    def _sources(self, core: Mapping[str, str]) -> list[str]:
+        """Return the paths of what is compiled into the library."""
+        main = f"{self._request.name}/main.cpp"
+        return [path for path in core if path.endswith(".cpp") and path != main]
+
+    @property
+    def core(self) -> dict[str, str]:
+        """The blueprint, the dispatcher, and the functions to fill in."""
         name = self._request.name
         branches = {
             f"{name}/branches/{self._modules[one.name]}.cpp": self._branch(one)
@@ -95,7 +112,7 @@ class CppPackage:
         functions, sensors = self._functions(), self._sensors()
         engine = self._engine()
         modules = list(self._modules.values())
-        own = {
+        return {
             f"{name}/main.cpp": self._cpp("main.cpp"),
             f"{name}/blueprint.hpp": self._cpp("blueprint.hpp"),
             f"{name}/blueprint.cpp": self._whole(),
@@ -106,14 +123,6 @@ class CppPackage:
             f"{name}/sensors.hpp": self._cpp("sensors.hpp", sensors=sensors),
             f"{name}/sensors.cpp": self._cpp("sensors.cpp", sensors=sensors),
             **engine,
-        }
-        sources = [path for path in own if path.endswith(".cpp") and path != f"{name}/main.cpp"]
-        cmake = self._text("CMakeLists.txt", sources=sources)
-        return {
-            **own,
-            "tests/test_run.cpp": self._cpp("test_run.cpp"),
-            "CMakeLists.txt": f"# {BY}.\n{cmake}",
-            "README.md": f"<!-- {BY}. -->\n\n{self._readme(len(functions))}",
         }
 
     # texts ----------------------------------------------------------------------------------------
@@ -282,13 +291,15 @@ class CppPackage:
             for one in self._bound.functions
         ]
 
-    def _sensors(self) -> list[dict[str, str]]:
+    def _sensors(self) -> list[dict[str, Json]]:
         return [
             {
                 "name": reader,
                 "key": mark_key(fact_text(*key)),
                 "serves": remark(f"{self._blueprint[key[0]].fact_name(key[1])} of {key[0]}"),
                 "alphabet": remark(", ".join(self._blueprint[key[0]].alphabet[key[1]])),
+                "branch": self._numbers[key[0]],
+                "digit": key[1],
             }
             for key, reader in self._readers.items()
         ]

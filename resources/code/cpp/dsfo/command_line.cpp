@@ -1,15 +1,12 @@
 #include "command_line.hpp"
 
-#include <unistd.h>
-
-#include <array>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 
 #include "addresses.hpp"
-#include "dispatcher.hpp"
+#include "run_header.hpp"
 
 namespace dsfo {
 
@@ -93,32 +90,6 @@ Options options_of(const std::vector<std::string>& words) {
         found.wrong = "--world is table";
     }
     return found;
-}
-
-std::vector<std::string> texts(const Hierarchy& hierarchy, const std::map<int, int>& states) {
-    std::vector<std::string> found;
-    for (const auto& [branch, state] : states) {
-        const Branch& own = hierarchy.of(branch);
-        found.push_back(address({own.name, own.states[static_cast<std::size_t>(state)].name}));
-    }
-    return found;
-}
-
-std::string header_of(const Hierarchy& hierarchy, const World& world, const Terms& terms) {
-    std::array<char, 256> node{};
-    gethostname(node.data(), node.size() - 1);
-    Object said;
-    said.text("log", "smsl-run").count("version", 3).text("wall_time", now());
-    said.text("node", node.data()).count("process", static_cast<long>(getpid()));
-    said.text("world", world.name()).count("seed", terms.seed).text("host", "local");
-    said.raw("start", json_list(texts(hierarchy, terms.start)));
-    said.raw("goals", json_list(texts(hierarchy, terms.goals)));
-    said.raw("avoid", json_list(terms.avoid));
-    said.text("on_mismatch", terms.adopts ? "adopt" : "hold");
-    said.raw("by_hand", "false").raw("attended", "false").raw("levels", "{}");
-    said.raw("script", "null").text("supervisor", "").raw("policy", "null").raw("mqtt", "null");
-    const std::string own = said.str();
-    return own.substr(0, own.size() - 1) + "," + hierarchy.blueprint.identity + "}";
 }
 
 int wrong_usage(const std::string& sentence) {
