@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
-from smsl_studio.world.bodies import Body, Box, Floor, Hulls
+from smsl_studio.world.bodies import Body, Box, Floor, Hulls, Robot
 from smsl_studio.world.grasps import Grasp
 from smsl_studio.world.known_values import refuse_impossible, refuse_others
 from smsl_studio.world.meshes import hulls_obj, slab, soup, turned
 from smsl_studio.world.protocol import Vector
+from smsl_studio.world.stations import Station
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -66,6 +67,9 @@ its axis: the cosine of 11 degrees."""
 
 ON = 0.010
 """The largest distance (m) beside the middle of the piece below."""
+
+HOLD, ABOVE = 0.006, 0.14
+"""The height (m) of the tool above the middle of a piece, and on its way over everything."""
 
 SETTLE = 4.0
 """The time (s) in which all must come to rest: a piece on another one rocks a little."""
@@ -157,7 +161,7 @@ class Board:
                     free = min(free, *(float(np.hypot(*(off - end))) for end in ends))
             return round(free, 3)
 
-        return Grasp(RADIUS, 0.006, 0.14, 0.02, max(WAYS, key=room))
+        return Grasp(RADIUS, HOLD, ABOVE, 0.02, max(WAYS, key=room))
 
     def other(self, piece: str) -> str:
         """Return the other piece."""
@@ -209,6 +213,22 @@ class Board:
             else:
                 x, y = at[number].tolist()
                 yield piece, (x, y, z)
+
+
+def stations_of(_: Robot) -> dict[str, tuple[Station, ...]]:
+    """Return where the tool is at each block, for the operations that bring a piece there."""
+    low, high = GROUND + HEIGHT / 2 + HOLD, ABOVE
+    found: dict[str, tuple[Station, ...]] = {}
+    for block, (x, y) in BLOCKS.items():
+        stations = (Station(f"block {block}", (x, y, low)), Station(f"above {block}", (x, y, high)))
+        found[f"move-{{piece}}-chess-to-block-{case_of(block)}"] = stations
+    return found
+
+
+def case_of(block: str) -> str:
+    """Return the name of a block in the names of operations."""
+    case = "uppercase-" if block.isupper() else "lowercase-" if block.islower() else ""
+    return f"{case}{block}"
 
 
 def impossible(places: Sequence[str]) -> str:

@@ -12,10 +12,23 @@ import math
 from collections.abc import Callable, Generator, Mapping
 from typing import TYPE_CHECKING
 
+from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
-from .board import BLOCKS, GROUND, HEIGHT, HELD, NOWHERE, PIECES, PITCH, PLACES, Board
+from .board import (
+    BLOCKS,
+    GROUND,
+    HEIGHT,
+    HELD,
+    NOWHERE,
+    PIECES,
+    PITCH,
+    PLACES,
+    Board,
+    case_of,
+    stations_of,
+)
 from .sensors import register_sensors
 
 if TYPE_CHECKING:
@@ -50,12 +63,6 @@ def step(piece: str, block: str) -> Callable[[Board], Work]:
         return (yield from bring(board, piece, block))
 
     return carried
-
-
-def words(block: str) -> str:
-    """Return the name of a block in the names of operations."""
-    case = "uppercase-" if block.isupper() else "lowercase-" if block.islower() else ""
-    return f"{case}{block}"
 
 
 def gripper_opens(board: Board, after: float = 0.6, seconds: float = 0.3) -> Fault:
@@ -108,10 +115,11 @@ def register(library: OperationLibrary) -> None:
     def arrange(board: Board, facts: Mapping[tuple[str, int], str]) -> None:
         board.arrange({PIECES[digit]: value for (_, digit), value in facts.items()})
 
+    library.stations("chess", robot=ARM)(stations_of)
     register_sensors(library)
     for piece in PIECES:
         for block in BLOCKS:
-            name = f"move-{piece}-chess-to-block-{words(block)}"
+            name = f"move-{piece}-chess-to-block-{case_of(block)}"
             library.operation(name, stop="hold", timeout=30.0)(step(piece, block))
     for fault in (gripper_opens, slippery, toppled, beside, seized_joint, weak_grip):
         library.fault("chess", fault.__name__)(fault)

@@ -18,7 +18,7 @@ from .fit import refuse_unfit
 from .moves import carry
 from .recovery import recover
 from .sensors import register_sensors
-from .table import Table
+from .table import Table, stations_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -48,6 +48,8 @@ def register(library: OperationLibrary) -> None:
         pegs = {table.disk(digit + 1): value for (_, digit), value in facts.items()}
         table.arrange(pegs)
 
+    library.stations("hanoi")(stations_of)
+    library.stations(OTHER, robot=ARM)(stations_of)
     # The same table in another engine.
     library.world(OTHER, engine="mujoco", settle=0.2, values=("a", "b", "c"))(build)
     library.arrange(OTHER)(arrange)

@@ -14,6 +14,7 @@ from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.bodies import Body, Floor, Robot
 from smsl_studio.world.protocol import Vector
 from smsl_studio.world.reach import refuse_unreached
+from smsl_studio.world.stations import Station
 
 from .disks import CLEAR, PEGS, TIPS, Disk, cap_body, disks_for, peg_body, pegs_for
 
@@ -56,6 +57,19 @@ class Stack:
         )
 
 
+def stations_of(robot: Robot) -> dict[str, tuple[Station, ...]]:
+    """Return the lowest and the highest place of the tool at the peg to which an operation brings a
+    ring, for the operations of each peg."""
+    size = robot.size
+    found: dict[str, tuple[Station, ...]] = {}
+    for peg, (x, y) in pegs_for(size).items():
+        found[f"Op_{{disk}}{peg}"] = (
+            Station(f"the foot of peg {peg}", (x, y, TIPS * size)),
+            Station(f"the top of peg {peg}", (x, y, (CLEAR + TIPS) * size)),
+        )
+    return found
+
+
 class Table:
     """A robot, three pegs and the rings of one game in a physical world.
 
@@ -83,14 +97,9 @@ class Table:
             self.world.add(disk.body(place))
         self.world.add(cap_body(self.size))
         self.world.add(self.robot)
-        refuse_unreached(self.world, self.robot.name, self._heights())
+        every = (place for own in stations_of(self.robot).values() for place in own)
+        refuse_unreached(self.world, self.robot.name, every)
         self.world.settle()
-
-    def _heights(self) -> Iterator[tuple[str, Vector]]:
-        """Yield the lowest and the highest place (m) of the tool at each peg."""
-        for name, (x, y) in self.pegs.items():
-            yield f"the foot of peg {name}", (x, y, TIPS * self.size)
-            yield f"the top of peg {name}", (x, y, (CLEAR + TIPS) * self.size)
 
     def arrange(self, pegs: Mapping[Disk, str]) -> None:
         """Begin again with each ring at rest on its peg, smaller rings above larger rings.

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator, Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from smsl_studio.world.motions import DOWN, Array, Motion, bend, swing, tool, travel, wait
+from smsl_studio.world.stations import Station
 
-from .phantom import CENTRE, RADIUS
+from .phantom import CENTRE, RADIUS, STEEPEST, normal
 from .tracker import SAMPLES
 
 if TYPE_CHECKING:
+    from smsl_studio.world.bodies import Robot
+
     from .site import Site
 
 AWAY = 0.05
@@ -32,6 +36,16 @@ ROLL = 1.5
 
 BETWEEN = 2
 """The number of ticks between two samples."""
+
+
+TOUCHING = (
+    "Op_DigitizeLandmarks",
+    "DigitizeAllLandmarks",
+    "Op_Redigitize",
+    "RedigitizeOneLandmark",
+    "ConfirmAllDigitized",
+)
+"""The operations that touch landmarks."""
 
 
 def digitize(site: Site, numbers: Iterable[int]) -> Generator[None, None, bool]:
@@ -91,6 +105,19 @@ def measure(site: Site) -> Generator[None, None, Array]:
 def park(site: Site) -> Motion:
     """Move the arm above the phantom, with the pointer down."""
     yield from swing(site.world, np.add(CENTRE, (0.0, 0.0, RADIUS + 2 * AWAY)), DOWN)
+
+
+def stations_of(_: Robot) -> dict[str, tuple[Station, ...]]:
+    """Return where the tip is at the steepest landmarks that a plan may have, and before it comes
+    down there, for the operations that touch them."""
+    found = []
+    for turn in range(8):
+        outwards = normal(STEEPEST, turn * math.pi / 4)
+        first, second, third = towards(outwards).tolist()
+        for words, off in (("a landmark", 0.0), ("above a landmark", AWAY)):
+            x, y, z = (CENTRE + (RADIUS + off) * outwards).tolist()
+            found.append(Station(words, (x, y, z), (*first, *second, *third)))
+    return dict.fromkeys(TOUCHING, tuple(found))
 
 
 def towards(outwards: Array) -> Array:

@@ -44,10 +44,11 @@ def landmarks(seed: int, plan: int) -> Array:
     around = np.arange(COUNT - 1) * (2 * math.pi / (COUNT - 1)) + draw.uniform(-0.25, 0.25)
     angles = [0.08, *draw.uniform(0.8 * STEEPEST, STEEPEST, COUNT - 1)]
     turns = [draw.uniform(0, 2 * math.pi), *around]
-    return np.array([RADIUS * _normal(a, t) for a, t in zip(angles, turns, strict=True)])
+    return np.array([RADIUS * normal(a, t) for a, t in zip(angles, turns, strict=True)])
 
 
-def _normal(angle: float, turn: float) -> Array:
+def normal(angle: float, turn: float) -> Array:
+    """Return the normal of the ball at an angle (rad) from the vertical, turned about it."""
     side = math.sin(angle)
     return np.array([side * math.cos(turn), side * math.sin(turn), math.cos(angle)])
 

@@ -15,11 +15,11 @@ from smsl_studio.library.operation_library import Availability
 from smsl_studio.world.motions import wait
 
 from .faults import register_faults
-from .moves import digitize
+from .moves import digitize, stations_of
 from .navigation import GOOD
 from .phantom import COUNT
 from .sensors import register_sensors
-from .site import DIGITIZED, Site
+from .site import ARM, DIGITIZED, Site
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -159,6 +159,7 @@ def register(library: OperationLibrary) -> None:
     def arrange(site: Site, facts: Mapping[tuple[str, int], str]) -> None:
         site.arrange(facts)
 
+    library.stations("registration", robot=ARM)(stations_of)
     register_sensors(library)
     for function, names in OPERATIONS.items():
         for name in names:

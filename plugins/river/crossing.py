@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
 from smsl_studio.world.arms.panda import ARM
-from smsl_studio.world.bodies import Body, Box, Floor
+from smsl_studio.world.bodies import Body, Box, Floor, Robot
 from smsl_studio.world.grasps import Grasp
 from smsl_studio.world.known_values import refuse_impossible, refuse_others
 from smsl_studio.world.meshes import slab, soup, turned
 from smsl_studio.world.protocol import Vector
+from smsl_studio.world.stations import Station
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -134,6 +135,21 @@ class Crossing:
                 raise WorldError(FULL, advice="Choose another start.")
             dx, dy = jitter[number].tolist()
             yield item, (x + dx, y + dy, ground + HEIGHT / 2 + 0.0005)
+
+
+def stations_of(_: Robot) -> dict[str, tuple[Station, ...]]:
+    """Return where the tool is at each seat of a bank or of the boat, for the operations that bring
+    an item there."""
+    found = {}
+    for value, (y, ground) in BANKS.items():
+        low, high = ground + HEIGHT / 2 + GRASP.high, GRASP.clear
+        words = PLACES[value].replace("_", " ")
+        found[f"move_{{item}}_from_{{other}}_to_{PLACES[value]}"] = tuple(
+            Station(f"{where} {number} of the {words}", (x, y, z))
+            for number, x in enumerate(SEATS[value], 1)
+            for where, z in (("place", low), ("above place", high))
+        )
+    return found
 
 
 FULL = "at most two can be in the boat"

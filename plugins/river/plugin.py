@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Mapping
 from typing import TYPE_CHECKING
 
+from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
-from .crossing import BANKS, GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing
+from .crossing import BANKS, GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing, stations_of
 from .sensors import register_sensors
 
 if TYPE_CHECKING:
@@ -94,6 +95,7 @@ def register(library: OperationLibrary) -> None:
     def arrange(crossing: Crossing, facts: Mapping[tuple[str, int], str]) -> None:
         crossing.arrange({ITEMS[digit]: value for (_, digit), value in facts.items()})
 
+    library.stations("river", robot=ARM)(stations_of)
     register_sensors(library)
     for item in ITEMS:
         for start, end in (("0", "B"), ("B", "0"), ("B", "1"), ("1", "B")):

@@ -12,11 +12,12 @@ from smsl_studio.cli.arguments import (
     add_effort,
     add_format,
     add_limit,
+    add_robot,
     add_world,
 )
 from smsl_studio.cli.blueprint_argument import read_argument, read_each
 from smsl_studio.cli.output import Output, note
-from smsl_studio.errors import ReadError
+from smsl_studio.errors import ReadError, UsageError
 from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.inspect import PROVED, in_order
 from smsl_studio.inspection.rules.finding import Finding, Severity
@@ -60,12 +61,17 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="write an element, or a fact as SB/digit, in the notation of the paper",
     )
     add_world(parser, required=False)
+    add_robot(parser)
     add_format(parser, "sarif")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Inspect each file and print its findings. 0: no error; 1: an error; 2: unreadable."""
+    if options.robot and options.world is None:
+        raise UsageError("--robot needs a world", advice="Name it with --world.")
     loaded = _loaded(options.world)
+    if loaded is not None:
+        loaded.robot_name(options.world, options.robot)
     inspect(_nothing(), options.rule)
     against = options.against
     is_record = against is not None and _is_record(against)
@@ -125,7 +131,7 @@ def _checked(blueprint: Blueprint, options: argparse.Namespace, loaded: Loaded |
     if options.world is not None:
         from smsl_studio.front.equipment import findings_in_world
 
-        more = findings_in_world(blueprint, options.world, options.rule, loaded)
+        more = findings_in_world(blueprint, options.world, options.rule, loaded, options.robot)
         one = one._replace(findings=in_order(blueprint, (*one.findings, *more)))
     limit = {"limit": options.limit} if options.limit else {}
     effort = {"seconds": options.seconds, "megabytes": options.memory}

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.inspection.in_world import inspect_in_world
 from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.inspection.rules.world import Unreached
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loaded import Loaded
@@ -33,11 +34,20 @@ def findings_in_world(
     world: str,
     rules: Collection[str] | None = None,
     loaded: Loaded | None = None,
+    robot: str = "",
 ) -> tuple[Finding, ...]:
     """Return the findings about a blueprint in a world, in the order of the text (R24 to R26).
 
-    ``loaded`` are plugins that were found already. WorldError if there is no such world.
+    ``loaded`` are plugins that were found already. ``robot`` is the robot of the world, empty for
+    the usual one. WorldError if there is no such world, UsageError if it has no such robot.
     """
     known = loaded if loaded is not None else loaded_for(world)
     bindings = bind(blueprint, known, world, bindings_beside(blueprint.file))
-    return inspect_in_world(blueprint, world, bindings, rules)
+    reach = known.reach(world, robot)
+    missed: tuple[tuple[str, str], ...] = ()
+    if reach is not None and (rules is None or "R24" in rules):
+        from smsl_studio.world.reach import unreached
+
+        missed = unreached(reach)
+    lack = Unreached(reach.robot, missed) if reach is not None and missed else None
+    return inspect_in_world(blueprint, world, bindings, rules, lack)

@@ -37,11 +37,13 @@ def inspect(
     rules: Collection[str] | None = None,
     world: str | None = None,
     against: Blueprint | None = None,
+    robot: str = "",
 ) -> tuple[Finding, ...]:
     """Return the findings about a blueprint, in the order of the text (paper, Inspection).
 
     ``rules`` are the numbers of the rules to check, such as ``"R15"``. None means all rules.
-    ``world`` asks also what that world has for the blueprint. ``against`` is another version: what
+    ``world`` asks also what that world has for the blueprint, with its usual ``robot`` or another
+    one. ``against`` is another version: what
     has changed since then comes last, removals first. UsageError for an unknown rule, WorldError
     for an unknown world.
 
@@ -55,7 +57,8 @@ def inspect(
     if world is not None:
         from smsl_studio.front.equipment import findings_in_world
 
-        found = in_order(blueprint, (*found, *findings_in_world(blueprint, world, rules)))
+        more = findings_in_world(blueprint, world, rules, robot=robot)
+        found = in_order(blueprint, (*found, *more))
     if against is None:
         return found
     from smsl_studio.inspection.against import inspect_against

@@ -22,7 +22,7 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import carried_out
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.operation_library import OperationEntry
+from smsl_studio.library.operation_entry import OperationEntry
 from smsl_studio.runlog.events import OperationEnded
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.smsl.json_form import parse_json, write_json

@@ -14,20 +14,29 @@ from smsl_studio.blueprint.predicates.units import LONGEST as LONGEST_UNIT
 from smsl_studio.errors import HostError, PluginError
 from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
 from smsl_studio.host.compound import mapped, mapping, optional, row, several
+from smsl_studio.host.reach_codec import REACH
 from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
-from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry, WorldEntry
+from smsl_studio.library.entries import (
+    CostEntry,
+    FaultEntry,
+    StationsEntry,
+    SupervisorEntry,
+    WorldEntry,
+)
 from smsl_studio.library.loaded import Plugin, PluginFault
+from smsl_studio.library.operation_entry import OperationEntry
 from smsl_studio.library.operation_library import (
     STOP_MODES,
-    OperationEntry,
     OperationLibrary,
 )
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.signature import Signature
+from smsl_studio.library.stations import reaches
 from smsl_studio.library.survey import FoundPlugin
 from smsl_studio.world.bodies import Robot
 from smsl_studio.world.engines import ENGINES
+from smsl_studio.world.stations import RobotReach
 
 LARGEST: Final = 4 * 2**20
 """The largest size of the description of one plugin, in bytes."""
@@ -136,6 +145,11 @@ SUPERVISOR = mapped(
     lambda told: SupervisorEntry(AbsentCode(told[0]), *told),
 )
 
+STATIONS: Codec[tuple[str, dict[str, RobotReach]]] = row(
+    NAME, mapping(name(300, empty=True), REACH, MOST)
+)
+"""A world, and the reach of each of its robots. The function that tells it stays where it is."""
+
 LIBRARY: Codec[OperationLibrary] = mapped(
     row(
         name(100),
@@ -147,6 +161,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         several(FAULT, MOST),
         several(NAME, MOST),
         several(SUPERVISOR, MOST),
+        several(STATIONS, MOST),
     ),
     lambda one: (
         one.name,
@@ -158,6 +173,7 @@ LIBRARY: Codec[OperationLibrary] = mapped(
         tuple(one.faults.values()),
         tuple(one.robots),
         tuple(one.supervisors.values()),
+        tuple((world, reaches(one, entry)) for world, entry in one.reaching.items()),
     ),
     lambda told: _library(*told),
 )
@@ -207,7 +223,7 @@ def _library(
     *others: Any,
 ) -> OperationLibrary:
     library = OperationLibrary(called)
-    sensors, costs, faults, robots, supervisors = others
+    sensors, costs, faults, robots, supervisors, reaching = others
     library.worlds.update(_once(worlds, lambda one: one.name))
     library.arrangers.update({world: AbsentCode(world) for world in arranged})
     library.operations.extend(operations)
@@ -217,6 +233,8 @@ def _library(
     # Only their names are told: the values are built where the world is.
     library.robots.update({name: Robot(name, "", "", ()) for name in robots})
     library.supervisors.update(_once(supervisors, lambda one: one.name))
+    told = (StationsEntry(world, AbsentCode(world), known=known) for world, known in reaching)
+    library.reaching.update(_once(told, lambda one: one.world))
     return library
 
 

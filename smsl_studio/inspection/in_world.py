@@ -10,6 +10,7 @@ from smsl_studio.inspection.inspect import in_order
 from smsl_studio.inspection.rules.finding import Finding, Remark
 from smsl_studio.inspection.rules.world import (
     Equipment,
+    Unreached,
     r24_no_function,
     r25_not_sensed,
     r26_not_confirmed,
@@ -24,13 +25,18 @@ _RULES = MappingProxyType[str, Callable[[Equipment], Iterator[Remark]]](
 
 
 def inspect_in_world(
-    blueprint: Blueprint, world: str, bindings: Bindings, rules: Collection[str] | None = None
+    blueprint: Blueprint,
+    world: str,
+    bindings: Bindings,
+    rules: Collection[str] | None = None,
+    unreached: Unreached | None = None,
 ) -> tuple[Finding, ...]:
     """Return the findings about a blueprint with its bindings in a world, in the order of the text.
 
-    ``rules`` are the numbers of the rules to check, None means all.
+    ``rules`` are the numbers of the rules to check, None means all. ``unreached`` is what the
+    chosen robot does not reach.
     """
-    equipment = Equipment(blueprint, world, bindings)
+    equipment = Equipment(blueprint, world, bindings, unreached)
     found: list[Finding] = []
     for rule, check in _RULES.items():
         if rules is None or rule in rules:

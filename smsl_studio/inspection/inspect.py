@@ -75,7 +75,7 @@ PROVED = {
 }
 """The rules about hazards and properties. ``proof`` finds what they report."""
 WITH_MORE = {
-    "R24": "an operation without a function in the world",
+    "R24": "an operation without a function in the world, or beyond its robot's reach",
     "R25": "a fact that is not sensed in the world",
     "R26": "a grave operation that nobody confirms",
     "R27": "a change since another version",

@@ -34,7 +34,7 @@ from smsl_studio.library.bound import (
 from smsl_studio.library.entries import CostEntry
 from smsl_studio.library.fact_default import FactDefault, default_of
 from smsl_studio.library.loaded import Loaded, Plugin
-from smsl_studio.library.operation_library import OperationEntry
+from smsl_studio.library.operation_entry import OperationEntry
 from smsl_studio.library.sensor_entry import SensorEntry
 from smsl_studio.library.table import table_bindings
 from smsl_studio.world.engines import TABLE

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from smsl_studio.library.pattern import Pattern
 from smsl_studio.library.signature import Signature
+
+if TYPE_CHECKING:
+    from smsl_studio.world.bodies import Robot
+    from smsl_studio.world.stations import RobotReach
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +43,20 @@ class FaultEntry:
     name: str
     function: Callable[..., Any]
     signature: Signature
+
+
+@dataclass(frozen=True, slots=True)
+class StationsEntry:
+    """The places to which the operations of a world bring the tool, for a robot.
+
+    ``robot`` is that of a world without a choice. Where the code is elsewhere, ``known`` has what
+    it told of each robot, by name (empty for a world without a choice).
+    """
+
+    world: str
+    function: Callable[..., Any]
+    robot: Robot | None = None
+    known: Mapping[str, RobotReach] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.errors import Place, UsageError, WorldError, did_you_mean
 from smsl_studio.library.arm_table import arm_named
+from smsl_studio.library.stations import reaches
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from smsl_studio.library.operation_library import OperationLibrary
     from smsl_studio.library.survey import FoundPlugin
     from smsl_studio.world.bodies import Robot
+    from smsl_studio.world.stations import RobotReach
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +118,17 @@ class Loaded:
             if name in plugin.library.robots:
                 return plugin.library.robots[name]
         return arm_named(name)
+
+    def reach(self, world: str, asked: str) -> RobotReach | None:
+        """Return the reach of a robot in a world, None if its plugin tells none. UsageError if the
+        world cannot be built with the robot."""
+        name = self.robot_name(world, asked) or next(iter(self.robots(world)), "")
+        library = self.world(world)[0].library if world != TABLE else None
+        entry = library.reaching.get(world) if library is not None else None
+        if library is None or entry is None:
+            return None
+        known = entry.known if entry.known is not None else reaches(library, entry)
+        return known.get(name) or known.get("")
 
     def serving(self, world: str) -> tuple[Plugin, ...]:
         """Return the plugins whose operations and sensors belong to a world: the world's own

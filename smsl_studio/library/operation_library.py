@@ -33,13 +33,20 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, TypeVar
 
 from smsl_studio.errors import PluginError, did_you_mean
 from smsl_studio.library.arm_table import arm_names
-from smsl_studio.library.entries import CostEntry, FaultEntry, SupervisorEntry, WorldEntry
+from smsl_studio.library.entries import (
+    CostEntry,
+    FaultEntry,
+    StationsEntry,
+    SupervisorEntry,
+    WorldEntry,
+)
 from smsl_studio.library.fact_default import default_entry
+from smsl_studio.library.operation_entry import Availability, OperationEntry
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.sensor_entry import NO_WORDS, SensorEntry
 from smsl_studio.library.signature import Signature, signature_of
@@ -53,52 +60,12 @@ from smsl_studio.library.terms import (
 from smsl_studio.world.bodies import Robot
 from smsl_studio.world.engines import ENGINES, TABLE, USUAL
 
+__all__ = ("STOP_MODES", "Availability", "OperationLibrary")
+
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 _TERMS = ("name", "stop", "timeout", "resumes", "touches", "available", "recovery")
 STOP_MODES = ("abort", "hold", "finish")
-
-
-@dataclass(frozen=True, slots=True)
-class Availability:
-    """Whether an operation can be used now. Both functions are called as the operation's own is.
-
-    ``why_not`` returns why it cannot be used, as a text that follows "not available:", or the empty
-    text. Routes avoid the operation then, and it does not begin. ``premise`` makes ``why_not``
-    agree in a world that was just arranged, without changing a fact, so that the operation can be
-    tried alone.
-    """
-
-    why_not: Callable[..., str]
-    premise: Callable[..., None] | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class OperationEntry:
-    """A generator function and the pattern of its operation names.
-
-    A pattern of None means that the function is used only where a binding names it. ``name`` is
-    ``plugin.function``. ``timeout`` is in simulated seconds.
-    """
-
-    function: Callable[..., Any]
-    name: str
-    pattern: Pattern | None
-    signature: Signature
-    stop: str
-    timeout: float
-    resumes: bool = True
-    touches: tuple[Pattern, ...] = ()
-    available: Availability | None = None
-    recovery: bool = False
-
-    def texts(self, branch: str, operation: str) -> dict[str, str] | None:
-        """Return the parameters that the pattern finds in the name of an operation, None if it does
-        not match. A pattern ``SB/Operation`` matches in this SB only."""
-        if self.pattern is None:
-            return None
-        whole = f"{branch}/{operation}" if "/" in self.pattern.text else operation
-        return self.pattern.match(whole)
 
 
 class OperationLibrary:
@@ -115,6 +82,7 @@ class OperationLibrary:
         self.faults: dict[tuple[str, str], FaultEntry] = {}
         self.supervisors: dict[str, SupervisorEntry] = {}
         self.robots: dict[str, Robot] = {}
+        self.reaching: dict[str, StationsEntry] = {}
 
     @property
     def serves(self) -> bool:
@@ -166,6 +134,26 @@ class OperationLibrary:
         if name in self.robots or name in arm_names():
             raise PluginError(f"the name {name!r} cannot be given to a robot: it is taken")
         self.robots[name] = robot
+
+    def stations(self, world: str, robot: Robot | None = None) -> Callable[[FunctionT], FunctionT]:
+        """Register the places to which operations of a world bring the tool. The decorated
+        ``stations(robot)`` returns them by a pattern of operations (``world.stations.Stations``).
+
+        With them inspection says which operations a chosen robot does not reach (R24). ``robot`` is
+        the robot of a world without a choice. For a robot of another plugin nothing is asked.
+        """
+        world = proper_name(world, "a world")
+        if robot is not None and not isinstance(robot, Robot):
+            raise PluginError(f"a robot is of type {type(robot).__name__!r}, no Robot")
+        if world in self.reaching:
+            raise PluginError(f"the stations of the world {world!r} are registered already")
+
+        def keep(function: FunctionT) -> FunctionT:
+            """Register the function that tells the stations."""
+            self.reaching[world] = StationsEntry(world, function, robot)
+            return function
+
+        return keep
 
     def arrange(self, world: str) -> Callable[[FunctionT], FunctionT]:
         """Register the start of a world. The decorated ``put(world, facts)`` makes the facts true.

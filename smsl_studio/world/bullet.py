@@ -23,6 +23,7 @@ from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.links import description, urdf_text
 from smsl_studio.world.manipulator import Manipulator, Pose
+from smsl_studio.world.models import models_folder
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
 from smsl_studio.world.protocol import Quaternion, Shape, Vector
 from smsl_studio.world.rest import CALM, Extent, restless, touching
@@ -30,14 +31,13 @@ from smsl_studio.world.silence import silence
 
 with silence():
     import pybullet
-    import pybullet_data
     from pybullet_utils.bullet_client import BulletClient
 
 ROUNDS = 50
 """The usual number of rounds in which the engine solves the forces of one tick."""
 
 STILL: Vector = (0.0, 0.0, 0.0)
-MODELS = Path(pybullet_data.getDataPath())
+MODELS = models_folder() or Path()
 """The folder of the models that come with the engine, such as ``franka_panda/panda.urdf``."""
 
 

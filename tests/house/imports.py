@@ -56,7 +56,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "moderngl": ("studio/",),
     "PIL": ("studio/running/scene/clip_file.py",),
     "pybullet": (BULLET,),
-    "pybullet_data": (BULLET,),
+    "pybullet_data": ("world/models.py",),
     "pybullet_utils": (BULLET,),
     "distributed": ("front/campaign_cluster.py",),
     "mujoco": ("world/mujoco_world.py",),

@@ -13,15 +13,18 @@ import pytest
 
 import smsl_studio as smsl
 from plugins.hanoi.moves import carry
-from plugins.hanoi.table import Table
+from plugins.hanoi.table import Table, stations_of
 from smsl_studio.errors import WorldError
 from smsl_studio.front.inputs import read
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.arm_table import arm_named
+from smsl_studio.library.loading import discover
 from smsl_studio.runlog.events import Committed, RunStarted
 from smsl_studio.shipped import samples_dir
 from smsl_studio.world.arms.dvrk import CENTRE
 from smsl_studio.world.bullet import BulletWorld
 from smsl_studio.world.kinematics import rotation_of
+from smsl_studio.world.reach import reach_of, unreached
 
 TWO = samples_dir() / "hanoi-2.json"
 OTHERS = ("iiwa", "dvrk")
@@ -80,3 +83,23 @@ def test_a_robot_that_does_not_reach_is_refused_before_anything_moves() -> None:
     with pytest.raises(WorldError, match=r"'far' does not reach the foot of peg a .* \(0.500"):
         Table(world, 3, 0, far).furnish()
     world.close()
+
+
+@pytest.mark.parametrize("world", ["hanoi", "hanoi-mujoco", "chess", "river", "registration"])
+def test_every_robot_of_a_shipped_world_reaches_all_its_stations(world: str) -> None:
+    here, told = discover(), describe()
+    for robot in here.robots(world) or ("",):
+        reach = here.reach(world, robot)
+        assert reach is not None
+        assert len(reach.stations) > 5
+        assert unreached(reach) == ()
+        assert told.reach(world, robot) == reach
+
+
+def test_the_stations_that_a_robot_does_not_reach_are_named() -> None:
+    far = replace(arm_named("iiwa"), name="far", base=(-0.42, 0.0, 0.0))
+    reach = reach_of(far, stations_of(far))
+    assert reach is not None
+    missed = unreached(reach)
+    assert ("Op_{disk}a", "the foot of peg a (0.500, -0.140, 0.010 m)") in missed
+    assert {pattern for pattern, _ in missed} == {"Op_{disk}a", "Op_{disk}b", "Op_{disk}c"}

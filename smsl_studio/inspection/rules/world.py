@@ -23,6 +23,7 @@ from smsl_studio.graph.effects import effects_of
 from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
 from smsl_studio.inspection.rules.words import counted, fact_words
 from smsl_studio.library.bound import Bindings, leaf_facts
+from smsl_studio.library.pattern import read_pattern
 from smsl_studio.world.engines import TABLE
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
@@ -31,13 +32,24 @@ COMMON_PERSON = "operator"
 """The role in a fix if the file names nobody."""
 
 
+@dataclass(frozen=True)
+class Unreached:
+    """What the chosen robot does not reach: pairs of a pattern of operations and a place in
+    words."""
+
+    robot: str
+    places: tuple[tuple[str, str], ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Equipment:
-    """A blueprint with what a world has for it."""
+    """A blueprint with what a world has for it. ``unreached`` is None if the robot reaches all, or
+    if nothing is known of it."""
 
     blueprint: Blueprint
     world: str
     bindings: Bindings
+    unreached: Unreached | None = None
 
     @cached_property
     def levels(self) -> Levels:
@@ -69,8 +81,8 @@ class Equipment:
 
 
 def r24_no_function(equipment: Equipment) -> Iterator[Remark]:
-    """R24: an operation without a function in this world, a binding that does not fit, a fact that
-    both a sub-SB and a sensor tell.
+    """R24: an operation without a function in this world or beyond the reach of its robot, a
+    binding that does not fit, a fact that both a sub-SB and a sensor tell.
 
     A stop mode and a time limit are never missing, because the library has defaults for both.
     """
@@ -90,6 +102,8 @@ def r24_no_function(equipment: Equipment) -> Iterator[Remark]:
                     Fix("Take its sensors away", partial(_unsensed, branch.name, digit)),
                     spot=(blueprint.home(branch.name), (branch.name, "_facts", str(digit))),
                 )
+    if equipment.unreached is not None:
+        yield from _beyond(equipment, equipment.unreached)
     without: dict[tuple[str, str], list[Operation]] = {}
     for edge in _needing(equipment):
         said = blueprint[edge.branch].operation_note(edge.source, edge.name)
@@ -104,6 +118,27 @@ def r24_no_function(equipment: Equipment) -> Iterator[Remark]:
             edges[0].address,
             f"the world {equipment.world} has no function for it",
             "bind it to a function of a plugin, or let a person carry it out",
+            others=[edge.address for edge in edges[1:]],
+        )
+
+
+def _beyond(equipment: Equipment, unreached: Unreached) -> Iterator[Remark]:
+    """Report the operations that the robot would have to carry out beyond its reach."""
+    patterns = [(read_pattern(text, {}), words) for text, words in unreached.places]
+    found: dict[tuple[str, str, str], list[Operation]] = {}
+    for edge in _needing(equipment):
+        if edge.address in equipment.bindings.operations:
+            missed = (words for pattern, words in patterns if pattern.match(edge.name) is not None)
+            words = next(missed, "")
+            if words:
+                found.setdefault((edge.branch, edge.name, words), []).append(edge)
+    for (_, _, words), edges in found.items():
+        yield Remark(
+            "R24",
+            ERROR,
+            edges[0].address,
+            f"the robot {unreached.robot} does not reach {words} in the world {equipment.world}",
+            "choose another robot, or let a person carry it out",
             others=[edge.address for edge in edges[1:]],
         )
 

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import WorldError
+from smsl_studio.errors import UsageError, WorldError
 from smsl_studio.inspection.inspect import ALL, in_order, inspect, order
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
@@ -99,6 +99,7 @@ class Inspector(QObject):
         self.world = ""
         """The world that a person has chosen for this file. Empty if no world is chosen."""
         self._loaded: Loaded | None = None
+        self._robot = ""
         session.opened.connect(self._forget)
         session.blueprint_changed.connect(lambda *_: self._changed())
         self._changed()
@@ -147,16 +148,17 @@ class Inspector(QObject):
         self._known.pop(id(self._session.blueprint), None)
         self._changed(0)
 
-    def look_in(self, world: str, loaded: Loaded | None) -> None:
-        """Check the rules about worlds, too (R24 to R26). ``loaded`` has the known plugins."""
-        if (world, loaded) != (self.world, self._loaded):
-            self.world, self._loaded = world, loaded
+    def look_in(self, world: str, loaded: Loaded | None, robot: str = "") -> None:
+        """Check the rules about worlds, too (R24 to R26). ``loaded`` has the known plugins,
+        ``robot`` is empty for the usual one of the world."""
+        if (world, loaded, robot) != (self.world, self._loaded, self._robot):
+            self.world, self._loaded, self._robot = world, loaded, robot
             self._known.clear()
             self._changed(0)
 
     def _forget(self) -> None:
         self._known.clear()
-        self.world, self._loaded = "", None
+        self.world, self._loaded, self._robot = "", None, ""
         self._unlisted, self.unanswered = True, ()
 
     def _changed(self, wait: int = WAIT) -> None:
@@ -175,7 +177,7 @@ class Inspector(QObject):
         if known is not None:
             self._arrived(blueprint, known.findings)
         else:
-            look = partial(_inspected, blueprint, self.world, self._loaded)
+            look = partial(_inspected, blueprint, self.world, self._loaded, self._robot)
             self._beside.do(look, partial(self._arrived, blueprint))
 
     def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
@@ -225,7 +227,9 @@ class Inspector(QObject):
         self.found.emit(self.findings)
 
 
-def _inspected(blueprint: Blueprint, world: str, loaded: Loaded | None) -> tuple[Finding, ...]:
+def _inspected(
+    blueprint: Blueprint, world: str, loaded: Loaded | None, robot: str
+) -> tuple[Finding, ...]:
     """Inspect a blueprint, also in a world if there is one. The worker thread calls this."""
     found = inspect(blueprint)
     if not world:
@@ -233,9 +237,9 @@ def _inspected(blueprint: Blueprint, world: str, loaded: Loaded | None) -> tuple
     from smsl_studio.front.equipment import findings_in_world
 
     try:
-        more = findings_in_world(blueprint, world, loaded=loaded)
-    except WorldError:
-        return found  # its plugin is gone, and Run says so
+        more = findings_in_world(blueprint, world, loaded=loaded, robot=robot)
+    except (WorldError, UsageError):
+        return found  # its plugin, or the robot's, is gone, and Run says so
     return in_order(blueprint, (*found, *more))
 
 

@@ -194,7 +194,7 @@ class Features(QObject):
 
     def _inspect_in_world(self, pane: RunPane) -> None:
         """Check also what is missing in the world that a person has chosen."""
-        self._inspector.look_in(pane.next.world, pane.next.loaded)
+        self._inspector.look_in(pane.next.world, pane.next.loaded, pane.next.robot)
 
     def _introduce_replay(self, verbs: ReplayVerbs) -> None:
         verbs.pane.said.connect(self.said)

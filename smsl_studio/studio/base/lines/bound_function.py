@@ -17,7 +17,7 @@ from smsl_studio.studio.base.lines.text import number_text
 from smsl_studio.studio.base.words import capital
 
 if TYPE_CHECKING:
-    from smsl_studio.library.operation_library import OperationEntry
+    from smsl_studio.library.operation_entry import OperationEntry
 
 KINDS: Mapping[object, tuple[str, str]] = {
     int: ("whole number", "a whole number such as 2"),

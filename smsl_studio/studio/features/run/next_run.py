@@ -53,7 +53,7 @@ class NextRun:
         if self.is_fixed:
             return None
         seed = int(self._transport.seed.text() or 0)
-        return self._session.blueprint, world, seed, self.loaded, self._robot
+        return self._session.blueprint, world, seed, self.loaded, self.robot
 
     @property
     def choice(self) -> RunChoice:
@@ -70,7 +70,7 @@ class NextRun:
             seed=int(transport.seed.text() or 0),
             by_hand=transport.by_hand.isChecked(),
             levels=self._levels.set,
-            robot=self._robot,
+            robot=self.robot,
         )
 
     @property
@@ -79,7 +79,7 @@ class NextRun:
         return (self._transport.world.currentData() or "").partition(WITH)[0]
 
     @property
-    def _robot(self) -> str:
+    def robot(self) -> str:
         """The chosen robot, empty if it is the usual one."""
         return (self._transport.world.currentData() or "").partition(WITH)[2]
 
@@ -87,7 +87,7 @@ class NextRun:
         """The choice for one step, in the chosen world."""
         transport = self._transport
         seed = int(transport.seed.text() or 0)
-        levels, robot = self._levels.set, self._robot
+        levels, robot = self._levels.set, self.robot
         return RunChoice(
             self.world, goal=goal, seed=seed, levels=levels, starts=starts, robot=robot
         )
